@@ -123,10 +123,10 @@ public final class SteadyMotion {
 
   SteadyMotion(Kind kind) throws PlanningException {
     this.kind = kind;
-    arm = box.armDescription();
-    forward = box.forward();
+    arm = box.arm().description();
+    forward = box.kinematics().forward();
     box.flange().setTool(new ToolCentre(TCP, "tool"));
-    SpeedCaps caps = new SpeedCaps(arm, box.model().dynamics(), box.safety());
+    SpeedCaps caps = new SpeedCaps(arm, box.arm().model().dynamics(), box.safety());
     caps.setTool(TCP);
     motion =
         kind == Kind.SLOWED_DOWN
@@ -137,7 +137,12 @@ public final class SteadyMotion {
     force =
         new ForceMode(
             new ForceMode.Setup(
-                arm, box.arm(), () -> felt, givingWay, box.safety()::limits, box.motion()));
+                arm,
+                box.arm().simulated(),
+                () -> felt,
+                givingWay,
+                box.safety()::limits,
+                box.motion()));
     force.setTool(TCP);
     run =
         switch (kind) {
@@ -153,7 +158,7 @@ public final class SteadyMotion {
       begin();
     }
     prepare();
-    box.encoders().step(box.io());
+    box.offsets().encoders().step(box.signals().digital());
     motion.step();
   }
 
@@ -175,12 +180,12 @@ public final class SteadyMotion {
       case FORCE_POINT, FORCE_FIXED, FORCE_MOTION, FORCE_TOOL, FORCE_AT_LIMIT -> {
         if (turns) {
           felt = frame / SWAY % 2 == 0 ? PUSH : PULL;
-          box.encoders().get(0).run(frame / SWAY % 2 == 0 ? 1000 : -1000);
+          box.offsets().encoders().get(0).run(frame / SWAY % 2 == 0 ? 1000 : -1000);
         }
       }
       case CONVEYOR_LINEAR, CONVEYOR_CIRCULAR -> {
         if (turns) {
-          box.encoders().get(0).run(frame / SWAY % 2 == 0 ? 5000 : -5000);
+          box.offsets().encoders().get(0).run(frame / SWAY % 2 == 0 ? 5000 : -5000);
         }
       }
       default -> {}
@@ -203,7 +208,7 @@ public final class SteadyMotion {
       case BLEND_MIXED -> blend(line(beside(0.041, 0, 0), RADIUS_M), joints(READY, 0));
       case OPTIMOVEJ -> {
         Joints goal = new Joints(1, -1, -2, -1.5, 1.2, 0.5);
-        PathLimits some = box.pathLimits().share(1e-4, 1, Double.POSITIVE_INFINITY);
+        PathLimits some = box.planning().limits().share(1e-4, 1, Double.POSITIVE_INFINITY);
         start(
             new Move(
                 from -> Routes.joints(arm, from, goal, forward.tcpPose(goal, TCP), TCP, some),
@@ -212,7 +217,7 @@ public final class SteadyMotion {
                 JERK_RAMP_S));
       }
       case OPTIMOVEL -> {
-        PathLimits some = box.pathLimits().share(1e-4, 1, Double.POSITIVE_INFINITY);
+        PathLimits some = box.planning().limits().share(1e-4, 1, Double.POSITIVE_INFINITY);
         Pose goal = beside(0.1, 0.2, 0.1);
         start(
             new Move(
@@ -223,20 +228,23 @@ public final class SteadyMotion {
       }
       case SPEEDJ ->
           goOn(
-              box.servoing()
+              box.modes()
+                  .servoing()
                   .speedJ(
                       new Joints(1e-4, 2e-4, -1e-4, 0, 1e-4, -2e-4), 1, OptionalDouble.of(1e6)));
       case SPEEDL ->
           goOn(
-              box.servoing()
+              box.modes()
+                  .servoing()
                   .speedL(
                       TCP,
                       new double[] {1e-4, 2e-4, 0, 1e-4, 0, 2e-4},
                       1,
                       1,
                       OptionalDouble.of(1e6)));
-      case SERVOJ -> goOn(box.servoing().servoJ(READY.with(0, 0.5).with(3, -1.2), 1e6, 0.2, 1e-5));
-      case SERVOC -> goOn(box.servoing().servoC(beside(0.1, 0.1, 0.05), TCP, 1, 1e-4, 0));
+      case SERVOJ ->
+          goOn(box.modes().servoing().servoJ(READY.with(0, 0.5).with(3, -1.2), 1e6, 0.2, 1e-5));
+      case SERVOC -> goOn(box.modes().servoing().servoC(beside(0.1, 0.1, 0.05), TCP, 1, 1e-4, 0));
       case DIRECT_TORQUE -> motion.guide(READY, READY);
       case FREEDRIVE -> {
         motion.startGuidance();
@@ -247,11 +255,15 @@ public final class SteadyMotion {
       case FORCE_MOTION -> press(FrameKind.MOTION);
       case FORCE_TOOL -> press(FrameKind.TOOL);
       case CONVEYOR_LINEAR -> {
-        box.conveyor().trackLinear(new Pose(0, 1, 0, 0, 0, 0), 100_000, box.encoders().get(0));
+        box.offsets()
+            .conveyor()
+            .trackLinear(new Pose(0, 1, 0, 0, 0, 0), 100_000, box.offsets().encoders().get(0));
         line();
       }
       case CONVEYOR_CIRCULAR -> {
-        box.conveyor().trackCircular(Pose.ZERO, 1_000_000, true, box.encoders().get(0));
+        box.offsets()
+            .conveyor()
+            .trackCircular(Pose.ZERO, 1_000_000, true, box.offsets().encoders().get(0));
         line();
       }
       case TOOLPATH, TOOLPATH_REMOTE, TOOLPATH_FREE ->
@@ -273,15 +285,18 @@ public final class SteadyMotion {
       }
     }
     if (kind == Kind.PATH_OFFSET) {
-      box.pathOffset().setAlpha(1e-5);
-      box.pathOffset().set(new Pose(0.02, 0.02, 0, 0.1, 0, 0.1), OffsetType.BASE);
-      box.pathOffset().enable();
+      box.offsets().path().setAlpha(1e-5);
+      box.offsets().path().set(new Pose(0.02, 0.02, 0, 0.1, 0, 0.1), OffsetType.BASE);
+      box.offsets().path().enable();
     }
   }
 
   /** So that there is something to stop. */
   private void moveALittle() throws PlanningException {
-    goOn(box.servoing().speedJ(new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), 1, OptionalDouble.of(0.002)));
+    goOn(
+        box.modes()
+            .servoing()
+            .speedJ(new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), 1, OptionalDouble.of(0.002)));
     motion.step();
   }
 
@@ -350,7 +365,9 @@ public final class SteadyMotion {
 
   /** Is pushed by turns this way and that, while a conveyor moves the path to and fro. */
   private void press(FrameKind frame) throws PlanningException {
-    box.conveyor().trackLinear(new Pose(0, 1, 0, 0, 0, 0), 100_000, box.encoders().get(0));
+    box.offsets()
+        .conveyor()
+        .trackLinear(new Pose(0, 1, 0, 0, 0, 0), 100_000, box.offsets().encoders().get(0));
     List<ForceAxis> axes = new ArrayList<>();
     for (int i = 0; i < ForceTask.AXES; i++) {
       axes.add(new ForceAxis(i == 0 || i == 2, 0, 0.1));

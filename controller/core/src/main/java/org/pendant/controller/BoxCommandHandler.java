@@ -1,5 +1,6 @@
 package org.pendant.controller;
 
+import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.ControlBox;
@@ -25,16 +26,27 @@ final class BoxCommandHandler implements CommandHandler<BoxCommand> {
   public Reply carryOut(BoxCommand command) {
     return switch (command) {
       case BoxCommand.ShutDown _ -> {
-        box.shutDown();
+        box.safety().shutDown();
         yield Reply.done();
       }
       case BoxCommand.NoteLostTime(double behindS) -> {
-        box.noteLostTime(behindS);
+        noteLostTime(behindS);
         yield Reply.done();
       }
       case BoxCommand.SetSpeedFraction(String writer, double fraction) ->
           Reply.unless(setSpeed(writer, fraction));
     };
+  }
+
+  private void noteLostTime(double behindS) {
+    if (box.clock().fellBehind(behindS)) {
+      box.log()
+          .warning(
+              String.format(
+                  Locale.ROOT,
+                  "robot time is %.2f s behind the wall clock: this computer could not keep up",
+                  behindS));
+    }
   }
 
   private Optional<Refusal> setSpeed(String writer, double fraction) {

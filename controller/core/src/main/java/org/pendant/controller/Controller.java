@@ -63,7 +63,9 @@ public final class Controller implements Robot, Drive {
     options.inputs().forEach(this::setInput);
     options.signals().forEach(box.signals()::write);
     installed.takeLevels();
-    options.encoders().forEach((index, ticksPerS) -> box.encoders().get(index).run(ticksPerS));
+    options
+        .encoders()
+        .forEach((index, ticksPerS) -> box.offsets().encoders().get(index).run(ticksPerS));
     Debugger debugger = new Debugger(machine);
     ManualControl hand = new ManualControl(box, machine);
     VariableTracer tracer = new VariableTracer(machine);
@@ -103,7 +105,7 @@ public final class Controller implements Robot, Drive {
     if (safety.isPresent()) {
       box.safety().setInput(safety.get(), level);
     } else {
-      box.io().setInput(name, level);
+      box.signals().digital().setInput(name, level);
     }
   }
 

@@ -226,7 +226,7 @@ final class Frame {
     } catch (RuntimeException | Error e) {
       endAfter(e);
     }
-    if (box.popups().blocked()) {
+    if (box.prompts().popups().blocked()) {
       machine.pause();
     }
     commandQueue.runSecondaries();
@@ -235,12 +235,12 @@ final class Frame {
   }
 
   private void stepMotion() {
-    box.encoders().step(box.io());
+    box.offsets().encoders().step(box.signals().digital());
     if (machine.state() == ProgramState.STOPPED) {
-      box.forceMode().finish();
+      box.modes().forceMode().finish();
     }
     box.motion().step();
-    box.forceMode().follow();
+    box.modes().forceMode().follow();
     hand.step();
   }
 
@@ -254,7 +254,7 @@ final class Frame {
     if (lost.isPresent()) {
       box.safety().lostPath(lost.get());
     }
-    if (box.isShutDown()) {
+    if (box.safety().isShutDown()) {
       stopProgram();
     }
     SafetyAction action = box.safety().step(facts());
@@ -290,14 +290,14 @@ final class Frame {
         box.clock().timeS(),
         box.drive().drivenPositionRad(),
         box.motion().speedRadPerS(),
-        box.arm().sensors(),
+        box.arm().simulated().sensors(),
         box.flange().tool().inFlange(),
         box.flange().wrenchInBase(),
         box.motion().steady(),
         box.motion().moving(),
         machine.state() == ProgramState.RUNNING,
-        box.freedrive().active() || box.motion().torqueDriven(),
-        box.forceMode().active());
+        box.modes().freedrive().active() || box.motion().torqueDriven(),
+        box.modes().forceMode().active());
   }
 
   /** Holds the program if it runs; returns whether it did. */
@@ -316,7 +316,7 @@ final class Frame {
   /** What paused the program is over by itself. */
   private void goOn() {
     boolean waits = machine.state() == ProgramState.PAUSED || machine.pausing();
-    if (heldBySafety && waits && !box.popups().blocked()) {
+    if (heldBySafety && waits && !box.prompts().popups().blocked()) {
       machine.resume();
       followProgram();
     }
@@ -348,14 +348,14 @@ final class Frame {
         box.motion().resume();
       }
       case PAUSED -> {
-        box.freedrive().end();
+        box.modes().freedrive().end();
         box.signals().runState().held(unexpected());
         box.motion().pause();
       }
       case STOPPED -> {
         box.programStopped();
         installed.programEnded();
-        box.freedrive().end();
+        box.modes().freedrive().end();
         box.motion().abort();
         box.motion().endOffsets();
         box.motion().resume();
@@ -382,10 +382,10 @@ final class Frame {
   /** What a program says on its last line stays to be read, unless it has been stopped. */
   private void closePopups() {
     switch (machine.ending().orElseThrow()) {
-      case Ending.Stopped stopped -> box.popups().closeAll();
-      case Ending.Finished finished -> box.popups().closeBlocking();
-      case Ending.Halted halted -> box.popups().closeBlocking();
-      case Ending.Failed failed -> box.popups().closeBlocking();
+      case Ending.Stopped stopped -> box.prompts().popups().closeAll();
+      case Ending.Finished finished -> box.prompts().popups().closeBlocking();
+      case Ending.Halted halted -> box.prompts().popups().closeBlocking();
+      case Ending.Failed failed -> box.prompts().popups().closeBlocking();
     }
   }
 
@@ -456,7 +456,7 @@ final class Frame {
   private ControllerState snapshot() {
     ArmState arm = armState();
     ArmReadings readings = ArmReadings.of(box);
-    List<Popup> popups = box.popups().takeNew();
+    List<Popup> popups = box.prompts().popups().takeNew();
     return new ControllerState(
         box.clock().frame(),
         box.clock().timeS(),
@@ -468,19 +468,19 @@ final class Frame {
         SafetyStatus.of(box, witness.place()),
         programStatus(arm),
         debugger.state(),
-        box.io().levels(),
+        box.signals().digital().levels(),
         box.signals().state(),
         box.links().modbus().state(),
         box.links().assemblies().image(),
-        box.encoders().counts(),
-        box.freedrive().state(box.drive().actualPositionRad()),
+        box.offsets().encoders().counts(),
+        box.modes().freedrive().state(box.drive().actualPositionRad()),
         sampler.read(),
         tracer.read(),
-        box.popups().open(),
-        box.questions().open(),
+        box.prompts().popups().open(),
+        box.prompts().questions().open(),
         box.log().takeNew(),
         popups,
-        box.questions().takeNew(),
+        box.prompts().questions().takeNew(),
         machine.takeEvents(),
         box.log().newest());
   }
@@ -492,10 +492,10 @@ final class Frame {
         motion.speedRadPerS(),
         motion.accelerationRadPerS2(),
         box.drive().actualPositionRad(),
-        box.arm().speedRadPerS(),
+        box.arm().simulated().speedRadPerS(),
         box.flange().tool(),
-        box.armDescription(),
-        box.forward(),
+        box.arm().description(),
+        box.kinematics().forward(),
         controlMode(),
         motion.moving(),
         motion.steady(),
@@ -505,13 +505,13 @@ final class Frame {
   }
 
   private ControlMode controlMode() {
-    if (box.freedrive().active()) {
+    if (box.modes().freedrive().active()) {
       return ControlMode.TEACH;
     }
     if (box.motion().torqueDriven()) {
       return ControlMode.TORQUE;
     }
-    return box.forceMode().active() ? ControlMode.FORCE : ControlMode.POSITION;
+    return box.modes().forceMode().active() ? ControlMode.FORCE : ControlMode.POSITION;
   }
 
   /** The last status again while nothing has changed: most frames wait. */

@@ -45,7 +45,7 @@ final class FreedriveSession {
     FreedriveMode mode = new FreedriveMode(FreedriveHolder.HAND, axes, frame, true);
     if (hold.isEmpty() || !hold.get().mode.equals(mode)) {
       box.motion().clearFault();
-      hold = Optional.of(new Hold(mode, refusal(box.freedrive().start(mode))));
+      hold = Optional.of(new Hold(mode, refusal(box.modes().freedrive().start(mode))));
     }
     hold.get().lastFrame = box.clock().frame() + DEAD_MAN_FRAMES;
     noticeEnd(hold.get());
@@ -76,7 +76,7 @@ final class FreedriveSession {
   /** Let go: the arm holds where it is. */
   void release() {
     hold = Optional.empty();
-    box.freedrive().end(FreedriveHolder.HAND);
+    box.modes().freedrive().end(FreedriveHolder.HAND);
   }
 
   /** Looks at how it goes; once a frame. */
@@ -96,7 +96,7 @@ final class FreedriveSession {
 
   private void noticeEnd(Hold present) {
     boolean guided =
-        box.freedrive().state(box.drive().actualPositionRad()).heldBy(FreedriveHolder.HAND);
+        box.modes().freedrive().state(box.drive().actualPositionRad()).heldBy(FreedriveHolder.HAND);
     if (!guided && present.reason.isEmpty()) {
       present.reason =
           Optional.of(
@@ -118,12 +118,13 @@ final class FreedriveSession {
     }
     inputDemands = demanded;
     if (!demanded) {
-      box.freedrive().end(FreedriveHolder.INPUT);
+      box.modes().freedrive().end(FreedriveHolder.INPUT);
       return;
     }
     Optional<Refusal> refusal = program.get();
-    if (refusal.isEmpty() && !box.freedrive().active()) {
-      refusal = refusal(box.freedrive().start(FreedriveMode.free(FreedriveHolder.INPUT, true)));
+    if (refusal.isEmpty() && !box.modes().freedrive().active()) {
+      refusal =
+          refusal(box.modes().freedrive().start(FreedriveMode.free(FreedriveHolder.INPUT, true)));
     }
     refusal.ifPresent(why -> box.log().warning("freedrive by an input: " + why.text()));
   }

@@ -41,7 +41,7 @@ final class InstallationCommandHandler implements CommandHandler<InstallationCom
     Optional<Refusal> refusal = hand.settingRefusal("the installation is changed");
     if (refusal.isEmpty()) {
       refusal =
-          InstallationCheck.refusal(next, box.armDescription())
+          InstallationCheck.refusal(next, box.arm().description())
               .map(problem -> new Refusal(Refusal.Code.INVALID, problem.toString()));
     }
     if (refusal.isEmpty()) {

@@ -63,7 +63,7 @@ final class InstallationHandler {
    * @throws IllegalArgumentException if the check finds something wrong with it
    */
   void begin(Installation installation) {
-    InstallationCheck.refusal(installation, box.armDescription())
+    InstallationCheck.refusal(installation, box.arm().description())
         .ifPresent(
             why -> {
               throw new IllegalArgumentException("installation: " + why);
@@ -78,7 +78,7 @@ final class InstallationHandler {
 
   /** The limits that it sets, or those that are standard, as the arm can have them. */
   private FittedSafety fitted(Installation installation) {
-    ArmDescription arm = box.armDescription();
+    ArmDescription arm = box.arm().description();
     return FittedSafety.of(
         installation.safety().orElseGet(() -> SafetyConfiguration.standard(arm)), arm);
   }
@@ -133,7 +133,7 @@ final class InstallationHandler {
                 .orElse(Payload.NONE),
             0);
     Vector3 gravity = next.mounting().gravityInBaseMPerS2();
-    box.setGravity(gravity.x(), gravity.y(), gravity.z());
+    box.arm().setGravity(gravity.x(), gravity.y(), gravity.z());
     box.safety().setTransitionHardness(next.transitionHardness() < 0.5 ? 0 : 1);
     signals.apply(next);
     next.conveyors().forEach(this::decode);
@@ -165,7 +165,10 @@ final class InstallationHandler {
     PulseDecoder.Kind kind = PulseDecoder.Kind.of(conveyor.decoder());
     Signal a = pulseInput(conveyor.inputs().getFirst());
     Signal b = pulseInput(conveyor.inputs().getLast());
-    box.encoders().get(conveyor.encoder()).decode(new PulseDecoder(kind, a, b), box.io());
+    box.offsets()
+        .encoders()
+        .get(conveyor.encoder())
+        .decode(new PulseDecoder(kind, a, b), box.signals().digital());
   }
 
   /** The numbers of the configurable inputs follow those of the eight standard ones. */
@@ -230,7 +233,7 @@ final class InstallationHandler {
   }
 
   private boolean level(Signal input) {
-    return box.io().level(input.bank(), input.index());
+    return box.signals().digital().level(input.bank(), input.index());
   }
 
   /** Looks for the edge of an input that switches the arm on; in each frame. */

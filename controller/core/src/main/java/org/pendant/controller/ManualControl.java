@@ -144,7 +144,7 @@ final class ManualControl implements CommandHandler<ManualCommand> {
   }
 
   private Optional<Refusal> massRefusal(double massKg) {
-    ArmDescription arm = box.armDescription();
+    ArmDescription arm = box.arm().description();
     double most = MAX_RATED_PAYLOADS * arm.payloadKg();
     return massKg >= 0 && massKg <= most
         ? Optional.empty()

@@ -30,16 +30,18 @@ final class MessageCommandHandler implements CommandHandler<MessageCommand> {
     return switch (command) {
       case MessageCommand.AnswerPopup(long number) -> answerPopup(number);
       case MessageCommand.AnswerQuestion(long number, Answer answer) -> {
-        box.questions().answer(number, answer);
+        box.prompts().questions().answer(number, answer);
         yield Reply.done();
       }
       case MessageCommand.CancelQuestion(long number) -> {
-        box.questions().cancel(number);
+        box.prompts().questions().cancel(number);
         machine.stop();
         yield Reply.done();
       }
       case MessageCommand.ShowPopup(String title, String text) -> {
-        box.popups().show(box.clock().timeS(), title, text, Popup.Severity.MESSAGE, false);
+        box.prompts()
+            .popups()
+            .show(box.clock().timeS(), title, text, Popup.Severity.MESSAGE, false);
         yield Reply.done();
       }
       case MessageCommand.WriteLog(Level level, String text) -> {
@@ -50,11 +52,11 @@ final class MessageCommandHandler implements CommandHandler<MessageCommand> {
   }
 
   private Reply answerPopup(long number) {
-    boolean blocked = box.popups().blocked();
-    if (!box.popups().answer(number)) {
+    boolean blocked = box.prompts().popups().blocked();
+    if (!box.prompts().popups().answer(number)) {
       return new Reply.Refused(Refusal.Code.UNKNOWN, "popup " + number + " is not open");
     }
-    if (blocked && !box.popups().blocked() && box.safety().programRefusal().isEmpty()) {
+    if (blocked && !box.prompts().popups().blocked() && box.safety().programRefusal().isEmpty()) {
       machine.resume();
     }
     return Reply.done();

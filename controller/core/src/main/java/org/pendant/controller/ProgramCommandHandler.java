@@ -28,7 +28,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
     this.box = box;
     this.machine = machine;
     this.hand = hand;
-    folder = box.programsFolder();
+    folder = box.environment().programsFolder();
   }
 
   @Override
@@ -73,14 +73,14 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
 
   private void begin(Program program, ProgramsFolder files) {
     hand.giveUp();
-    box.setProgramsFolder(files);
+    box.environment().setProgramsFolder(files);
     box.programStarted();
     machine.start(program);
   }
 
   /** Why no program from outside may start now; empty if one may. */
   private Optional<Refusal> uploadRefusal() {
-    return box.isShutDown()
+    return box.safety().isShutDown()
         ? Optional.of(new Refusal(Code.SWITCHED_OFF, "the controller has been shut down"))
         : box.safety().uploadRefusal();
   }
@@ -119,7 +119,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
     if (refusal.isPresent()) {
       return new Reply.Refused(refusal.get());
     }
-    box.popups().closeBlocking();
+    box.prompts().popups().closeBlocking();
     machine.resume();
     return Reply.done();
   }
@@ -130,13 +130,13 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
     if (refusal.isPresent()) {
       return new Reply.Refused(refusal.get());
     }
-    ProgramsFolder ofPrimary = box.programsFolder();
-    box.setProgramsFolder(asked.folder().orElse(folder));
+    ProgramsFolder ofPrimary = box.environment().programsFolder();
+    box.environment().setProgramsFolder(asked.folder().orElse(folder));
     Optional<ScriptFailure> failure;
     try {
       failure = machine.runSecondary(program);
     } finally {
-      box.setProgramsFolder(ofPrimary);
+      box.environment().setProgramsFolder(ofPrimary);
     }
     failure.ifPresent(why -> report(program, why));
     return failure.map(why -> (Reply) new Reply.Failed(why)).orElse(Reply.done());

@@ -25,7 +25,9 @@ final class StopSnapshot {
     stop = now;
     place =
         now.map(
-            each -> new StopPlace(reached, box.actualTcpInBase(), box.drive().actualPositionRad()));
+            each ->
+                new StopPlace(
+                    reached, box.kinematics().actualTcpInBase(), box.drive().actualPositionRad()));
   }
 
   /** Where the present stop began. */

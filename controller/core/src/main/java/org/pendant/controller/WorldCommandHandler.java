@@ -25,16 +25,17 @@ final class WorldCommandHandler implements CommandHandler<WorldCommand> {
   @Override
   public Reply carryOut(WorldCommand command) {
     switch (command) {
-      case WorldCommand.PushTool(Wrench wrenchAtTcpInBase) -> box.world().apply(wrenchAtTcpInBase);
+      case WorldCommand.PushTool(Wrench wrenchAtTcpInBase) ->
+          box.arm().world().apply(wrenchAtTcpInBase);
       case WorldCommand.PushLink(int link, Vector3 pointInLinkM, Vector3 forceInBaseN) ->
-          box.world().grip().push(link, pointInLinkM, forceInBaseN);
+          box.arm().world().grip().push(link, pointInLinkM, forceInBaseN);
       case WorldCommand.PullLink(int link, Vector3 pointInLinkM, Vector3 placeInBaseM) ->
-          box.world().grip().pull(link, pointInLinkM, placeInBaseM);
-      case WorldCommand.LetGo _ -> box.world().grip().letGo();
+          box.arm().world().grip().pull(link, pointInLinkM, placeInBaseM);
+      case WorldCommand.LetGo _ -> box.arm().world().grip().letGo();
       case WorldCommand.AttachLoad(Optional<Payload> load) ->
           load.ifPresentOrElse(box.flange()::attachLoad, box.flange()::followDeclaredPayload);
       case WorldCommand.RunEncoder(int index, double ticksPerS) ->
-          box.encoders().get(index).run(ticksPerS);
+          box.offsets().encoders().get(index).run(ticksPerS);
     }
     return Reply.done();
   }

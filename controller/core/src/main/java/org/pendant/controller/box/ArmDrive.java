@@ -2,24 +2,17 @@ package org.pendant.controller.box;
 
 import java.util.Optional;
 import org.pendant.controller.arm.ArmCommand;
-import org.pendant.controller.arm.ArmSupply;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetySystem;
-import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.PlanningException;
-import org.pendant.motion.force.ContactWatch;
-import org.pendant.motion.force.ForceMode;
 import org.pendant.motion.force.TaskDeviation;
-import org.pendant.motion.offset.ConveyorTracking;
-import org.pendant.motion.offset.PathOffsetting;
 import org.pendant.motion.servo.FrictionShare;
-import org.pendant.motion.servo.Servoing;
 import org.pendant.motion.servo.TorqueSetpoint;
 import org.pendant.script.value.ScriptError;
 
@@ -49,41 +42,29 @@ public final class ArmDrive {
    *
    * @param startRad where the joints are at first, rad
    * @param arm the arm that follows
-   * @param supply what it takes its current from
-   * @param world what it may touch
    * @param safety modes and stops
    * @param motion the target on a path
-   * @param servoing torques that programs stream
-   * @param freedrive guiding by hand
-   * @param forceMode pressing with a force
-   * @param conveyor ends when the arm was pushed off its path
-   * @param pathOffset as the conveyor
-   * @param flange what hangs on the arm
-   * @param contactWatch sees what the flange feels in each frame
+   * @param modes torques that programs stream, guiding by hand, and pressing with a force
+   * @param offsets end when the arm was pushed off its path
+   * @param flange what hangs on the arm; its contact watch sees what is felt there in each frame
    * @param log gets warnings
    */
   record Setup(
       Joints startRad,
-      SimulatedArm arm,
-      ArmSupply supply,
-      ContactWorld world,
+      RobotArm arm,
       SafetySystem safety,
       MotionControl motion,
-      Servoing servoing,
-      Freedrive freedrive,
-      ForceMode forceMode,
-      ConveyorTracking conveyor,
-      PathOffsetting pathOffset,
+      ControlModes modes,
+      MotionOffsets offsets,
       ToolFlange flange,
-      ContactWatch contactWatch,
       MessageLog log) {}
 
   ArmDrive(Setup setup) {
     this.setup = setup;
-    arm = setup.arm();
+    arm = setup.arm().simulated();
     safety = setup.safety();
     motion = setup.motion();
-    freedrive = setup.freedrive();
+    freedrive = setup.modes().freedrive();
     actualRad = setup.startRad();
     history = new PositionHistory(actualRad);
   }
@@ -124,16 +105,16 @@ public final class ArmDrive {
   public void step() {
     ToolFlange flange = setup.flange();
     flange.stepTransition();
-    setup.world().grip().beginFrame();
+    setup.arm().world().grip().beginFrame();
     arm.step(command());
-    setup.supply().step(arm.sensors(), powered());
+    setup.arm().supply().step(arm.sensors(), powered());
     flange.armChanged();
     Joints position = arm.positionRad();
     if (!position.equals(actualRad)) {
       actualRad = position;
     }
     history.add(actualRad);
-    setup.contactWatch().add(flange.wrenchInBase());
+    flange.contactWatch().add(flange.wrenchInBase());
     watchForceMode();
     if (freedrive.active()) {
       freedrive.follow(actualRad, arm.speedRadPerS());
@@ -160,7 +141,7 @@ public final class ArmDrive {
         }
         if (motion.torqueDriven()) {
           driveTarget.forget();
-          yield torque(setup.servoing().torque());
+          yield torque(setup.modes().servoing().torque());
         }
         if (driveTarget.beside() && safety.stop().isEmpty() && !motion.paused()) {
           driveTarget.stepBack();
@@ -174,7 +155,8 @@ public final class ArmDrive {
 
   /** Tells the safety functions of an arm that was pushed too far aside for force mode. */
   private void watchForceMode() {
-    Optional<TaskDeviation> aside = setup.forceMode().deviation(drivenPositionRad(), actualRad);
+    Optional<TaskDeviation> aside =
+        setup.modes().forceMode().deviation(drivenPositionRad(), actualRad);
     if (aside.isPresent()) {
       safety.aside(aside.get());
     }
@@ -196,14 +178,14 @@ public final class ArmDrive {
       driveTarget.stayAt(actualRad, motion.positionRad());
     }
     if (driveTarget.beside() && !motion.moving()) {
-      if (setup.conveyor().active() || setup.pathOffset().active()) {
+      if (setup.offsets().conveyor().active() || setup.offsets().path().active()) {
         setup
             .log()
             .warning(
                 "the arm was pushed aside while it was stopped: conveyor tracking and path offset"
                     + " have ended");
       }
-      setup.forceMode().goOnFrom(() -> motion.adopt(drivenPositionRad()));
+      setup.modes().forceMode().goOnFrom(() -> motion.adopt(drivenPositionRad()));
       driveTarget.forget();
     }
   }

@@ -59,7 +59,7 @@ public final class BoxClock {
    * @param behindS by how much since the box was switched on, s
    * @return whether that is worth a word: at first, and when it has doubled or grown by a second
    */
-  boolean fellBehind(double behindS) {
+  public boolean fellBehind(double behindS) {
     this.behindS = behindS;
     boolean told = behindS >= nextToldS;
     if (told) {

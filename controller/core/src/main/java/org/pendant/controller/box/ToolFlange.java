@@ -17,39 +17,42 @@ import org.pendant.motion.force.ForceMode;
  * change of one reaches everything that goes by it.
  */
 public final class ToolFlange {
-  private final Setup setup;
+  private final SimulatedArm arm;
+  private final ArmModel model;
+  private final FlangeForces forces;
+  private final SpeedCaps speedCaps;
+  private final MotionControl motion;
+  private final Freedrive freedrive;
+  private final ForceMode forceMode;
+  private final ContactWatch contactWatch = new ContactWatch();
   private ToolCentre tool = ToolCentre.FLANGE;
   private boolean cogAtTool;
   private boolean loadKnown;
 
   /**
-   * What goes by the tool and the payload, or tells about them.
+   * A flange without a tool.
    *
    * @param arm on whose flange things hang
-   * @param model what the controller believes about it
    * @param load what hangs on the flange at first; empty for what programs declare
-   * @param forces feels what pushes the tool
    * @param speedCaps hold limits at the TCP
    * @param motion carries the TCP
-   * @param freedrive balances the payload
-   * @param forceMode presses with what hangs there
-   * @param contactWatch compares what is felt with what was felt before
+   * @param modes guide and press with what hangs there
    */
-  record Setup(
-      SimulatedArm arm,
-      ArmModel model,
+  ToolFlange(
+      RobotArm arm,
       Optional<Payload> load,
-      FlangeForces forces,
       SpeedCaps speedCaps,
       MotionControl motion,
-      Freedrive freedrive,
-      ForceMode forceMode,
-      ContactWatch contactWatch) {}
-
-  ToolFlange(Setup setup) {
-    this.setup = setup;
-    loadKnown = setup.load().isPresent();
-    setup.arm().setLoad(setup.load().orElse(Payload.NONE));
+      ControlModes modes) {
+    this.arm = arm.simulated();
+    model = arm.model();
+    forces = arm.forces();
+    this.speedCaps = speedCaps;
+    this.motion = motion;
+    freedrive = modes.freedrive();
+    forceMode = modes.forceMode();
+    loadKnown = load.isPresent();
+    this.arm.setLoad(load.orElse(Payload.NONE));
   }
 
   /** The active tool centre point. */
@@ -63,13 +66,13 @@ public final class ToolFlange {
    */
   public void setTool(ToolCentre tool) {
     this.tool = tool;
-    setup.arm().setToolCentre(tool.inFlange());
-    setup.speedCaps().setTool(tool.inFlange());
-    setup.motion().setTool(tool.inFlange());
-    setup.freedrive().setTool(tool.inFlange());
-    setup.forceMode().setTool(tool.inFlange());
+    arm.setToolCentre(tool.inFlange());
+    speedCaps.setTool(tool.inFlange());
+    motion.setTool(tool.inFlange());
+    freedrive.setTool(tool.inFlange());
+    forceMode.setTool(tool.inFlange());
     if (cogAtTool) {
-      declareAtTool(setup.model().targetPayload().massKg());
+      declareAtTool(model.targetPayload().massKg());
     }
   }
 
@@ -95,75 +98,80 @@ public final class ToolFlange {
   }
 
   private void declare(Payload payload, double transitionS) {
-    setup.model().declare(payload, transitionS);
-    if (!setup.model().changing()) {
+    model.declare(payload, transitionS);
+    if (!model.changing()) {
       payloadChanged();
       zeroForceSensor();
-      setup.freedrive().payloadChanged();
+      freedrive.payloadChanged();
     }
   }
 
   /** Takes a declared payload one frame nearer; before the arm moves. */
   void stepTransition() {
-    if (setup.model().changing()) {
-      setup.model().stepTransition();
+    if (model.changing()) {
+      model.stepTransition();
       payloadChanged();
     }
   }
 
   /** Lets a payload hold that has come to its end; after the arm has moved. */
   void endTransition() {
-    if (setup.model().transitionEnded()) {
+    if (model.transitionEnded()) {
       zeroForceSensor();
-      setup.freedrive().payloadChanged();
+      freedrive.payloadChanged();
     }
   }
 
   /** Unless it has been said what truly hangs on the flange, it is what the program declares. */
   private void payloadChanged() {
     if (!loadKnown) {
-      setup.arm().setLoad(setup.model().payload());
+      arm.setLoad(model.payload());
     }
-    setup.arm().modelChanged();
-    setup.forces().forget();
+    arm.modelChanged();
+    forces.forget();
   }
 
   /** Hangs something on the flange, whatever programs declare. */
   public void attachLoad(Payload load) {
     loadKnown = true;
-    setup.arm().setLoad(load);
-    setup.forces().forget();
+    arm.setLoad(load);
+    forces.forget();
   }
 
   /** From now on what programs declare hangs on the flange. */
   public void followDeclaredPayload() {
     loadKnown = false;
-    setup.arm().setLoad(setup.model().payload());
-    setup.forces().forget();
+    arm.setLoad(model.payload());
+    forces.forget();
   }
 
   /** The arm has moved, or feels another gravity: what was felt no longer holds. */
   void armChanged() {
-    setup.forces().forget();
+    forces.forget();
   }
 
   /** Makes what the force sensor feels now its zero (manual 18.72). */
   public void zeroForceSensor() {
-    setup.forces().zero();
-    setup.forceMode().sensorChanged();
-    setup.contactWatch().forget();
+    forces.zero();
+    forceMode.sensorChanged();
+    contactWatch.forget();
+  }
+
+  /** Notices when the tool meets something. */
+  public ContactWatch contactWatch() {
+    return contactWatch;
   }
 
   /** The external wrench at the flange, along the axes of the base (manual 16.32). */
   public Wrench wrenchInBase() {
-    return setup.forces().wrenchInBase();
+    return forces.wrenchInBase();
   }
 
   /**
    * What the force sensor feels, with weights and without its zero, at the flange along its axes.
    */
   public Wrench rawWrench() {
-    return setup.forces().rawWrench();
+    return forces.rawWrench();
   }
 
   /**
@@ -172,18 +180,18 @@ public final class ToolFlange {
    * @param wrench on the tool at the point where it measures, N and Nm along the axes of the flange
    */
   public void readExternalForceSensor(Wrench wrench) {
-    setup.forces().externalSensor().read(wrench);
+    forces.externalSensor().read(wrench);
   }
 
   /** Has force control use an external sensor from now on (manual 18.2). */
   public void useExternalForceSensor(ExternalForceSensor.Attachment mounting) {
-    setup.forces().externalSensor().enable(mounting);
-    setup.forceMode().sensorChanged();
+    forces.externalSensor().enable(mounting);
+    forceMode.sensorChanged();
   }
 
   /** Has force control use the sensor in the flange again. */
   public void useOwnForceSensor() {
-    setup.forces().externalSensor().disable();
-    setup.forceMode().sensorChanged();
+    forces.externalSensor().disable();
+    forceMode.sensorChanged();
   }
 }

@@ -50,13 +50,13 @@ final class BaseLightBuiltins {
   }
 
   private static Outcome show(Call<ControlBox> call, BaseLight light) {
-    if (call.host().armDescription().series() == Series.UR_SERIES) {
-      call.host().setBaseLight(light);
+    if (call.host().arm().description().series() == Series.UR_SERIES) {
+      call.host().arm().setBaseLight(light);
     } else {
       call.host()
           .log()
           .warnOnce(
-              call.host().armDescription().id()
+              call.host().arm().description().id()
                   + " has no light in its base, only arms of the UR-Series do");
     }
     return call.answer();

@@ -37,6 +37,7 @@ final class ContactBuiltins {
     double threshold = MotionArguments.notNegative(call, 1);
     return call.answerInt(
         call.host()
+            .flange()
             .contactWatch()
             .framesSinceOnset(direction, threshold > 0 ? threshold : ContactWatch.THRESHOLD_N));
   }

@@ -86,7 +86,7 @@ final class ConveyorBuiltins {
     }
     double ticksPerM = ticks(call, 1);
     Encoder encoder = ready(call, 2);
-    call.host().conveyor().trackLinear(direction, ticksPerM, encoder);
+    call.host().offsets().conveyor().trackLinear(direction, ticksPerM, encoder);
     return call.answer();
   }
 
@@ -95,7 +95,7 @@ final class ConveyorBuiltins {
     double ticksPerRevolution = ticks(call, 1);
     boolean rotateTool = call.bool(2);
     Encoder encoder = ready(call, 3);
-    call.host().conveyor().trackCircular(center, ticksPerRevolution, rotateTool, encoder);
+    call.host().offsets().conveyor().trackCircular(center, ticksPerRevolution, rotateTool, encoder);
     return call.answer();
   }
 
@@ -111,11 +111,11 @@ final class ConveyorBuiltins {
   private static Encoder ready(Call<ControlBox> call, int index) throws ScriptError {
     Encoder encoder = EncoderBuiltins.encoder(call, index);
     ControlBox box = call.host();
-    if (box.conveyor().active()) {
+    if (box.offsets().conveyor().active()) {
       throw call.failure(
           "conveyor-tracked", "a conveyor is being tracked, stop_conveyor_tracking must end that");
     }
-    if (box.pathOffset().active()) {
+    if (box.offsets().path().active()) {
       throw call.failure(
           "path-offset", "path offset is enabled, path_offset_disable must end that first");
     }
@@ -135,7 +135,7 @@ final class ConveyorBuiltins {
   private static Outcome stop(Call<ControlBox> call) throws ScriptError {
     double deceleration = MotionArguments.positive(call, 0);
     MotionControl motion = call.host().motion();
-    Planning.act(call, () -> motion.endOffset(call.host().conveyor()));
+    Planning.act(call, () -> motion.endOffset(call.host().offsets().conveyor()));
     return MotionWait.stop(
         call, "stop_conveyor_tracking", (from, speed) -> new StopJ(from, speed, deceleration));
   }
@@ -143,12 +143,16 @@ final class ConveyorBuiltins {
   private static Outcome poseAlongPath(Call<ControlBox> call) {
     ControlBox box = call.host();
     return call.answer(
-        box.forward().tcpPose(box.motion().pathPositionRad(), box.flange().tool().inFlange()));
+        box.kinematics()
+            .forward()
+            .tcpPose(box.motion().pathPositionRad(), box.flange().tool().inFlange()));
   }
 
   private static Outcome speedAlongPath(Call<ControlBox> call) {
     MotionControl motion = call.host().motion();
     return call.answer(
-        call.host().tcpTwistInBase(motion.pathPositionRad(), motion.pathSpeedRadPerS()));
+        call.host()
+            .kinematics()
+            .tcpTwistInBase(motion.pathPositionRad(), motion.pathSpeedRadPerS()));
   }
 }

@@ -85,19 +85,23 @@ final class DynamicsBuiltins {
 
   private static Outcome coriolis(Call<ControlBox> call) throws ScriptError {
     double[] torqueNm = new double[Joints.COUNT];
-    call.host().model().dynamics().coriolis(positions(call, 0), speeds(call, 1), torqueNm);
+    call.host().arm().model().dynamics().coriolis(positions(call, 0), speeds(call, 1), torqueNm);
     return call.answer(Joints.of(torqueNm));
   }
 
   private static Outcome jacobian(Call<ControlBox> call) throws ScriptError {
     double[] jacobian = new double[Jacobian.SIZE];
-    call.host().jacobian().at(positions(call, 0), MotionArguments.tcpOffset(call, 1), jacobian);
+    call.host()
+        .kinematics()
+        .jacobian()
+        .at(positions(call, 0), MotionArguments.tcpOffset(call, 1), jacobian);
     return call.answer(square(jacobian));
   }
 
   private static Outcome jacobianDerivative(Call<ControlBox> call) throws ScriptError {
     double[] derivative = new double[Jacobian.SIZE];
     call.host()
+        .kinematics()
         .jacobian()
         .derivative(
             positions(call, 0), speeds(call, 1), MotionArguments.tcpOffset(call, 2), derivative);
@@ -106,7 +110,7 @@ final class DynamicsBuiltins {
 
   private static Outcome massMatrix(Call<ControlBox> call) throws ScriptError {
     DMatrixRMaj mass = new DMatrixRMaj(Joints.COUNT, Joints.COUNT);
-    call.host().model().dynamics().mass(positions(call, 0), call.bool(1), mass);
+    call.host().arm().model().dynamics().mass(positions(call, 0), call.bool(1), mass);
     return call.answer(square(mass.data));
   }
 
@@ -120,7 +124,9 @@ final class DynamicsBuiltins {
 
   private static double[] speeds(Call<ControlBox> call, int index) throws ScriptError {
     Joints qd =
-        call.given(index) ? MotionArguments.joints(call, index) : call.host().arm().speedRadPerS();
+        call.given(index)
+            ? MotionArguments.joints(call, index)
+            : call.host().arm().simulated().speedRadPerS();
     return qd.toArray();
   }
 

@@ -118,7 +118,7 @@ final class EncoderBuiltins {
         .returns(Type.NUMBER)
         .deprecated("encoder_get_tick_count")
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().encoders().get(0).filteredCount()));
+        .does(call -> call.answer(call.host().offsets().encoders().get(0).filteredCount()));
     builtins
         .declare("set_conveyor_tick_count")
         .manual(MODULE, "15.45")
@@ -133,7 +133,7 @@ final class EncoderBuiltins {
 
   /** The encoder that argument {@code index} names. */
   static Encoder encoder(Call<ControlBox> call, int index) throws ScriptError {
-    return call.host().encoders().get(call.integer(index, 0, Encoders.COUNT - 1));
+    return call.host().offsets().encoders().get(call.integer(index, 0, Encoders.COUNT - 1));
   }
 
   private static Outcome enablePulses(Call<ControlBox> call) throws ScriptError {
@@ -160,7 +160,8 @@ final class EncoderBuiltins {
     if (quadrature && a == b) {
       throw call.refuse(2, "must be another input than A");
     }
-    decode(call.host(), call.host().encoders().get(0), type, SignalBank.STANDARD_IN, a, b);
+    decode(
+        call.host(), call.host().offsets().encoders().get(0), type, SignalBank.STANDARD_IN, a, b);
     return call.answer();
   }
 
@@ -170,7 +171,9 @@ final class EncoderBuiltins {
       encoder.disable();
     } else {
       PulseDecoder.Kind kind = PulseDecoder.Kind.of(type);
-      encoder.decode(new PulseDecoder(kind, new Signal(bank, a), new Signal(bank, b)), box.io());
+      encoder.decode(
+          new PulseDecoder(kind, new Signal(bank, a), new Signal(bank, b)),
+          box.signals().digital());
     }
   }
 
@@ -206,7 +209,7 @@ final class EncoderBuiltins {
   private static Outcome oldSetCount(Call<ControlBox> call) throws ScriptError {
     CountRange range = CountRange.of(call.integer(1, 0, LAST_RANGE));
     long count = countIn(call, 0, range);
-    Encoder encoder = call.host().encoders().get(0);
+    Encoder encoder = call.host().offsets().encoders().get(0);
     if (!encoder.toldRange().equals(Optional.of(range))) {
       encoder.expectCounts(range);
     }

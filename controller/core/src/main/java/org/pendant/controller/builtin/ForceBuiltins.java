@@ -76,7 +76,7 @@ final class ForceBuiltins {
         .needs("damping", Type.NUMBER)
         .does(
             call -> {
-              call.host().forceMode().setDamping(within(call, 1));
+              call.host().modes().forceMode().setDamping(within(call, 1));
               return call.answer();
             });
     builtins
@@ -85,7 +85,7 @@ final class ForceBuiltins {
         .doc("The share of its speed that the TCP loses in each frame in force mode.")
         .returns(Type.NUMBER)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.host().forceMode().damping()));
+        .does(call -> call.answer(call.host().modes().forceMode().damping()));
     builtins
         .declare("force_mode_set_gain_scaling")
         .manual(MODULE, "15.17")
@@ -95,7 +95,7 @@ final class ForceBuiltins {
         .needs("scaling", Type.NUMBER)
         .does(
             call -> {
-              call.host().forceMode().setGainScaling(within(call, MAX_GAIN));
+              call.host().modes().forceMode().setGainScaling(within(call, MAX_GAIN));
               return call.answer();
             });
     builtins
@@ -104,7 +104,7 @@ final class ForceBuiltins {
         .doc("How strongly the TCP answers to forces in force mode.")
         .returns(Type.NUMBER)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.host().forceMode().gainScaling()));
+        .does(call -> call.answer(call.host().modes().forceMode().gainScaling()));
   }
 
   private static double within(Call<ControlBox> call, double largest) throws ScriptError {
@@ -157,7 +157,7 @@ final class ForceBuiltins {
 
   private static Outcome start(Call<ControlBox> call, ForceTask task) throws ScriptError {
     ControlBox box = call.host();
-    if (box.pathOffset().active()) {
+    if (box.offsets().path().active()) {
       throw call.failure(
           "path-offset", "path offset is enabled, path_offset_disable must end that first");
     }
@@ -165,13 +165,13 @@ final class ForceBuiltins {
         call,
         () -> {
           box.drive().requirePower();
-          box.forceMode().start(task, box.targetTcpInBase());
+          box.modes().forceMode().start(task, box.kinematics().targetTcpInBase());
           return call.answer();
         });
   }
 
   private static Outcome end(Call<ControlBox> call) {
-    call.host().forceMode().finish();
+    call.host().modes().forceMode().finish();
     return call.answer();
   }
 }

@@ -67,7 +67,7 @@ final class FreedriveBuiltins {
                 + " away, 1 near, 2 too close.")
         .returns(Type.INT)
         .effect(Effect.SENSES)
-        .does(call -> call.answerInt(call.host().freedrive().singularity().code()));
+        .does(call -> call.answerInt(call.host().modes().freedrive().singularity().code()));
   }
 
   private static Outcome freedrive(Call<ControlBox> call) throws ScriptError {
@@ -101,7 +101,7 @@ final class FreedriveBuiltins {
   }
 
   private static Outcome start(Call<ControlBox> call, FreedriveMode mode) throws ScriptError {
-    switch (call.host().freedrive().start(mode)) {
+    switch (call.host().modes().freedrive().start(mode)) {
       case FreedriveStart.Started _ -> {}
       case FreedriveStart.Refused refused ->
           throw call.failure("freedrive-refused", refused.refusal().text());
@@ -115,7 +115,7 @@ final class FreedriveBuiltins {
   }
 
   private static Outcome end(Call<ControlBox> call) {
-    call.host().freedrive().end();
+    call.host().modes().freedrive().end();
     return call.answer();
   }
 }

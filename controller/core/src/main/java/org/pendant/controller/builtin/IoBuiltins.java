@@ -97,11 +97,12 @@ final class IoBuiltins {
   }
 
   private static Outcome get(Call<ControlBox> call, SignalBank bank) throws ScriptError {
-    return call.answer(call.host().io().level(bank, call.integer(0, 0, bank.size() - 1)));
+    return call.answer(
+        call.host().signals().digital().level(bank, call.integer(0, 0, bank.size() - 1)));
   }
 
   private static Outcome set(Call<ControlBox> call, SignalBank bank) throws ScriptError {
-    call.host().io().set(bank, call.integer(0, 0, bank.size() - 1), call.bool(1));
+    call.host().signals().digital().set(bank, call.integer(0, 0, bank.size() - 1), call.bool(1));
     return call.answer();
   }
 
@@ -111,17 +112,17 @@ final class IoBuiltins {
     boolean onTool = n >= standard.size();
     return call.answer(
         onTool
-            ? call.host().io().level(tool, n - standard.size())
-            : call.host().io().level(standard, n));
+            ? call.host().signals().digital().level(tool, n - standard.size())
+            : call.host().signals().digital().level(standard, n));
   }
 
   private static Outcome setOld(Call<ControlBox> call) throws ScriptError {
     int standard = SignalBank.STANDARD_OUT.size();
     int n = call.integer(0, 0, standard + SignalBank.TOOL_OUT.size() - 1);
     if (n >= standard) {
-      call.host().io().set(SignalBank.TOOL_OUT, n - standard, call.bool(1));
+      call.host().signals().digital().set(SignalBank.TOOL_OUT, n - standard, call.bool(1));
     } else {
-      call.host().io().set(SignalBank.STANDARD_OUT, n, call.bool(1));
+      call.host().signals().digital().set(SignalBank.STANDARD_OUT, n, call.bool(1));
     }
     return call.answer();
   }

@@ -71,8 +71,12 @@ final class KinematicsBuiltins {
   }
 
   private static Outcome forward(Call<ControlBox> call) throws ScriptError {
-    Joints q = call.given(0) ? MotionArguments.joints(call, 0) : call.host().arm().positionRad();
-    return call.answer(call.host().forward().tcpPose(q, MotionArguments.tcpOffset(call, 1)));
+    Joints q =
+        call.given(0)
+            ? MotionArguments.joints(call, 0)
+            : call.host().arm().simulated().positionRad();
+    return call.answer(
+        call.host().kinematics().forward().tcpPose(q, MotionArguments.tcpOffset(call, 1)));
   }
 
   private static Outcome inverse(Call<ControlBox> call) throws ScriptError {
@@ -89,6 +93,7 @@ final class KinematicsBuiltins {
     Pose pose = MotionArguments.pose(call, 0);
     Pose flange = InverseKinematics.flangeOf(pose, MotionArguments.tcpOffset(call, 4));
     return call.host()
+        .kinematics()
         .inverse()
         .find(
             flange,

@@ -38,7 +38,7 @@ final class LoadWait implements Wait {
 
   /** Keeps a file that has been read, and says what of it has no effect. */
   static int keep(ControlBox box, NcPath path, boolean feeds) throws PlanningException {
-    int id = box.toolpaths().keep(path, feeds);
+    int id = box.planning().toolpaths().keep(path, feeds);
     box.clock().determinism().read(path.file(), path.hashCode());
     if (!path.ignored().isEmpty()) {
       box.log()

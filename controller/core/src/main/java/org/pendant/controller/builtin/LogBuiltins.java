@@ -71,7 +71,7 @@ final class LogBuiltins {
     } else if (call.bool(2)) {
       severity = Popup.Severity.WARNING;
     }
-    OpenPopups board = call.host().popups();
+    OpenPopups board = call.host().prompts().popups();
     boolean blocking = call.bool(4);
     Popup popup = board.show(call.host().clock().timeS(), call.text(1), text, severity, blocking);
     if (!blocking) {

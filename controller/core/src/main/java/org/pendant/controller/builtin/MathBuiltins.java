@@ -123,7 +123,7 @@ final class MathBuiltins {
             "A random number from 0 up to but without 1. The numbers follow from the controller's"
                 + " seed, so runs with the same seed are alike.")
         .returns(Type.NUMBER)
-        .does(call -> call.answer(call.host().random().nextDouble()));
+        .does(call -> call.answer(call.host().environment().random().nextDouble()));
   }
 
   private static void declarePowers(Builtins<ControlBox> builtins) {

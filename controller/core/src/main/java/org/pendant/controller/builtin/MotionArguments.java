@@ -97,7 +97,7 @@ final class MotionArguments {
   /** Six joint positions, each within the range of its joint. */
   static Joints jointsInRange(Call<ControlBox> call, int index, String name) throws ScriptError {
     Joints joints = joints(call, index);
-    List<JointLimits> limits = call.host().armDescription().joints();
+    List<JointLimits> limits = call.host().arm().description().joints();
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits limit = limits.get(i);
       if (!limit.contains(joints.get(i))) {

@@ -112,14 +112,14 @@ final class MotionBuiltins {
           from -> toJoints(box, from, reach(box, goal, tcp, from), goal, pathLimits));
     }
     Joints goal = MotionArguments.jointsInRange(call, 0, "q");
-    Pose waypoint = box.forward().tcpPose(goal, tcp);
+    Pose waypoint = box.kinematics().forward().tcpPose(goal, tcp);
     return move(call, "movej", from -> toJoints(box, from, goal, waypoint, pathLimits));
   }
 
   static MotionPath toJoints(
       ControlBox box, Joints from, Joints goal, Pose waypoint, PathLimits pathLimits) {
     Pose tcp = box.flange().tool().inFlange();
-    return Routes.joints(box.armDescription(), from, goal, waypoint, tcp, pathLimits);
+    return Routes.joints(box.arm().description(), from, goal, waypoint, tcp, pathLimits);
   }
 
   /** Motion version 2 plans within what the arm can do, version 1 as it is told (manual 14). */
@@ -127,9 +127,9 @@ final class MotionBuiltins {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
     ControlBox box = call.host();
     double asked = limits.timed() ? Double.POSITIVE_INFINITY : limits.speed();
-    return box.motionSettings().version() == 2
-        ? box.pathLimits().share(1, 1, asked)
-        : box.pathLimits().asAsked(limits);
+    return box.planning().settings().version() == 2
+        ? box.planning().limits().share(1, 1, asked)
+        : box.planning().limits().asAsked(limits);
   }
 
   private static Outcome movel(Call<ControlBox> call) throws ScriptError {
@@ -139,15 +139,15 @@ final class MotionBuiltins {
     Pose goal =
         call.kind(0) == ValueKind.POSE
             ? MotionArguments.pose(call, 0)
-            : box.forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
+            : box.kinematics().forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
     return move(call, "movel", from -> toPose(box, from, goal, tcp, pathLimits));
   }
 
   /** A straight line of the TCP, which may lead out of reach: the arm stops where it does. */
   static MotionPath toPose(
       ControlBox box, Joints from, Pose goal, Pose tcpInFlange, PathLimits pathLimits) {
-    Pose start = box.forward().tcpPose(from, tcpInFlange);
-    return Routes.line(box.armDescription(), from, start, goal, tcpInFlange, pathLimits);
+    Pose start = box.kinematics().forward().tcpPose(from, tcpInFlange);
+    return Routes.line(box.arm().description(), from, start, goal, tcpInFlange, pathLimits);
   }
 
   /** Arguments a, v, t and r of movej and movel, from the second on. */
@@ -155,7 +155,7 @@ final class MotionBuiltins {
       throws ScriptError {
     MoveLimits limits = MotionArguments.moveLimits(call, 1);
     double radiusM = MotionArguments.notNegative(call, 4);
-    double jerkRampS = call.host().motionSettings().jerkRampS();
+    double jerkRampS = call.host().planning().settings().jerkRampS();
     return MotionWait.move(call, function, new Move(route, limits, radiusM, jerkRampS));
   }
 
@@ -163,7 +163,7 @@ final class MotionBuiltins {
   static Joints reach(ControlBox box, Pose goal, Pose tcp, Joints from) throws PlanningException {
     Pose flange = InverseKinematics.flangeOf(goal, tcp);
     double error = InverseKinematics.DEFAULT_ERROR;
-    return switch (box.inverse().find(flange, from, error, error)) {
+    return switch (box.kinematics().inverse().find(flange, from, error, error)) {
       case InverseResult.Reached found -> found.q();
       case InverseResult.Unreachable none ->
           throw new PlanningException(
@@ -187,7 +187,7 @@ final class MotionBuiltins {
     ControlBox box = call.host();
     Joints target = box.motion().positionRad();
     Joints reset = target;
-    List<JointLimits> limits = box.armDescription().joints();
+    List<JointLimits> limits = box.arm().description().joints();
     for (int i = 0; i < Joints.COUNT; i++) {
       long turns = Math.round((target.get(i) - near[i]) / (2 * Math.PI));
       if (limits.get(i).unlimited() && turns != 0) {
@@ -217,7 +217,7 @@ final class MotionBuiltins {
   private static Outcome stopl(Call<ControlBox> call) throws ScriptError {
     double deceleration = MotionArguments.positive(call, 0);
     double turning = call.given(1) ? MotionArguments.positive(call, 1) : deceleration;
-    ArmDescription arm = call.host().armDescription();
+    ArmDescription arm = call.host().arm().description();
     Pose tcp = call.host().flange().tool().inFlange();
     return MotionWait.stop(
         call, "stopl", (from, speed) -> new StopL(arm, from, speed, tcp, deceleration, turning));

@@ -51,7 +51,7 @@ final class MotionSettingBuiltins {
   }
 
   private static MotionSettings settings(Call<ControlBox> call) {
-    return call.host().motionSettings();
+    return call.host().planning().settings();
   }
 
   private static Outcome setVersion(Call<ControlBox> call) throws ScriptError {
@@ -61,7 +61,7 @@ final class MotionSettingBuiltins {
           .log()
           .warning(
               "motion_version_set: "
-                  + call.host().armDescription().id()
+                  + call.host().arm().description().id()
                   + " has no motion version "
                   + version
                   + ", it stays at "

@@ -55,13 +55,13 @@ final class MountingBuiltins {
   }
 
   private static Outcome gravity(Call<ControlBox> call) {
-    ArmModel model = call.host().model();
+    ArmModel model = call.host().arm().model();
     return call.answer(
         NumberList.of(model.gravityMPerS2(0), model.gravityMPerS2(1), model.gravityMPerS2(2)));
   }
 
   private static Outcome baseAcceleration(Call<ControlBox> call) {
-    ArmModel model = call.host().model();
+    ArmModel model = call.host().arm().model();
     return call.answer(
         NumberList.of(
             model.baseAccelerationMPerS2(0),
@@ -71,13 +71,13 @@ final class MountingBuiltins {
 
   private static Outcome setGravity(Call<ControlBox> call) throws ScriptError {
     double[] d = acceleration(call);
-    call.host().setGravity(d[0], d[1], d[2]);
+    call.host().arm().setGravity(d[0], d[1], d[2]);
     return call.answer();
   }
 
   private static Outcome setBaseAcceleration(Call<ControlBox> call) throws ScriptError {
     double[] a = acceleration(call);
-    call.host().setBaseAcceleration(a[0], a[1], a[2]);
+    call.host().arm().setBaseAcceleration(a[0], a[1], a[2]);
     return call.answer();
   }
 

@@ -36,7 +36,7 @@ final class MoveGoal {
   }
 
   private MoveGoal(ControlBox box, ReferenceFrame frame, Pose frameInBase, Pose pose) {
-    forward = box.forward();
+    forward = box.kinematics().forward();
     tcp = box.flange().tool().inFlange();
     this.frame = frame;
     this.frameInBase = frameInBase;
@@ -54,7 +54,8 @@ final class MoveGoal {
               box,
               ReferenceFrame.FIXED,
               Pose.ZERO,
-              box.forward()
+              box.kinematics()
+                  .forward()
                   .tcpPose(MotionArguments.jointGoal(call, index), box.flange().tool().inFlange()));
       case STRUCT -> inFrame(call, index, call.struct(index));
       case STRING ->
@@ -85,7 +86,7 @@ final class MoveGoal {
 
   /** The pose of an object of the scene, in the base frame. */
   private static Pose object(Call<ControlBox> call, String name) throws ScriptError {
-    for (SceneObject each : call.host().scene().objects()) {
+    for (SceneObject each : call.host().arm().scene().objects()) {
       if (each.name().equals(name)) {
         return switch (each) {
           case SceneObject.Box box -> box.poseInBase();

@@ -74,7 +74,7 @@ final class OperatorBuiltins {
     if (text.isEmpty()) {
       throw call.failure("value-out-of-range", "message is empty, must say what to answer");
     }
-    PromptQueue board = call.host().questions();
+    PromptQueue board = call.host().prompts().questions();
     PendingPrompt pendingPrompt = board.ask(call.host().clock().timeS(), kind, text);
     if (pendingPrompt.refusal().isPresent()) {
       throw call.failure("no-answer", pendingPrompt.refusal().get());

@@ -64,7 +64,7 @@ final class OptimoveBuiltins {
     PathLimits pathLimits = pathLimits(call);
     if (call.kind(0) == ValueKind.LIST) {
       Joints goal = MotionArguments.jointsInRange(call, 0, "goal");
-      Pose waypoint = box.forward().tcpPose(goal, tcp);
+      Pose waypoint = box.kinematics().forward().tcpPose(goal, tcp);
       return move(
           call,
           "optimovej",
@@ -95,7 +95,7 @@ final class OptimoveBuiltins {
   private static PathLimits pathLimits(Call<ControlBox> call) throws ScriptError {
     double acceleration = share(call, 1);
     double speed = share(call, 2);
-    return call.host().pathLimits().share(speed, acceleration, Double.POSITIVE_INFINITY);
+    return call.host().planning().limits().share(speed, acceleration, Double.POSITIVE_INFINITY);
   }
 
   private static double share(Call<ControlBox> call, int index) throws ScriptError {
@@ -109,7 +109,7 @@ final class OptimoveBuiltins {
   private static Outcome move(Call<ControlBox> call, String function, Move.PathPlanner route)
       throws ScriptError {
     double radiusM = MotionArguments.notNegative(call, 3);
-    double jerkRampS = call.host().motionSettings().smoothRampS();
+    double jerkRampS = call.host().planning().settings().smoothRampS();
     return MotionWait.move(call, function, new Move(route, FREE, radiusM, jerkRampS));
   }
 }

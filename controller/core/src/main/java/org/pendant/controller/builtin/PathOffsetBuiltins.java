@@ -59,7 +59,7 @@ final class PathOffsetBuiltins {
         .needs("type", Type.INT)
         .returns(Type.POSE)
         .effect(Effect.ASKS)
-        .does(call -> call.answer(call.host().pathOffset().applied(type(call, 0))));
+        .does(call -> call.answer(call.host().offsets().path().applied(type(call, 0))));
   }
 
   private static void declareSettings(Builtins<ControlBox> builtins) {
@@ -88,12 +88,12 @@ final class PathOffsetBuiltins {
 
   private static Outcome enable(Call<ControlBox> call) throws ScriptError {
     ControlBox box = call.host();
-    PathOffsetting offset = box.pathOffset();
-    if (box.conveyor().active()) {
+    PathOffsetting offset = box.offsets().path();
+    if (box.offsets().conveyor().active()) {
       throw call.failure(
           "conveyor-tracked", "a conveyor is being tracked, stop_conveyor_tracking must end that");
     }
-    if (box.forceMode().active()) {
+    if (box.modes().forceMode().active()) {
       throw call.failure("force-mode", "force mode is active, end_force_mode must end that first");
     }
     if (box.motion().guided()) {
@@ -105,7 +105,7 @@ final class PathOffsetBuiltins {
 
   private static Outcome disable(Call<ControlBox> call) throws ScriptError {
     double deceleration = MotionArguments.positive(call, 0);
-    Planning.act(call, () -> call.host().motion().endOffset(call.host().pathOffset()));
+    Planning.act(call, () -> call.host().motion().endOffset(call.host().offsets().path()));
     return MotionWait.stop(
         call, "path_offset_disable", (from, speed) -> new StopJ(from, speed, deceleration));
   }
@@ -113,7 +113,7 @@ final class PathOffsetBuiltins {
   private static Outcome set(Call<ControlBox> call) throws ScriptError {
     Pose offset =
         call.kind(0) == ValueKind.POSE ? call.pose(0) : Pose.of(call.numbers(0, Pose.SIZE));
-    call.host().pathOffset().set(MotionArguments.finite(call, 0, offset), type(call, 1));
+    call.host().offsets().path().set(MotionArguments.finite(call, 0, offset), type(call, 1));
     return call.answer();
   }
 
@@ -122,14 +122,14 @@ final class PathOffsetBuiltins {
     if (!(alpha >= 0 && alpha <= 1)) {
       throw call.refuse(0, "must be 0 to 1");
     }
-    call.host().pathOffset().setAlpha(alpha);
+    call.host().offsets().path().setAlpha(alpha);
     return call.answer();
   }
 
   private static Outcome setLimits(Call<ControlBox> call) throws ScriptError {
     double shiftM = MotionArguments.notNegative(call, 0);
     double turnRad = MotionArguments.notNegative(call, 1);
-    call.host().pathOffset().setLimits(shiftM, turnRad);
+    call.host().offsets().path().setLimits(shiftM, turnRad);
     return call.answer();
   }
 }

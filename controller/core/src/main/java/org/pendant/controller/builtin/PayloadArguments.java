@@ -32,7 +32,7 @@ final class PayloadArguments {
    */
   static double massKg(Call<ControlBox> call, int index) throws ScriptError {
     double massKg = call.number(index);
-    ArmDescription arm = call.host().armDescription();
+    ArmDescription arm = call.host().arm().description();
     double most = MAX_RATED_PAYLOADS * arm.payloadKg();
     if (!(massKg >= 0 && massKg <= most)) {
       throw call.refuse(

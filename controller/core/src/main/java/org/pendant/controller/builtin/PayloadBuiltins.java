@@ -108,7 +108,7 @@ final class PayloadBuiltins {
   }
 
   private static Payload declared(Call<ControlBox> call) {
-    return call.host().model().targetPayload();
+    return call.host().arm().model().targetPayload();
   }
 
   private static Outcome cog(Call<ControlBox> call) {
@@ -157,7 +157,7 @@ final class PayloadBuiltins {
   }
 
   private static Outcome estimate(Call<ControlBox> call) throws ScriptError {
-    ArmModel model = call.host().model();
+    ArmModel model = call.host().arm().model();
     PayloadEstimate estimate =
         PayloadEstimate.of(
             PayloadArguments.flangesInBase(call, 0),

@@ -71,7 +71,7 @@ final class PortBuiltins {
     int address = call.integer(0);
     ControlBox box = call.host();
     return call.answer(
-        PortMap.bit(address, box.io().levels(), box.signals().state())
+        PortMap.bit(address, box.signals().digital().levels(), box.signals().state())
             .or(() -> box.links().published().portBit(address))
             .orElseThrow(() -> call.refuse(0, BITS))
             .booleanValue());
@@ -81,7 +81,7 @@ final class PortBuiltins {
     int address = call.integer(0);
     ControlBox box = call.host();
     int value =
-        PortMap.register(address, box.io().levels(), box.signals().state())
+        PortMap.register(address, box.signals().digital().levels(), box.signals().state())
             .or(() -> box.links().published().portRegister(address))
             .orElseThrow(() -> call.refuse(0, REGISTERS));
     return call.answerInt((short) value);

@@ -58,7 +58,7 @@ final class ProcessMoveBuiltins {
     Pose tcp = box.flange().tool().inFlange();
     Pose goal = pose(call, 0);
     MoveLimits limits = limits(call, 1);
-    PathLimits pathLimits = box.pathLimits().asAsked(limits);
+    PathLimits pathLimits = box.planning().limits().asAsked(limits);
     return move(
         call, "movep", limits, 3, from -> MotionBuiltins.toPose(box, from, goal, tcp, pathLimits));
   }
@@ -70,10 +70,14 @@ final class ProcessMoveBuiltins {
     Pose goal = pose(call, 1);
     MoveLimits limits = limits(call, 2);
     boolean fixed = call.integer(5, 0, 1) == 1;
-    PathLimits pathLimits = box.pathLimits().asAsked(limits);
-    ArcRoute route = new ArcRoute(box.armDescription(), via, goal, fixed, tcp, pathLimits);
+    PathLimits pathLimits = box.planning().limits().asAsked(limits);
+    ArcRoute route = new ArcRoute(box.arm().description(), via, goal, fixed, tcp, pathLimits);
     return move(
-        call, "movec", limits, 4, from -> route.from(from, box.forward().tcpPose(from, tcp)));
+        call,
+        "movec",
+        limits,
+        4,
+        from -> route.from(from, box.kinematics().forward().tcpPose(from, tcp)));
   }
 
   private static MoveLimits limits(Call<ControlBox> call, int index) throws ScriptError {
@@ -87,7 +91,8 @@ final class ProcessMoveBuiltins {
       return MotionArguments.pose(call, index);
     }
     ControlBox box = call.host();
-    return box.forward()
+    return box.kinematics()
+        .forward()
         .tcpPose(MotionArguments.jointGoal(call, index), box.flange().tool().inFlange());
   }
 

@@ -45,7 +45,9 @@ final class RunWait implements Wait {
       box.clock().determinism().loseInRealTime("a program waited until a toolpath was planned");
       planning =
           Optional.of(
-              box.toolpaths().plan(last, motion.pathPositionRad(), box.flange().tool().inFlange()));
+              box.planning()
+                  .toolpaths()
+                  .plan(last, motion.pathPositionRad(), box.flange().tool().inFlange()));
     }
   }
 
@@ -54,7 +56,7 @@ final class RunWait implements Wait {
     try {
       Optional<Value> answer = step();
       if (answer.isPresent()) {
-        box.toolpaths().ran(last, plan.orElseThrow());
+        box.planning().toolpaths().ran(last, plan.orElseThrow());
       }
       return answer;
     } catch (PlanningException e) {
@@ -95,9 +97,12 @@ final class RunWait implements Wait {
       return DONE;
     }
     double apartM =
-        box.toolpaths()
+        box.planning()
+            .toolpaths()
             .divergenceM(
-                box.forward(), box.drive().drivenPositionRad(), box.drive().actualPositionRad());
+                box.kinematics().forward(),
+                box.drive().drivenPositionRad(),
+                box.drive().actualPositionRad());
     if (apartM > Toolpaths.DIVERGENCE_M) {
       throw new ScriptError(
           "path-divergence",
@@ -114,7 +119,7 @@ final class RunWait implements Wait {
   public void cancel() {
     ticket.ifPresent(MotionTicket::cancel);
     if (planning.isPresent()) {
-      box.toolpaths().ended();
+      box.planning().toolpaths().ended();
     }
   }
 }

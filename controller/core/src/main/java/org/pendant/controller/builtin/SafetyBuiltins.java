@@ -104,14 +104,16 @@ final class SafetyBuiltins {
     }
     Pose flange = InverseKinematics.flangeOf(MotionArguments.pose(call, 0), tcpInFlange);
     double error = InverseKinematics.DEFAULT_ERROR;
-    return switch (box.inverse().find(flange, MotionArguments.near(call, 1), error, error)) {
+    return switch (box.kinematics()
+        .inverse()
+        .find(flange, MotionArguments.near(call, 1), error, error)) {
       case InverseResult.Reached found -> box.safety().within(found.q(), tcpInFlange);
       case InverseResult.Unreachable none -> false;
     };
   }
 
   private static Outcome powerdown(Call<ControlBox> call) {
-    call.host().shutDown();
+    call.host().safety().shutDown();
     call.program().halt();
     return call.answer();
   }

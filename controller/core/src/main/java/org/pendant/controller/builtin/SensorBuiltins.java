@@ -1,5 +1,6 @@
 package org.pendant.controller.builtin;
 
+import org.pendant.controller.arm.WarmUp;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.PositionHistory;
 import org.pendant.controller.sensor.ArmSensors;
@@ -35,7 +36,7 @@ final class SensorBuiltins {
         .doc("The temperature in the control box.")
         .returns(Unit.CELSIUS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().controllerTemperatureC()));
+        .does(call -> call.answer(WarmUp.CONTROL_BOX.temperatureC(call.host().clock().timeS())));
   }
 
   private static void declareForce(Builtins<ControlBox> builtins) {
@@ -121,7 +122,7 @@ final class SensorBuiltins {
         .doc("The current that the tool takes.")
         .returns(Unit.AMPERE)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().toolCurrentA()));
+        .does(SensorBuiltins::toolCurrent);
     builtins
         .declare("get_tool_temp")
         .manual(MODULE, "16.36")
@@ -132,7 +133,7 @@ final class SensorBuiltins {
   }
 
   private static ArmSensors sensors(Call<ControlBox> call) {
-    return call.host().arm().sensors();
+    return call.host().arm().simulated().sensors();
   }
 
   private static Outcome force(Call<ControlBox> call) {
@@ -159,6 +160,11 @@ final class SensorBuiltins {
       torqueNm[i] = sensors(call).externalTorqueNm(i);
     }
     return call.answer(Joints.of(torqueNm));
+  }
+
+  private static Outcome toolCurrent(Call<ControlBox> call) {
+    ControlBox box = call.host();
+    return call.answer(box.signals().toolCurrentA(box.drive().powered()));
   }
 
   private static Outcome accelerometer(Call<ControlBox> call) {

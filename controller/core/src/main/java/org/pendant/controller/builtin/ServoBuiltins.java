@@ -7,6 +7,7 @@ import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.time.FrameTime;
 import org.pendant.motion.PlanningException;
 import org.pendant.motion.servo.FrictionShare;
 import org.pendant.script.function.Builtins;
@@ -94,7 +95,7 @@ final class ServoBuiltins {
         .needs("q", Type.JOINTS)
         .mayTake("a", Type.NUMBER, Unit.RADIAN_PER_SECOND_SQUARED, "not used")
         .mayTake("v", Type.NUMBER, Unit.RADIAN_PER_SECOND, "not used")
-        .takes("t", Unit.SECOND, ControlBox.FRAME_S)
+        .takes("t", Unit.SECOND, FrameTime.FRAME_S)
         .takes("lookahead_time", Unit.SECOND, 0.1)
         .takes("gain", Unit.NONE, 300)
         .physicalTime()
@@ -119,7 +120,7 @@ final class ServoBuiltins {
     Joints speed = Joints.of(speeds(call, "rad/s"));
     double acceleration = MotionArguments.positive(call, 1);
     return MotionWait.goOn(
-        call, "speedj", call.host().servoing().speedJ(speed, acceleration, returnS(call)));
+        call, "speedj", call.host().modes().servoing().speedJ(speed, acceleration, returnS(call)));
   }
 
   private static Outcome speedl(Call<ControlBox> call) throws ScriptError {
@@ -130,7 +131,7 @@ final class ServoBuiltins {
     return MotionWait.goOn(
         call,
         "speedl",
-        call.host().servoing().speedL(tcp, twist, acceleration, turning, returnS(call)));
+        call.host().modes().servoing().speedL(tcp, twist, acceleration, turning, returnS(call)));
   }
 
   private static double[] speeds(Call<ControlBox> call, String unit) throws ScriptError {
@@ -151,7 +152,7 @@ final class ServoBuiltins {
     double lookaheadS = within(call, 4, MIN_LOOKAHEAD_S, MAX_LOOKAHEAD_S, " s");
     double gain = within(call, 5, MIN_GAIN, MAX_GAIN, "");
     return MotionWait.goOn(
-        call, "servoj", call.host().servoing().servoJ(goal, timeS, lookaheadS, gain));
+        call, "servoj", call.host().modes().servoing().servoJ(goal, timeS, lookaheadS, gain));
   }
 
   /** An argument that nothing depends on is a number all the same. */
@@ -177,12 +178,12 @@ final class ServoBuiltins {
     Pose goal =
         call.kind(0) == ValueKind.POSE
             ? MotionArguments.pose(call, 0)
-            : box.forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
+            : box.kinematics().forward().tcpPose(MotionArguments.jointGoal(call, 0), tcp);
     double acceleration = MotionArguments.positive(call, 1);
     double speed = MotionArguments.positive(call, 2);
     double radiusM = MotionArguments.notNegative(call, 3);
     return MotionWait.goOn(
-        call, "servoc", box.servoing().servoC(goal, tcp, acceleration, speed, radiusM));
+        call, "servoc", box.modes().servoing().servoC(goal, tcp, acceleration, speed, radiusM));
   }
 
   private static Outcome directTorque(Call<ControlBox> call) throws ScriptError {
@@ -192,7 +193,7 @@ final class ServoBuiltins {
         new FrictionShare(share(call, 2, usual.viscous()), share(call, 3, usual.coulomb()));
     try {
       call.host().drive().requirePower();
-      call.host().servoing().giveTorque(torqueNm, friction);
+      call.host().modes().servoing().giveTorque(torqueNm, friction);
     } catch (PlanningException e) {
       throw Planning.failure(call, e);
     } catch (ScriptError e) {

@@ -35,7 +35,7 @@ final class StateBuiltins {
         .doc("Where the joints are, in rad.")
         .returns(Type.JOINTS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().arm().positionRad()));
+        .does(call -> call.answer(call.host().arm().simulated().positionRad()));
     builtins
         .declare("get_joint_positions")
         .manual(MODULE, "16.4")
@@ -43,28 +43,28 @@ final class StateBuiltins {
         .returns(Type.JOINTS)
         .deprecated("get_actual_joint_positions")
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().arm().positionRad()));
+        .does(call -> call.answer(call.host().arm().simulated().positionRad()));
     builtins
         .declare("get_actual_joint_speeds")
         .manual(MODULE, "16.6")
         .doc("How fast the joints turn, in rad/s.")
         .returns(Type.JOINTS)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().arm().speedRadPerS()));
+        .does(call -> call.answer(call.host().arm().simulated().speedRadPerS()));
     builtins
         .declare("get_actual_tcp_pose")
         .manual(MODULE, "16.7")
         .doc("Where the TCP is, in the base frame.")
         .returns(Type.POSE)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().actualTcpInBase()));
+        .does(call -> call.answer(call.host().kinematics().actualTcpInBase()));
     builtins
         .declare("tool_pose")
         .manual(MODULE, "16.7")
         .doc("Where the TCP is, in the base frame: what older programs and force nodes call.")
         .returns(Type.POSE)
         .deprecated("get_actual_tcp_pose")
-        .does(call -> call.answer(call.host().actualTcpInBase()));
+        .does(call -> call.answer(call.host().kinematics().actualTcpInBase()));
     builtins
         .declare("get_actual_tcp_speed")
         .manual(MODULE, "16.8")
@@ -79,7 +79,12 @@ final class StateBuiltins {
         .returns(Type.POSE)
         .effect(Effect.SENSES)
         .does(
-            call -> call.answer(call.host().forward().flangePose(call.host().arm().positionRad())));
+            call ->
+                call.answer(
+                    call.host()
+                        .kinematics()
+                        .forward()
+                        .flangePose(call.host().arm().simulated().positionRad())));
   }
 
   private static void declareTargetJoints(Builtins<ControlBox> builtins) {
@@ -113,7 +118,7 @@ final class StateBuiltins {
         .doc("Where the TCP should be, in the base frame.")
         .returns(Type.POSE)
         .effect(Effect.SENSES)
-        .does(call -> call.answer(call.host().targetTcpInBase()));
+        .does(call -> call.answer(call.host().kinematics().targetTcpInBase()));
     builtins
         .declare("get_target_tcp_speed")
         .manual(MODULE, "16.30")
@@ -157,17 +162,21 @@ final class StateBuiltins {
 
   private static Outcome actualTcpSpeed(Call<ControlBox> call) {
     ControlBox box = call.host();
-    return call.answer(box.tcpTwistInBase(box.arm().positionRad(), box.arm().speedRadPerS()));
+    return call.answer(
+        box.kinematics()
+            .tcpTwistInBase(
+                box.arm().simulated().positionRad(), box.arm().simulated().speedRadPerS()));
   }
 
   private static Outcome targetTcpSpeed(Call<ControlBox> call) {
     ControlBox box = call.host();
-    return call.answer(box.tcpTwistInBase(box.motion().positionRad(), box.motion().speedRadPerS()));
+    return call.answer(
+        box.kinematics().tcpTwistInBase(box.motion().positionRad(), box.motion().speedRadPerS()));
   }
 
   private static Outcome waypoint(Call<ControlBox> call) {
     ControlBox box = call.host();
-    Pose waypoint = box.motion().waypoint().orElseGet(box::targetTcpInBase);
+    Pose waypoint = box.motion().waypoint().orElseGet(box.kinematics()::targetTcpInBase);
     return call.answer(waypoint);
   }
 

@@ -32,7 +32,7 @@ final class TimeBuiltins {
         .manual(MODULE, "16.22")
         .doc("The length of a frame, in s.")
         .returns(Unit.SECOND)
-        .does(call -> call.answer(ControlBox.FRAME_S));
+        .does(call -> call.answer(FrameTime.FRAME_S));
     builtins
         .declare("sleep")
         .manual(MODULE, "16.54")

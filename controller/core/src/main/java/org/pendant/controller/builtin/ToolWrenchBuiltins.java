@@ -52,12 +52,15 @@ final class ToolWrenchBuiltins {
     for (int i = 1; i <= Pose.SIZE; i++) {
       limits.add(call.given(i) ? MotionArguments.positive(call, i) : Double.POSITIVE_INFINITY);
     }
-    call.host().pathLimits().setToolWrenchLimit(Optional.of(new ToolWrenchLimit(frame, limits)));
+    call.host()
+        .planning()
+        .limits()
+        .setToolWrenchLimit(Optional.of(new ToolWrenchLimit(frame, limits)));
     return call.answer();
   }
 
   private static Outcome disable(Call<ControlBox> call) {
-    call.host().pathLimits().setToolWrenchLimit(Optional.empty());
+    call.host().planning().limits().setToolWrenchLimit(Optional.empty());
     return call.answer();
   }
 }

@@ -65,7 +65,10 @@ final class ToolpathBuiltins {
         .does(
             call -> {
               ControlBox box = call.host();
-              return call.answer(box.toolpaths().remoteSpeedMPerS(box.forward(), box.motion()));
+              return call.answer(
+                  box.planning()
+                      .toolpaths()
+                      .remoteSpeedMPerS(box.kinematics().forward(), box.motion()));
             });
     builtins
         .declare("mc_run_motion")
@@ -132,7 +135,7 @@ final class ToolpathBuiltins {
   }
 
   private static Toolpaths toolpaths(Call<ControlBox> call) {
-    return call.host().toolpaths();
+    return call.host().planning().toolpaths();
   }
 
   private static Outcome initialize(Call<ControlBox> call) throws ScriptError {
@@ -220,10 +223,11 @@ final class ToolpathBuiltins {
         call,
         () -> {
           NcFile found =
-              new FoundNcFile(box.programsFolder().find(name, ".nc", NcReader.MAX_BYTES));
+              new FoundNcFile(
+                  box.environment().programsFolder().find(name, ".nc", NcReader.MAX_BYTES));
           return Toolpaths.small(found)
               ? call.answerInt(LoadWait.keep(box, Toolpaths.read(found, feeds), feeds))
-              : new LoadWait(box, box.toolpaths().load(found, feeds), feeds);
+              : new LoadWait(box, box.planning().toolpaths().load(found, feeds), feeds);
         });
   }
 
@@ -233,7 +237,7 @@ final class ToolpathBuiltins {
     return Planning.named(
         call,
         () -> {
-          OptionalInt last = box.toolpaths().lastOf(id);
+          OptionalInt last = box.planning().toolpaths().lastOf(id);
           if (last.isEmpty()) {
             return call.answer();
           }

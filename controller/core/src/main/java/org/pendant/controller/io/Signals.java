@@ -49,6 +49,15 @@ public final class Signals {
     return tool;
   }
 
+  /**
+   * The current that the tool takes, A.
+   *
+   * @param powered whether the arm has power
+   */
+  public double toolCurrentA(boolean powered) {
+    return powered ? tool.currentA(digital.levels().toolOut()) : 0;
+  }
+
   /** Sets up the serial line of the tool connector; while it is on, the analog inputs are off. */
   public void setToolCommunication(ToolCommunication wanted) {
     tool = tool.withCommunication(wanted);

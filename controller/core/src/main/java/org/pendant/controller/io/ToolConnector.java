@@ -44,13 +44,25 @@ public record ToolConnector(
   /** What is connected to an output that is high, ohm. */
   private static final double SWITCHED_OHM = 480;
 
+  /** What the electronics in the tool flange take, A. */
+  private static final double ELECTRONICS_A = 0.08;
+
+  /**
+   * The current that the flange and its tool take, A.
+   *
+   * @param outputs levels of the tool's outputs, bits 0 and 1
+   */
+  double currentA(int outputs) {
+    return ELECTRONICS_A + loadA(outputs);
+  }
+
   /**
    * The current that a tool takes which the connector supplies: an invented one, whose outputs
    * switch loads. Two pins that supply together are both on.
    *
    * @param outputs levels of the tool's outputs, bits 0 and 1
    */
-  public double loadA(int outputs) {
+  private double loadA(int outputs) {
     int on = outputMode == ToolOutputMode.DUAL_PIN_POWER ? 2 : Integer.bitCount(outputs & 3);
     return voltageV / SUPPLIED_OHM + on * (voltageV / SWITCHED_OHM);
   }

@@ -56,9 +56,9 @@ final class JogPlanner {
       case JogMove.TurnJoint turn -> (from, speed) -> moveTo(from, rangeEnd(turn, from), joints);
       case JogMove.MoveTool along ->
           (from, speed) -> {
-            Pose start = box.forward().tcpPose(from, tcp);
+            Pose start = box.kinematics().forward().tcpPose(from, tcp);
             Pose twist = along.direction().twistInBase(along.frame(), start);
-            return new ToolJog(box.armDescription(), from, start, twist, tcp, tool);
+            return new ToolJog(box.arm().description(), from, start, twist, tcp, tool);
           };
       case JogMove.ToJoints to -> {
         requireAllowed(to.goalRad());
@@ -69,15 +69,15 @@ final class JogPlanner {
       case JogMove.StraightTo to ->
           (from, speed) -> {
             reach(to.tcpInBase(), tcp, from);
-            Pose start = box.forward().tcpPose(from, tcp);
-            return new MoveL(box.armDescription(), from, start, to.tcpInBase(), tcp, tool);
+            Pose start = box.kinematics().forward().tcpPose(from, tcp);
+            return new MoveL(box.arm().description(), from, start, to.tcpInBase(), tcp, tool);
           };
     };
   }
 
   private Motion moveTo(Joints from, Joints goal, MoveLimits limits) {
-    Pose waypoint = box.forward().tcpPose(goal, box.flange().tool().inFlange());
-    return new MoveJ(box.armDescription(), from, goal, waypoint, limits);
+    Pose waypoint = box.kinematics().forward().tcpPose(goal, box.flange().tool().inFlange());
+    return new MoveJ(box.arm().description(), from, goal, waypoint, limits);
   }
 
   /** Where a joint stops; never behind where it is. */
@@ -93,13 +93,13 @@ final class JogPlanner {
 
   /** The smallest position of joint i that arm and safety limits allow now, rad. */
   double minRad(int i) {
-    JointLimits arm = box.armDescription().joints().get(i);
+    JointLimits arm = box.arm().description().joints().get(i);
     return Math.max(arm.lowestRad(), box.safety().limits().jointMinRad().get(i));
   }
 
   /** The largest position of joint i that arm and safety limits allow now, rad. */
   double maxRad(int i) {
-    JointLimits arm = box.armDescription().joints().get(i);
+    JointLimits arm = box.arm().description().joints().get(i);
     return Math.min(arm.highestRad(), box.safety().limits().jointMaxRad().get(i));
   }
 
@@ -107,7 +107,7 @@ final class JogPlanner {
     requireFinite(goal);
     double error = InverseKinematics.DEFAULT_ERROR;
     Pose flange = InverseKinematics.flangeOf(goal, tcp);
-    return switch (box.inverse().find(flange, from, error, error)) {
+    return switch (box.kinematics().inverse().find(flange, from, error, error)) {
       case InverseResult.Reached found -> {
         requireAllowed(found.q());
         yield found.q();

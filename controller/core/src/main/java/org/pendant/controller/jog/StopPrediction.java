@@ -70,7 +70,7 @@ final class StopPrediction {
   }
 
   private Optional<String> singularity(Joints here, Joints speed, double withinS) {
-    DhLengths dh = box.armDescription().dh();
+    DhLengths dh = box.arm().description().dh();
     Joints next = after(here, speed, STEP_S);
     for (Singularity each : Singularity.values()) {
       double now = each.measure(dh, here);

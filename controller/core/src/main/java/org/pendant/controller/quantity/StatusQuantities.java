@@ -7,11 +7,11 @@ import static org.pendant.controller.quantity.ScalarType.INT32;
 import static org.pendant.controller.quantity.ScalarType.UINT32;
 import static org.pendant.controller.quantity.ScalarType.UINT64;
 
-import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Published;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.RobotBits;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.vm.ProgramState;
 
 /** Quantities of modes, the program and the controller itself. */
@@ -52,7 +52,7 @@ final class StatusQuantities {
             "target_execution_time",
             "Target execution time",
             MICROSECOND,
-            s -> MICRO * ControlBox.FRAME_S)
+            s -> MICRO * FrameTime.FRAME_S)
         .rtde("target_execution_time");
   }
 

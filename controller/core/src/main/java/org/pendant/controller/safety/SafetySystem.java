@@ -38,6 +38,7 @@ public final class SafetySystem {
   private boolean jumped;
   private boolean wasRunning;
   private boolean wasReduced;
+  private boolean shutDown;
 
   /**
    * A system that knows no payload; {@link #SafetySystem(ArmDescription, ArmDynamics,
@@ -176,6 +177,17 @@ public final class SafetySystem {
     if (!power.turningOff()) {
       stops.poweredOff();
     }
+  }
+
+  /** Switches arm and controller off (manual 16.42); the thread that drives the frames sees it. */
+  public void shutDown() {
+    shutDown = true;
+    powerOff();
+  }
+
+  /** Whether the controller has been switched off. */
+  public boolean isShutDown() {
+    return shutDown;
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.pendant.controller.state;
 
+import org.pendant.controller.arm.WarmUp;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.sensor.ArmSensors;
@@ -67,7 +68,7 @@ public record ArmReadings(
 
   /** The readings of this frame. */
   public static ArmReadings of(ControlBox box) {
-    ArmSensors sensors = box.arm().sensors();
+    ArmSensors sensors = box.arm().simulated().sensors();
     return new ArmReadings(
         sensors.accelerationRadPerS2(),
         sensors.torqueNm(),
@@ -77,19 +78,19 @@ public record ArmReadings(
         sensors.targetCurrentA(),
         sensors.temperatureC(),
         sensors.toolTemperatureC(),
-        box.controllerTemperatureC(),
-        box.toolCurrentA(),
+        WarmUp.CONTROL_BOX.temperatureC(box.clock().timeS()),
+        box.signals().toolCurrentA(box.drive().powered()),
         new Acceleration(
             sensors.toolAccelerationMPerS2(0),
             sensors.toolAccelerationMPerS2(1),
             sensors.toolAccelerationMPerS2(2)),
         box.flange().wrenchInBase(),
         box.flange().rawWrench(),
-        box.model().payload(),
-        box.model().mounting(),
-        box.supply().currentA(),
-        box.supply().consumedJ(),
-        box.supply().dissipatedJ(),
+        box.arm().model().payload(),
+        box.arm().model().mounting(),
+        box.arm().supply().currentA(),
+        box.arm().supply().consumedJ(),
+        box.arm().supply().dissipatedJ(),
         box.safety().momentumKgMPerS(),
         box.safety().deviationRatio(),
         box.safety().collisionRatio());

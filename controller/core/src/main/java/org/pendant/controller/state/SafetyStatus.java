@@ -42,8 +42,8 @@ public record SafetyStatus(
         box.safety().stop(),
         stopPlace,
         box.safety().reduced(),
-        box.baseLight(),
-        box.isShutDown(),
+        box.arm().baseLight(),
+        box.safety().isShutDown(),
         box.safety().checksum());
   }
 }

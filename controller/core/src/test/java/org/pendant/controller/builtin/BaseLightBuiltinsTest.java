@@ -14,11 +14,11 @@ class BaseLightBuiltinsTest {
   void theLightShowsWhatItIsTold() throws ScriptError {
     CallFixture fixture = new CallFixture("ur20");
     fixture.call("set_baselight_off");
-    assertEquals(BaseLight.OFF, fixture.box().baseLight());
+    assertEquals(BaseLight.OFF, fixture.box().arm().baseLight());
     fixture.call("set_baselight_solid", 0, 128, 255);
-    assertEquals(new BaseLight.Solid(0, 128, 255), fixture.box().baseLight());
+    assertEquals(new BaseLight.Solid(0, 128, 255), fixture.box().arm().baseLight());
     fixture.call("set_baselight_iec");
-    assertEquals(BaseLight.STANDARD, fixture.box().baseLight());
+    assertEquals(BaseLight.STANDARD, fixture.box().arm().baseLight());
     assertEquals(List.of(), fixture.box().log().since(0));
   }
 
@@ -27,7 +27,7 @@ class BaseLightBuiltinsTest {
     CallFixture fixture = new CallFixture("ur5e");
     fixture.call("set_baselight_off");
     fixture.call("set_baselight_solid", 255, 0, 0);
-    assertEquals(BaseLight.STANDARD, fixture.box().baseLight());
+    assertEquals(BaseLight.STANDARD, fixture.box().arm().baseLight());
     assertEquals(
         List.of("ur5e has no light in its base, only arms of the UR-Series do"),
         fixture.box().log().since(0).stream().map(LogEntry::text).toList());

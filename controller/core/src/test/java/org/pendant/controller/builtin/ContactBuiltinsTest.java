@@ -17,9 +17,9 @@ class ContactBuiltinsTest {
   @BeforeEach
   void somethingPushesUpInTheLastFrame() {
     for (int i = 0; i < 10; i++) {
-      fixture.box().contactWatch().add(Wrench.ZERO);
+      fixture.box().flange().contactWatch().add(Wrench.ZERO);
     }
-    fixture.box().contactWatch().add(new Wrench(0, 0, 10, 0, 0, 0));
+    fixture.box().flange().contactWatch().add(new Wrench(0, 0, 10, 0, 0, 0));
   }
 
   @Test

@@ -22,7 +22,7 @@ class ForceBuiltinsTest {
   private void refusesStart(
       String code, String part, Object type, Object selection, Object wrench, Object limits) {
     refuses(code, part, () -> start(type, selection, wrench, limits));
-    assertFalse(fixture.box().forceMode().on());
+    assertFalse(fixture.box().modes().forceMode().on());
   }
 
   private static Object axes() {
@@ -36,13 +36,13 @@ class ForceBuiltinsTest {
   @Test
   void bothModesBeginAndBothEndsEndThem() throws ScriptError {
     assertTrue(CallFixture.nothing(start(2, axes(), six(), six())));
-    assertTrue(fixture.box().forceMode().on());
+    assertTrue(fixture.box().modes().forceMode().on());
     assertTrue(CallFixture.nothing(fixture.call("end_force_mode")));
-    assertFalse(fixture.box().forceMode().on());
+    assertFalse(fixture.box().modes().forceMode().on());
     assertTrue(CallFixture.nothing(fixture.call("screw_driving", 10, 0.1)));
-    assertTrue(fixture.box().forceMode().on());
+    assertTrue(fixture.box().modes().forceMode().on());
     assertTrue(CallFixture.nothing(fixture.call("end_screw_driving")));
-    assertFalse(fixture.box().forceMode().on());
+    assertFalse(fixture.box().modes().forceMode().on());
   }
 
   @Test
@@ -90,7 +90,7 @@ class ForceBuiltinsTest {
 
   @Test
   void typeOneNeedsTenMillimetresToItsPoint() throws ScriptError {
-    var tcp = fixture.box().targetTcpInBase();
+    var tcp = fixture.box().kinematics().targetTcpInBase();
     refuses(
         "value-out-of-range",
         "force_mode: the origin of task_frame is 0.0099",
@@ -104,7 +104,7 @@ class ForceBuiltinsTest {
                 six()));
     fixture.call(
         "force_mode", pose(tcp.x() + 0.0101, tcp.y(), tcp.z(), 0, 0, 0), axes(), six(), 1, six());
-    assertTrue(fixture.box().forceMode().on());
+    assertTrue(fixture.box().modes().forceMode().on());
   }
 
   @Test

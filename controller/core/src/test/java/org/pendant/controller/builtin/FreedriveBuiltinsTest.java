@@ -21,6 +21,7 @@ class FreedriveBuiltinsTest {
   private FreedriveMode mode() {
     return fixture
         .box()
+        .modes()
         .freedrive()
         .state(fixture.box().drive().actualPositionRad())
         .mode()
@@ -52,12 +53,12 @@ class FreedriveBuiltinsTest {
   @Test
   void bothNamesEndIt() throws ScriptError {
     fixture.call("teach_mode");
-    assertTrue(fixture.box().freedrive().active());
+    assertTrue(fixture.box().modes().freedrive().active());
     fixture.call("end_freedrive_mode");
-    assertFalse(fixture.box().freedrive().active());
+    assertFalse(fixture.box().modes().freedrive().active());
     fixture.call("freedrive_mode");
     fixture.call("end_teach_mode");
-    assertFalse(fixture.box().freedrive().active());
+    assertFalse(fixture.box().modes().freedrive().active());
   }
 
   @Test

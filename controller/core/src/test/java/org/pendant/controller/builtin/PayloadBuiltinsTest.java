@@ -60,7 +60,7 @@ class PayloadBuiltinsTest {
   void aPayloadUnderWayIsReadAsIfItHeld() throws ScriptError {
     fixture.call("set_target_payload", 2, COG, INERTIA, 1);
     assertEquals("2", text("get_target_payload"));
-    assertEquals(0, fixture.box().model().payload().massKg());
+    assertEquals(0, fixture.box().arm().model().payload().massKg());
   }
 
   @Test

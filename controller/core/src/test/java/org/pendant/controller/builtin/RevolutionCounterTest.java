@@ -59,7 +59,7 @@ class RevolutionCounterTest {
         .start(
             (from, speed) ->
                 new MoveJ(
-                    box.armDescription(),
+                    box.arm().description(),
                     from,
                     from.with(0, -5),
                     Pose.ZERO,

@@ -46,7 +46,8 @@ class HeldTimeTest {
   private record Moment(Joints positionRad, DigitalLevels levels) {}
 
   private static Moment moment(DebugFixture fixture) {
-    return new Moment(fixture.box.drive().actualPositionRad(), fixture.box.io().levels());
+    return new Moment(
+        fixture.box.drive().actualPositionRad(), fixture.box.signals().digital().levels());
   }
 
   private static List<Moment> freeRun(DebugFixture fixture) {

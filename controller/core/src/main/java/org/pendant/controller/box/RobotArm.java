@@ -1,0 +1,115 @@
+package org.pendant.controller.box;
+
+import org.pendant.controller.arm.ArmSupply;
+import org.pendant.controller.arm.DynamicArm;
+import org.pendant.controller.arm.IdealArm;
+import org.pendant.controller.arm.SimulatedArm;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.controller.world.Scene;
+import org.pendant.models.arm.ArmDescription;
+
+/**
+ * Robot arm: the simulated one in its world, what the controller believes about it, how its base is
+ * mounted, and the light ring there.
+ */
+public final class RobotArm {
+  private final ArmDescription description;
+  private final Scene scene;
+  private final ArmModel model;
+  private final ContactWorld world;
+  private final SimulatedArm simulated;
+  private final ArmSupply supply;
+  private final FlangeForces forces;
+  private BaseLight baseLight = BaseLight.STANDARD;
+
+  RobotArm(BoxSetup setup) {
+    description = setup.arm();
+    scene = setup.scene();
+    model = new ArmModel(description);
+    world = new ContactWorld(scene);
+    simulated = simulated(setup);
+    supply = new ArmSupply(description);
+    forces = new FlangeForces(simulated, model);
+  }
+
+  private SimulatedArm simulated(BoxSetup setup) {
+    DynamicArm.Setup own =
+        new DynamicArm.Setup(
+            setup.arm(),
+            setup.startRad(),
+            model.dynamics(),
+            world,
+            setup.encoderNoiseRad(),
+            setup.seed());
+    return switch (setup.armChoice()) {
+      case IDEAL -> new IdealArm(own);
+      case DYNAMIC -> new DynamicArm(own);
+    };
+  }
+
+  /** What the arm is made of. */
+  public ArmDescription description() {
+    return description;
+  }
+
+  /** What the controller believes about masses, payload and mounting. */
+  public ArmModel model() {
+    return model;
+  }
+
+  /** The arm that follows. */
+  public SimulatedArm simulated() {
+    return simulated;
+  }
+
+  /** What the arm takes from its supply. */
+  public ArmSupply supply() {
+    return supply;
+  }
+
+  /** What stands around the arm. */
+  public Scene scene() {
+    return scene;
+  }
+
+  /** What the arm may touch, and what pushes it. */
+  public ContactWorld world() {
+    return world;
+  }
+
+  /** What is felt at the flange. */
+  FlangeForces forces() {
+    return forces;
+  }
+
+  /** The light ring in the base. */
+  public BaseLight baseLight() {
+    return baseLight;
+  }
+
+  /** Changes the light ring in the base. */
+  public void setBaseLight(BaseLight light) {
+    baseLight = light;
+  }
+
+  /** Sets the acceleration that the resting arm feels, along the axes of the base, m/s². */
+  public void setGravity(double x, double y, double z) {
+    model.setGravity(x, y, z);
+    mount();
+  }
+
+  /** Sets the acceleration of the base, along its axes, m/s². */
+  public void setBaseAcceleration(double x, double y, double z) {
+    model.setBaseAcceleration(x, y, z);
+    mount();
+  }
+
+  private void mount() {
+    simulated.setMounting(
+        model.feltAccelerationMPerS2(0),
+        model.feltAccelerationMPerS2(1),
+        model.feltAccelerationMPerS2(2));
+    simulated.modelChanged();
+    forces.forget();
+  }
+}
