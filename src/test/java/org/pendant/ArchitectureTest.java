@@ -16,6 +16,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethod;
+import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
@@ -31,11 +33,14 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import javax.swing.Timer;
 import org.pendant.controller.Controller;
 import org.pendant.controller.Drive;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.CommandHandler;
+import org.pendant.script.function.Host;
 
 /** The shape that docs/architecture.md describes, held by the build. */
 @AnalyzeClasses(packages = "org.pendant", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -46,6 +51,9 @@ final class ArchitectureTest {
 
   /** Packages of a module that use one another in a row. */
   private static final int MAX_DEPTH = 8;
+
+  /** Parts that builtins and commands reach by the control box. */
+  private static final int MAX_BOX_PARTS = 15;
 
   @ArchTest
   static final ArchRule modulesKnowOnlyTheModulesBelowThem =
@@ -203,7 +211,7 @@ final class ArchitectureTest {
               "org.lwjgl..");
 
   @ArchTest
-  static final ArchRule timersGoOnAfterAFault =
+  static final ArchRule timersContinueAfterAFault =
       noClasses()
           .that()
           .resideOutsideOfPackage("org.pendant.kit.fault..")
@@ -301,13 +309,29 @@ final class ArchitectureTest {
           .belongToAnyOf(Controller.class, Drive.class);
 
   @ArchTest
-  static final ArchRule whoeverSwitchesAControllerOnKeepsTheRobotOrTheDrive =
+  static final ArchRule commandAndDesktopKeepTheRobotOrTheDriveAndNotTheController =
       noFields()
           .that()
           .areDeclaredInClassesThat()
           .resideInAnyPackage("org.pendant.command..", "org.pendant.desktop..")
           .should()
           .haveRawType(Controller.class);
+
+  @ArchTest
+  static void theControlBoxHasAFewPartsAndIsNoBagOfGetters(JavaClasses all) {
+    List<String> parts =
+        all.get(ControlBox.class).getMethods().stream()
+            .filter(each -> each.getModifiers().contains(JavaModifier.PUBLIC))
+            .filter(each -> !each.getRawReturnType().isEquivalentTo(void.class))
+            .map(JavaMethod::getName)
+            .filter(name -> all.get(Host.class).getMethods().stream().noneMatch(called(name)))
+            .toList();
+    assertTrue(parts.size() <= MAX_BOX_PARTS, parts.size() + " parts: " + parts);
+  }
+
+  private static Predicate<JavaMethod> called(String name) {
+    return method -> method.getName().equals(name);
+  }
 
   @ArchTest
   static void everyCommandIsARecordOfASealedFamilyThatOneClassCarriesOut(JavaClasses all) {
