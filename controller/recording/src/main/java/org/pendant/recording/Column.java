@@ -1,18 +1,18 @@
 package org.pendant.recording;
 
+import java.util.Objects;
 import java.util.function.ToDoubleFunction;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
+import org.pendant.controller.quantity.StateQuantities;
+import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
-import org.pendant.models.arm.Joints;
-import org.pendant.models.pose.Pose;
 import org.pendant.script.value.BoolValue;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.IntValue;
 import org.pendant.script.value.Value;
-import org.pendant.script.variables.TracedVariables;
 import org.pendant.script.variables.VariablePath;
 import org.pendant.script.variables.VariableSample;
 import org.pendant.script.variables.VariableSamples;
@@ -56,46 +56,22 @@ public final class Column {
     return reading;
   }
 
-  /** Where joint 0 to 5 should be, rad. */
-  public static Column targetPosition(int joint) {
-    return joint(NumberGroup.TARGET_Q, joint);
-  }
-
-  /** How fast joint 0 to 5 should turn, rad/s. */
-  public static Column targetSpeed(int joint) {
-    return joint(NumberGroup.TARGET_QD, joint);
-  }
-
-  /** Where joint 0 to 5 is, rad. */
-  public static Column actualPosition(int joint) {
-    return joint(NumberGroup.ACTUAL_Q, joint);
-  }
-
-  /** How fast joint 0 to 5 turns, rad/s. */
-  public static Column actualSpeed(int joint) {
-    return joint(NumberGroup.ACTUAL_QD, joint);
-  }
-
-  /** Motor current of joint 0 to 5, A. */
-  public static Column current(int joint) {
-    return joint(NumberGroup.CURRENT, joint);
-  }
-
-  private static Column joint(NumberGroup group, int joint) {
-    if (joint < 0 || joint >= Joints.COUNT) {
-      throw new IndexOutOfBoundsException("joint is " + joint + ", must be 0 to 5");
-    }
-    return new Column(new Reading.Kept(group, joint));
-  }
-
-  /** The speed slider, 0 to 1. */
-  public static Column speedSlider() {
-    return new Column(new Reading.Kept(NumberGroup.SPEED, 0));
-  }
-
-  /** How fast motion time runs against the clock, 0 to 1. */
-  public static Column speedScaling() {
-    return new Column(new Reading.Kept(NumberGroup.SPEED, 1));
+  /**
+   * A number of the catalogue of state quantities. One that recordings do not keep as it is has to
+   * be worked out: it is looked at a few times in each stretch of time only.
+   *
+   * @param quantity its name, such as {@code actual_q}
+   * @param component which of its numbers, from 0
+   * @throws IllegalArgumentException if there is no such quantity
+   * @throws IndexOutOfBoundsException if it has no such component
+   */
+  public static Column of(String quantity, int component) {
+    StateQuantity found = StateQuantities.of(quantity);
+    Objects.checkIndex(component, found.size());
+    return new Column(
+        NumberGroup.keeping(found, component)
+            .<Reading>map(kept -> kept)
+            .orElseGet(() -> new Reading.OfState(found.getter().element(component))));
   }
 
   /** The line that the main thread has reached, from 1; 0 when no program runs. */
@@ -153,28 +129,5 @@ public final class Column {
       case FloatValue number -> number.value();
       default -> Double.NaN;
     };
-  }
-
-  /** A variable that was traced, in every frame; NaN where it was not. */
-  public static Column traced(VariablePath path) {
-    String name = path.text();
-    return new Column(
-        new Reading.OfPart(SnapshotPart.TRACED, part -> ((TracedVariables) part).value(name)));
-  }
-
-  /** How fast the TCP moves, m/s. */
-  public static Column tcpSpeed() {
-    return new Column(
-        new Reading.OfState(
-            state -> {
-              Pose speed = state.geometry().actual().speed();
-              return Math.sqrt(
-                  speed.x() * speed.x() + speed.y() * speed.y() + speed.z() * speed.z());
-            }));
-  }
-
-  /** Any number of the snapshots; looked at a few times in each stretch of time only. */
-  public static Column of(ToDoubleFunction<ControllerState> reading) {
-    return new Column(new Reading.OfState(reading));
   }
 }

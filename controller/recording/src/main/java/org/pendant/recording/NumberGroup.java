@@ -1,11 +1,10 @@
 package org.pendant.recording;
 
 import java.util.Arrays;
-import org.pendant.controller.state.ArmReadings;
-import org.pendant.controller.state.ArmState;
+import java.util.Optional;
+import org.pendant.controller.quantity.StateQuantities;
+import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.models.arm.Joints;
-import org.pendant.models.pose.Wrench;
 
 /**
  * Number group: numbers of a snapshot that tend to change together; they are kept when one of them
@@ -18,7 +17,7 @@ enum NumberGroup {
   ACTUAL_Q(3, "actual_q", 6),
   ACTUAL_QD(4, "actual_qd", 6),
   /** Slider and scaling. */
-  SPEED(5, "speed", 2),
+  SPEED(5, "speed", 2, "speed_slider speed_scaling"),
   ACCELERATION(6, "actual_qdd", 6),
   TORQUE(7, "torque", 6),
   EXTERNAL_TORQUE(8, "external_torque", 6),
@@ -26,15 +25,19 @@ enum NumberGroup {
   CURRENT(10, "current", 6),
   TARGET_CURRENT(11, "target_current", 6),
   TOOL_ACCELERATION(12, "tool_acceleration", 3),
-  FLANGE_WRENCH(13, "flange_wrench", 6),
+  FLANGE_WRENCH(13, "flange_wrench", 6, "tcp_wrench"),
   RAW_WRENCH(14, "raw_wrench", 6),
   /** Current of the tool and the robot, momentum, deviation and collision. */
-  LOAD(15, "load", 5),
+  LOAD(15, "load", 5, "tool_current robot_current momentum deviation collision"),
   /**
    * What never rests: temperatures of joints, tool and box, energies, the computer's time. By
    * itself it is kept once in a while only, or an arm at rest would fill the ring.
    */
-  AMBIENT(16, "ambient", 11);
+  AMBIENT(
+      16,
+      "ambient",
+      11,
+      "temperature tool_temperature box_temperature energy_consumed energy_dissipated");
 
   static final int COUNT = values().length;
 
@@ -44,17 +47,31 @@ enum NumberGroup {
   private static final NumberGroup[] GROUPS = values();
   private static final int[] SIZES = Arrays.stream(GROUPS).mapToInt(each -> each.size).toArray();
 
+  /** The quantities of all groups, one after the other. */
+  private static final StateQuantity[] QUANTITIES =
+      Arrays.stream(GROUPS)
+          .flatMap(each -> Arrays.stream(each.quantities.split(" ", -1)))
+          .map(StateQuantities::of)
+          .toArray(StateQuantity[]::new);
+
   /** Numbers of all groups together. */
   static final int NUMBERS = Arrays.stream(SIZES).sum();
 
   private final int index;
   private final String column;
   private final int size;
+  private final String quantities;
 
+  /** A group of the quantity that is called as the column. */
   NumberGroup(int index, String column, int size) {
+    this(index, column, size, column);
+  }
+
+  NumberGroup(int index, String column, int size, String quantities) {
     this.index = index;
     this.column = column;
     this.size = size;
+    this.quantities = quantities;
   }
 
   /** Its place among the groups, from 0. */
@@ -93,57 +110,27 @@ enum NumberGroup {
 
   /** Writes the numbers of a snapshot to {@code out}, group after group. */
   static void read(ControllerState state, double[] out) {
-    ArmState arm = state.arm();
-    ArmReadings readings = state.readings();
-    int at = put(arm.targetPositionRad(), out, 0);
-    at = put(arm.targetSpeedRadPerS(), out, at);
-    at = put(arm.targetAccelerationRadPerS2(), out, at);
-    at = put(arm.actualPositionRad(), out, at);
-    at = put(arm.actualSpeedRadPerS(), out, at);
-    out[at++] = arm.speedFraction();
-    out[at++] = arm.speedScaling();
-    at = put(readings.accelerationRadPerS2(), out, at);
-    at = put(readings.torqueNm(), out, at);
-    at = put(readings.externalTorqueNm(), out, at);
-    at = put(readings.targetTorqueNm(), out, at);
-    at = put(readings.currentA(), out, at);
-    at = put(readings.targetCurrentA(), out, at);
-    out[at++] = readings.toolAcceleration().xMPerS2();
-    out[at++] = readings.toolAcceleration().yMPerS2();
-    out[at++] = readings.toolAcceleration().zMPerS2();
-    at = put(readings.flangeWrenchInBase(), out, at);
-    at = put(readings.rawFlangeWrench(), out, at);
-    out[at++] = readings.toolCurrentA();
-    out[at++] = readings.robotCurrentA();
-    out[at++] = readings.momentumKgMPerS();
-    out[at++] = readings.deviationRatio();
-    out[at++] = readings.collisionRatio();
-    at = put(readings.temperatureC(), out, at);
-    out[at++] = readings.toolTemperatureC();
-    out[at++] = readings.controllerTemperatureC();
-    out[at++] = readings.energyConsumedJ();
-    out[at++] = readings.energyDissipatedJ();
+    int at = 0;
+    for (StateQuantity each : QUANTITIES) {
+      each.getter().read(state, out, at);
+      at += each.size();
+    }
+    // the quantity counts microseconds, and going back to seconds does not give the same number
     out[at] = state.executionTimeS();
   }
 
-  private static int put(Joints joints, double[] out, int at) {
-    out[at] = joints.q0();
-    out[at + 1] = joints.q1();
-    out[at + 2] = joints.q2();
-    out[at + 3] = joints.q3();
-    out[at + 4] = joints.q4();
-    out[at + 5] = joints.q5();
-    return at + 6;
-  }
-
-  private static int put(Wrench wrench, double[] out, int at) {
-    out[at] = wrench.fx();
-    out[at + 1] = wrench.fy();
-    out[at + 2] = wrench.fz();
-    out[at + 3] = wrench.mx();
-    out[at + 4] = wrench.my();
-    out[at + 5] = wrench.mz();
-    return at + 6;
+  /** Where a component of a quantity is kept; empty if it is not. */
+  static Optional<Column.Reading.Kept> keeping(StateQuantity quantity, int component) {
+    for (NumberGroup group : GROUPS) {
+      int at = component;
+      for (String name : group.quantities.split(" ", -1)) {
+        if (name.equals(quantity.name())) {
+          return Optional.of(new Column.Reading.Kept(group, at));
+        }
+        at += StateQuantities.of(name).size();
+      }
+    }
+    return Optional.empty();
   }
 
   /** A bit for each group in which the two differ. */

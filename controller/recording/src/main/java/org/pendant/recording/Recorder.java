@@ -8,6 +8,9 @@ import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.stream.Stream;
+import org.pendant.controller.quantity.StateQuantities;
+import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
@@ -23,11 +26,15 @@ import org.pendant.script.variables.VariablePath;
  */
 public final class Recorder implements Closeable {
   private static final int BUFFER_CHARS = 1 << 16;
+  private static final List<StateQuantity> QUANTITIES =
+      Stream.of("target_q", "target_qd", "actual_q", "actual_qd", "target_tcp", "actual_tcp")
+          .map(StateQuantities::of)
+          .toList();
 
   private final Writer out;
   private final List<String> variables;
   private final StringBuilder row = new StringBuilder(1024);
-  private ArmStateText arm = ArmStateText.NONE;
+  private ArmStateText armText = ArmStateText.NONE;
   private int unflushed;
 
   /** The text of joints and poses, kept because an arm at rest repeats it in every row. */
@@ -64,12 +71,9 @@ public final class Recorder implements Closeable {
     this.out = out;
     this.variables = variables.stream().map(VariablePath::text).toList();
     StringBuilder header = new StringBuilder("time_s");
-    for (String name :
-        new String[] {
-          "target_q", "target_qd", "actual_q", "actual_qd", "target_tcp", "actual_tcp"
-        }) {
-      for (int i = 0; i < Joints.COUNT; i++) {
-        header.append(',').append(name).append('_').append(i);
+    for (StateQuantity each : QUANTITIES) {
+      for (int i = 0; i < each.size(); i++) {
+        header.append(',').append(each.name()).append('_').append(i);
       }
     }
     header.append(",line");
@@ -87,11 +91,11 @@ public final class Recorder implements Closeable {
 
   /** Appends the row of one frame. */
   public void write(ControllerState state) throws IOException {
-    if (!arm.fits(state.arm())) {
-      arm = text(state.arm());
+    if (!armText.fits(state.arm())) {
+      armText = text(state);
     }
     row.setLength(0);
-    row.append(state.timeS()).append(arm.text());
+    row.append(state.timeS()).append(armText.text());
     row.append(',').append(state.program().line());
     for (String name : variables) {
       double value = state.traced().value(name);
@@ -108,37 +112,21 @@ public final class Recorder implements Closeable {
     }
   }
 
-  private ArmStateText text(ArmState state) {
+  private ArmStateText text(ControllerState state) {
     row.setLength(0);
-    append(state.targetPositionRad());
-    append(state.targetSpeedRadPerS());
-    append(state.actualPositionRad());
-    append(state.actualSpeedRadPerS());
-    Pose target = state.targetTcpInBase();
-    append(target);
-    append(
-        state.actualPositionRad().equals(state.targetPositionRad())
-            ? target
-            : state.actualTcpInBase());
+    for (StateQuantity each : QUANTITIES) {
+      for (double number : each.numbers(state)) {
+        row.append(',').append(number);
+      }
+    }
+    ArmState arm = state.arm();
     return new ArmStateText(
-        state.targetPositionRad(),
-        state.targetSpeedRadPerS(),
-        state.actualPositionRad(),
-        state.actualSpeedRadPerS(),
-        state.tool().inFlange(),
+        arm.targetPositionRad(),
+        arm.targetSpeedRadPerS(),
+        arm.actualPositionRad(),
+        arm.actualSpeedRadPerS(),
+        arm.tool().inFlange(),
         row.toString());
-  }
-
-  private void append(Joints joints) {
-    for (int i = 0; i < Joints.COUNT; i++) {
-      row.append(',').append(joints.get(i));
-    }
-  }
-
-  private void append(Pose pose) {
-    for (int i = 0; i < Pose.SIZE; i++) {
-      row.append(',').append(pose.get(i));
-    }
   }
 
   @Override

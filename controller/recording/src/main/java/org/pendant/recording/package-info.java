@@ -16,7 +16,7 @@
  * // any thread
  * Recording recording = ring.recording();
  * ControllerState then = recording.at(12.5);
- * ColumnTrace speed = recording.scan(Column.tcpSpeed(), recording.firstS(), recording.lastS(), 800);
+ * ColumnTrace speed = recording.scan(Column.of("tcp_speed", 0), recording.firstS(), recording.lastS(), 800);
  * RecordingExport.toRec(recording, 10, 15, file);
  * Recording again = RecordingFile.open(file).recording();
  * }</pre>

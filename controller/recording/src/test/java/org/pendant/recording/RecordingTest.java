@@ -144,7 +144,7 @@ final class RecordingTest {
   void aScanHasTheExtremesOfEachStretch() {
     start("movej([0, -1.2, -1.5, -1.5, 1.5, 0], a=3, v=2)\nmovej([0, -1.6, -1.5, -1.5, 1.5, 0])\n");
     Recording recording = run(1200);
-    ColumnTrace trace = recording.scan(Column.targetPosition(1), 0, 2.4, 24);
+    ColumnTrace trace = recording.scan(Column.of("target_q", 1), 0, 2.4, 24);
 
     assertEquals(24, trace.size());
     for (int i = 0; i < trace.size(); i++) {
@@ -203,7 +203,7 @@ final class RecordingTest {
   void theSpeedOfTheTcpIsWorkedOut() {
     start("movej([0, -1.2, -1.5, -1.5, 1.5, 0], a=3, v=2)\n");
     Recording recording = run(400);
-    ColumnTrace trace = recording.scan(Column.tcpSpeed(), 0, 0.8, 400);
+    ColumnTrace trace = recording.scan(Column.of("tcp_speed", 0), 0, 0.8, 400);
 
     for (int i = 10; i < 200; i += 10) {
       var speed = states.get(i).geometry().actual().speed();
@@ -221,6 +221,6 @@ final class RecordingTest {
 
     assertThrows(IllegalArgumentException.class, () -> recording.scan(line, 1, 1, 10));
     assertThrows(IllegalArgumentException.class, () -> recording.scan(line, 0, 1, 0));
-    assertThrows(IndexOutOfBoundsException.class, () -> Column.targetPosition(6));
+    assertThrows(IndexOutOfBoundsException.class, () -> Column.of("target_q", 6));
   }
 }

@@ -76,7 +76,7 @@ record Tracks(
         warnings(recording, fromS, toS),
         edges(recording, range, buckets, true),
         edges(recording, range, buckets, false),
-        Optional.of(recording.scan(Column.tcpSpeed(), fromS, toS, buckets)));
+        Optional.of(recording.scan(Column.of("tcp_speed", 0), fromS, toS, buckets)));
   }
 
   /** What there is at a time, in words. */
