@@ -7,5 +7,6 @@ module org.pendant.recording {
   requires transitive org.pendant.script;
 
   exports org.pendant.recording;
+  exports org.pendant.recording.compare;
   exports org.pendant.recording.replay;
 }
