@@ -36,6 +36,11 @@ final class Console {
         new FileOutputStream(FileDescriptor.out), new FileOutputStream(FileDescriptor.err));
   }
 
+  /** A console whose standard output is the standard error of this one. */
+  Console toErrors() {
+    return new Console(errors, errors);
+  }
+
   /** Writes {@code bytes}, one {@code char} a byte, and a line end to standard output. */
   synchronized void printBytes(String bytes) {
     write(bytes.getBytes(StandardCharsets.ISO_8859_1));

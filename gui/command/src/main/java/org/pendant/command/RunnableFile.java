@@ -57,10 +57,15 @@ record RunnableFile(
    * @throws UsageException when a file cannot be read
    */
   static List<RunnableFile> read(Arguments arguments) throws UsageException {
+    return read(arguments, arguments.operands());
+  }
+
+  /** As {@link #read(Arguments)}, of those operands that are programs. */
+  static List<RunnableFile> read(Arguments arguments, List<String> names) throws UsageException {
     Optional<Installation> given = InstallationOption.of(arguments);
     SourceFiles files = arguments.files();
     List<RunnableFile> read = new ArrayList<>();
-    for (String name : arguments.operands()) {
+    for (String name : names) {
       byte[] bytes = files.bytes(PROGRAM, name);
       read.add(TreeFile.hasEnding(name) ? tree(name, bytes, given, files) : script(name, bytes));
     }

@@ -32,7 +32,11 @@ final class OutputOptionsTest {
       Map.of(
           "--installation", "pendant installation 1\n",
           "--scene", "{}",
-          "--safety", "{}");
+          "--safety", "{}",
+          "--collection", "# a run\na.csv a.script\n");
+
+  /** What the program comes after. */
+  private static final Map<String, List<String>> OPERANDS = Map.of("compare", List.of("run.csv"));
 
   private static final Map<String, String> ENDINGS = Map.of("--installation", ".pinst");
 
@@ -100,6 +104,7 @@ final class OutputOptionsTest {
       if (!isProgram) {
         words.addAll(List.of(input.getKey(), file.toString()));
       }
+      words.addAll(OPERANDS.getOrDefault(command, List.of()));
       words.add(program.toString());
       assertRefused(words);
       words.add(OutputFile.FORCE.name());

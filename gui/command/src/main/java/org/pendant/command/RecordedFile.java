@@ -1,0 +1,97 @@
+package org.pendant.command;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.recording.RecordingFile;
+import org.pendant.recording.compare.MalformedTable;
+import org.pendant.recording.compare.RecordedSamples;
+import org.pendant.recording.compare.SampleTable;
+import org.pendant.recording.compare.Samples;
+import org.pendant.recording.compare.StartOfRun;
+
+/**
+ * Recorded file: a recording that a command line names: a table of samples, or a {@code .rec}.
+ *
+ * @param samples with joint speeds
+ * @param notes what people should know of it
+ */
+record RecordedFile(String name, Samples samples, List<String> notes) {
+  /** How often a row of a table without times was written. */
+  static final Option FREQUENCY =
+      Option.of(
+              "--frequency",
+              new OptionArgument.Real("HZ", 0, 1e6, true, "Hz"),
+              "how often a row was written, where the table has no times")
+          .documented(
+              "125",
+              "how often a row of the table was written, Hz; only for tables that have no column of"
+                  + " times");
+
+  private static final String RECORDING = ".rec";
+
+  /** A larger table is a mistake. */
+  private static final long MAX_BYTES = 1L << 30;
+
+  RecordedFile {
+    notes = List.copyOf(notes);
+  }
+
+  /**
+   * Reads it.
+   *
+   * @throws UsageException when it cannot be read, or is no recording
+   */
+  static RecordedFile read(String name, Path path, OptionalDouble frequencyHz)
+      throws UsageException {
+    try {
+      if (Files.isDirectory(path)) {
+        throw new UsageException(name + " is a directory, expected a recording");
+      }
+      if (Files.isRegularFile(path) && Files.size(path) > MAX_BYTES) {
+        throw new UsageException(
+            name + " has " + Files.size(path) + " bytes, must have at most " + MAX_BYTES);
+      }
+      return name.toLowerCase(Locale.ROOT).endsWith(RECORDING)
+          ? ofRecording(name, path)
+          : ofTable(name, path, frequencyHz);
+    } catch (MalformedTable e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw new UsageException(name + ": " + FileTrouble.reason(e));
+    }
+  }
+
+  private static RecordedFile ofRecording(String name, Path path) throws IOException {
+    RecordingFile.Opened opened = RecordingFile.open(path);
+    return new RecordedFile(
+        name, RecordedSamples.of(opened.recording()), opened.warning().stream().toList());
+  }
+
+  private static RecordedFile ofTable(String name, Path path, OptionalDouble frequencyHz)
+      throws IOException, MalformedTable {
+    OptionalDouble periodS =
+        frequencyHz.isPresent()
+            ? OptionalDouble.of(1 / frequencyHz.getAsDouble())
+            : OptionalDouble.empty();
+    try (BufferedReader in =
+        new BufferedReader(
+            new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8))) {
+      SampleTable.Read read = SampleTable.read(name, in, periodS);
+      Samples withSpeeds = StartOfRun.withSpeeds(read.samples());
+      List<String> notes = new ArrayList<>(read.notes());
+      if (!withSpeeds.equals(read.samples())) {
+        notes.add("there are no joint speeds, they are worked out from the positions");
+      }
+      return new RecordedFile(name, withSpeeds, notes);
+    }
+  }
+}
