@@ -12,8 +12,9 @@ import java.util.List;
 import java.util.spi.ToolProvider;
 
 /**
- * Checks that every Java source below the working directory is formatted by google-java-format, or
- * formats them. The root pom runs it on the project's JDK with the formatter on the class path.
+ * Format check: checks that every Java source below the working directory is formatted by
+ * google-java-format, or formats them. The root pom runs it on the project's JDK with the formatter
+ * on the class path.
  *
  * <p>A successful run leaves {@code target/format/stamp}; the next looks only at files changed
  * since, so a build with nothing changed pays for one JVM start.

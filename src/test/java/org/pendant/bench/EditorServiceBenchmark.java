@@ -23,7 +23,7 @@ import org.pendant.language.service.ScriptAnalysis;
 import org.pendant.language.source.Source;
 import org.pendant.script.function.Builtins;
 
-/** What an editor asks while somebody types in a program of 5,000 lines. */
+/** What an editor asks while a user types in a program of 5,000 lines. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)

@@ -59,7 +59,7 @@ public class ServoBenchmark {
     servoing = new Servoing(arm, control);
     start = new ForwardKinematics(arm.dh()).tcpPose(READY, TCP);
     if (!does.equals("torque")) {
-      ticket = control.goOn(next());
+      ticket = control.continueWith(next());
     }
   }
 
@@ -99,7 +99,7 @@ public class ServoBenchmark {
       return control.scaling();
     }
     if (ticket.finished()) {
-      ticket = control.goOn(next());
+      ticket = control.continueWith(next());
     }
     control.step();
     if (ticket.failure().isPresent()) {

@@ -36,7 +36,7 @@ import org.pendant.motion.toolpath.ToolConfiguration;
 import org.pendant.motion.toolpath.Toolpaths;
 
 /**
- * A motion of a UR5e that goes on for a hundred thousand frames and more without anything being
+ * A motion of a UR5e that continues for a hundred thousand frames and more without anything being
  * planned: it is as slow as that takes, which makes its frames no cheaper. What counts is the
  * target alone, with all that limits it; no arm follows it.
  */
@@ -79,7 +79,7 @@ public final class SteadyMotion {
     PAUSE
   }
 
-  /** The longest that one goes on before it begins anew, frames. */
+  /** The longest that one continues before it begins anew, frames. */
   private static final int LONGEST = 200_000;
 
   /** Frames in which something that sways goes one way. */
@@ -167,8 +167,8 @@ public final class SteadyMotion {
     return motion.scaling();
   }
 
-  /** Whether it has gone on so far. */
-  boolean goesOn() {
+  /** Whether it has continued so far. */
+  boolean continues() {
     return motion.fault().isEmpty() && !motion.steady();
   }
 
@@ -227,13 +227,13 @@ public final class SteadyMotion {
                 JERK_RAMP_S));
       }
       case SPEEDJ ->
-          goOn(
+          continueWith(
               box.modes()
                   .servoing()
                   .speedJ(
                       new Joints(1e-4, 2e-4, -1e-4, 0, 1e-4, -2e-4), 1, OptionalDouble.of(1e6)));
       case SPEEDL ->
-          goOn(
+          continueWith(
               box.modes()
                   .servoing()
                   .speedL(
@@ -243,8 +243,10 @@ public final class SteadyMotion {
                       1,
                       OptionalDouble.of(1e6)));
       case SERVOJ ->
-          goOn(box.modes().servoing().servoJ(READY.with(0, 0.5).with(3, -1.2), 1e6, 0.2, 1e-5));
-      case SERVOC -> goOn(box.modes().servoing().servoC(beside(0.1, 0.1, 0.05), TCP, 1, 1e-4, 0));
+          continueWith(
+              box.modes().servoing().servoJ(READY.with(0, 0.5).with(3, -1.2), 1e6, 0.2, 1e-5));
+      case SERVOC ->
+          continueWith(box.modes().servoing().servoC(beside(0.1, 0.1, 0.05), TCP, 1, 1e-4, 0));
       case DIRECT_TORQUE -> motion.guide(READY, READY);
       case FREEDRIVE -> {
         motion.startGuidance();
@@ -293,7 +295,7 @@ public final class SteadyMotion {
 
   /** So that there is something to stop. */
   private void moveALittle() throws PlanningException {
-    goOn(
+    continueWith(
         box.modes()
             .servoing()
             .speedJ(new Joints(1e-3, 0, 2e-3, 0, 0, 1e-3), 1, OptionalDouble.of(0.002)));
@@ -304,11 +306,11 @@ public final class SteadyMotion {
     MotionTicket _ = motion.start(move).orElseThrow();
   }
 
-  private void goOn(MotionPlan plan) throws PlanningException {
-    motion.goOn(plan);
+  private void continueWith(MotionPlan plan) throws PlanningException {
+    motion.continueWith(plan);
   }
 
-  /** Goes on until the first move is handed over, so that the blend is what comes. */
+  /** Continues until the first move is handed over, so that the blend is what comes. */
   private void blend(Move first, Move second) throws PlanningException {
     MotionTicket ticket = motion.start(first).orElseThrow();
     ticket.outlook(List.of(second));

@@ -30,7 +30,7 @@ final class SteadyMotionTest {
       long spent = threads.getCurrentThreadAllocatedBytes() - before;
       least = Math.min(least, spent);
     }
-    assertTrue(motion.goesOn(), "it has come to an end");
+    assertTrue(motion.continues(), "it has come to an end");
     long bytes = least;
     assertTrue(
         bytes <= SPARE, () -> kind + " allocates " + bytes + " bytes in " + FRAMES + " frames");

@@ -86,7 +86,7 @@ final class Talker implements AutoCloseable {
     return String.join("\n", lines);
   }
 
-  /** Waits for the end; its exit code, or nothing when it goes on. */
+  /** Waits for the end; its exit code, or nothing when it continues. */
   OptionalInt awaitEnd(long timeS) {
     try {
       return process.waitFor(timeS, TimeUnit.SECONDS)

@@ -20,7 +20,7 @@ public final class Launcher {
 
   /**
    * What stands before the command. A build in the background of a shell ignores SIGINT, and what
-   * it starts does so too unless somebody says otherwise, which neither a shell nor Java can.
+   * it starts does so too unless a caller says otherwise, which neither a shell nor Java can.
    */
   private static final List<String> LISTENING_TO_INTERRUPTS = listeningToInterrupts();
 

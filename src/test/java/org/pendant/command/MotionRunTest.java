@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.command.Launcher.Result;
 
-/** Moves as somebody at the command line meets them. */
+/** Moves as a user at the command line meets them. */
 @Tag("slow")
 final class MotionRunTest {
   private static final String READY = "  movej([0, -1.57, -1.57, -1.57, 1.57, 0])\n";

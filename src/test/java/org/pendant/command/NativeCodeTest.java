@@ -23,7 +23,7 @@ final class NativeCodeTest {
     Path precious =
         Files.writeString(Files.createDirectory(folder.resolve("home")).resolve("file"), "kept");
     Path planted = Files.createDirectories(folder.resolve("tmp/jSerialComm/2.11.4"));
-    Files.writeString(planted.resolve("libjSerialComm.so"), "code of somebody else");
+    Files.writeString(planted.resolve("libjSerialComm.so"), "code of another user");
     Files.createSymbolicLink(folder.resolve("tmp/jSerialComm/old"), precious.getParent());
     Launcher.script(
         folder,
@@ -38,7 +38,7 @@ final class NativeCodeTest {
 
     assertEquals(0, result.exitCode(), result.errors());
     assertEquals("kept", Files.readString(precious));
-    assertEquals("code of somebody else", Files.readString(planted.resolve("libjSerialComm.so")));
+    assertEquals("code of another user", Files.readString(planted.resolve("libjSerialComm.so")));
     assertTrue(
         files(folder.resolve("cache/pendant-native")).contains("libjSerialComm.so"),
         "it has been unpacked where only the user can write");

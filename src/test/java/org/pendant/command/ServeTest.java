@@ -40,7 +40,7 @@ final class ServeTest {
   /** With a larger offset, ports are among those that the system lends to any client. */
   private static final int OFFSETS = 1_700 / STEP;
 
-  /** Whoever has this port has the offset. */
+  /** The owner of this port owns the offset. */
   private static final int CLAIM = 29_998;
 
   private ServerSocket claim;

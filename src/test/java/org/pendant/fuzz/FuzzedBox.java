@@ -73,7 +73,7 @@ final class FuzzedBox implements AutoCloseable {
   }
 
   /**
-   * Looks whether nothing is left of clients that have gone, and all goes on.
+   * Looks whether nothing is left of clients that have gone, and all continues.
    *
    * @return what is wrong; empty if nothing is
    */

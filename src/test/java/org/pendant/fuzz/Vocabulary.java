@@ -13,7 +13,7 @@ import java.util.List;
  *
  * @param port how the names of its ports begin; blank for all others
  * @param messages a conversation, of which any begin makes sense as well
- * @param question something that the port answers, if only by going on to send
+ * @param question something that the port answers, if only by continuing to send
  */
 record Vocabulary(String port, List<byte[]> messages, List<byte[]> question) {
   private static final List<Vocabulary> ALL =

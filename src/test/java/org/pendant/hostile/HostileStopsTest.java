@@ -171,7 +171,7 @@ class HostileStopsTest {
       assertTrue(!process.waitFor(300, TimeUnit.MILLISECONDS), "it has ended by itself");
       long began = System.nanoTime();
       Process kill = new ProcessBuilder("kill", "-" + signal, Long.toString(process.pid())).start();
-      assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "it goes on");
+      assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "it continues");
       assertEquals(0, kill.waitFor());
       assertEquals(signal.equals("INT") ? 130 : 143, process.exitValue());
       return seconds(began);

@@ -48,7 +48,7 @@ final class Driver {
     for (String line = requests.readLine(); line != null; line = requests.readLine()) {
       replies.println(driver.reply(line));
     }
-    // The test has gone, and so has whoever could close the window.
+    // The test has gone, and with it what could close the window.
     Runtime.getRuntime().halt(1);
   }
 

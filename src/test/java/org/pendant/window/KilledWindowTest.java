@@ -22,7 +22,7 @@ import org.pendant.project.program.text.ProgramText;
 import org.pendant.project.program.text.ReadProgram;
 
 /**
- * Windows that are killed at random moments while somebody types into the form of a node. The
+ * Windows that are killed at random moments while a user types into the form of a node. The
  * desktop's own tests kill many more processes, without windows.
  */
 @Tag("slow")

@@ -226,7 +226,7 @@ final class OpenWindow implements AutoCloseable {
     return Double.parseDouble(words("robot-time").replace(" s", "").strip());
   }
 
-  /** Waits until robot time has gone on by so much. */
+  /** Waits until robot time has continued by so much. */
   void awaitTime(double durationS) {
     double startS = timeS();
     await(durationS + " s go by", () -> timeS() > startS + durationS);

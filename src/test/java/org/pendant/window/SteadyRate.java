@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Measures whether the controller keeps 500 Hz in real time while somebody is busy with the window:
+ * Measures whether the controller keeps 500 Hz in real time while a user is busy with the window:
  * sizes it, turns pages of a program, changes screens. Prints a row for docs/benchmarks.md.
  */
 public final class SteadyRate {

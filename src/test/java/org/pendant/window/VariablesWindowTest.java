@@ -28,7 +28,7 @@ final class VariablesWindowTest {
   void valuesGoOnAndCanBeChangedWhileTheProgramRuns() {
     runCounting();
     String before = window.words("variables-table");
-    window.await("count goes on", () -> !window.words("variables-table").equals(before));
+    window.await("count continues", () -> !window.words("variables-table").equals(before));
     window.clickCell("variables-table", "5");
     window.press("F2");
     window.awaitFocus("variables-table-field");

@@ -13,8 +13,8 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * A display in memory, an Xvfb. Tests never use the display of whoever runs them: they would take
- * the mouse away, and a touch of it would fail them.
+ * A display in memory, an Xvfb. Tests never use the display of the user who runs them: they would
+ * take the mouse away, and a touch of it would fail them.
  *
  * @param name for the environment variable DISPLAY
  */

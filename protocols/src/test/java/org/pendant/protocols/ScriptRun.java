@@ -58,7 +58,7 @@ public final class ScriptRun implements AutoCloseable {
     advance();
   }
 
-  /** Runs one frame, at the pace of the wall clock while somebody outside is waited for. */
+  /** Runs one frame, at the pace of the wall clock while it waits for a peer outside. */
   public void advance() throws InterruptedException {
     clock.awaitDue(controller::waitsForOutside);
     controller.advance();

@@ -14,7 +14,7 @@ public interface CommandJournal {
    *
    * @param frame that has begun
    * @param turn 0 when it has just begun; while a debugger has paused the program, how many times
-   *     it has been gone on with
+   *     it has been continued
    * @param command a {@link DebugCommand.Debug} stands for one {@link
    *     org.pendant.script.debug.DebugRequest}; there is none for what only looks
    */

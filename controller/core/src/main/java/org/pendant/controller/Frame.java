@@ -278,7 +278,7 @@ final class Frame {
         box.motion().halt(box.safety().stopDecelerationRadPerS2());
       }
       case OFF_NOW -> stopProgram();
-      case RESUME -> goOn();
+      case RESUME -> resumeProgram();
     }
     followStop();
     witness.look(box, line);
@@ -314,7 +314,7 @@ final class Frame {
   }
 
   /** What paused the program is over by itself. */
-  private void goOn() {
+  private void resumeProgram() {
     boolean waits = machine.state() == ProgramState.PAUSED || machine.pausing();
     if (heldBySafety && waits && !box.prompts().popups().blocked()) {
       machine.resume();

@@ -43,7 +43,7 @@ public sealed interface ProgramCommand extends Command {
   /** Holds script time; the arm comes to rest on its path. */
   record PauseProgram() implements ProgramCommand {}
 
-  /** Goes on after a pause; a popup that caused it closes. */
+  /** Continues after a pause; a popup that caused it closes. */
   record ResumeProgram() implements ProgramCommand {}
 
   /**

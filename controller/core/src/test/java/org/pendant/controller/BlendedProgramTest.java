@@ -207,7 +207,7 @@ final class BlendedProgramTest {
     }
     running.done(new ProgramCommand.AbortMove());
     while (running.programState() == ProgramState.RUNNING) {
-      assertTrue(running.state().arm().targetTcpInBase().y() < 0, "goes on far");
+      assertTrue(running.state().arm().targetTcpInBase().y() < 0, "continues far");
       running.advance(1);
     }
     assertEquals(List.of("begin", "True"), running.said());

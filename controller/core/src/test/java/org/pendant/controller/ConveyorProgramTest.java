@@ -228,13 +228,13 @@ final class ConveyorProgramTest {
     running.advance(300);
     assertEquals(held, tcp(running));
     assertEquals(SafetyMode.SAFEGUARD_STOP, running.state().safety().safetyMode());
-    Smoothness goingOn = new Smoothness(25);
+    Smoothness continuing = new Smoothness(25);
     running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     for (int i = 0; i < 3000 && !running.said().contains("drawn"); i++) {
       running.advance(1);
-      goingOn.see(running.state().arm());
+      continuing.see(running.state().arm());
     }
-    goingOn.check();
+    continuing.check();
     assertTrue(running.said().contains("drawn"), () -> "" + running.reported());
     running.finish();
     assertFalse(running.state().program().ending().orElseThrow() instanceof Ending.Failed);

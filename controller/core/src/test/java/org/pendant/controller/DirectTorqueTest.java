@@ -26,7 +26,7 @@ final class DirectTorqueTest {
     return running.state().arm();
   }
 
-  /** Starts to give these torques, and lets that go on for a number of frames. */
+  /** Starts to give these torques, and lets that continue for a number of frames. */
   private void drive(String torques, String friction, int frames) {
     running.start(
         """

@@ -45,7 +45,7 @@ final class ForceModeLimitTest {
     return arm.running.reported().stream().filter(each -> each.startsWith("C1")).findFirst();
   }
 
-  private void goesOn() {
+  private void keepsRunning() {
     assertEquals(SafetyMode.NORMAL, mode(), () -> arm.running.reported().toString());
     assertEquals(ProgramState.RUNNING, arm.running.programState());
   }
@@ -72,7 +72,7 @@ final class ForceModeLimitTest {
     arm.frames(100);
     push(0, 60, 0, 0);
     arm.frames(500);
-    goesOn();
+    keepsRunning();
   }
 
   @Test
@@ -81,7 +81,7 @@ final class ForceModeLimitTest {
     arm.frames(100);
     push(0, 60, 0, 0);
     arm.frames(500);
-    goesOn();
+    keepsRunning();
   }
 
   @Test
@@ -102,7 +102,7 @@ final class ForceModeLimitTest {
     arm.frames(100);
     push(0, 0, 0, 20);
     arm.frames(500);
-    goesOn();
+    keepsRunning();
   }
 
   @Test
@@ -112,7 +112,7 @@ final class ForceModeLimitTest {
     push(0, 0, 60, 0);
     double z = arm.target().z();
     arm.frames(500);
-    goesOn();
+    keepsRunning();
     assertEquals(0.001, arm.target().z() - z, 1e-4);
   }
 
@@ -146,7 +146,7 @@ final class ForceModeLimitTest {
     arm.running.done(new SafetyCommand.UnlockProtectiveStop(false));
     arm.running.done(new ProgramCommand.ResumeProgram());
     arm.frames(500);
-    goesOn();
+    keepsRunning();
     push(0, 60, 0, 0);
     arm.frames(100);
     assertEquals(SafetyMode.PROTECTIVE_STOP, mode());
@@ -194,7 +194,7 @@ final class ForceModeLimitTest {
   @Test
   void withAWiderLimitTheMovePressesOnTheWall() {
     driveIntoWall(0.02);
-    goesOn();
+    keepsRunning();
   }
 
   @ParameterizedTest
@@ -233,7 +233,7 @@ final class ForceModeLimitTest {
             + floatZ(limits).replace("[0, 0, 0, 0, 0, 0], 2", "[0, 0, -60, 0, 0, 0], 2")
             + "sleep(1)\nmovel(pose_trans(p[0, 0.1, 0, 0, 0, 0], here), a=1, v=0.25)\nsleep(10)\n");
     arm.frames(2000);
-    goesOn();
+    keepsRunning();
     assertEquals(60, arm.pressN(), 3);
   }
 }

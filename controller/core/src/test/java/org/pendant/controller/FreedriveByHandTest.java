@@ -28,7 +28,7 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.script.vm.Program;
 
-/** Somebody at the screen guides the arm. */
+/** An operator at the screen guides the arm. */
 final class FreedriveByHandTest {
   private static final String WAITING = "def waiting():\n  sleep(100)\nend\n";
 

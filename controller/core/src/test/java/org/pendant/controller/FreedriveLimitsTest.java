@@ -158,7 +158,7 @@ final class FreedriveLimitsTest {
     assertEquals(atTheEnd, guided.position());
     guided.push(0, 40, 0);
     guided.guide(1);
-    assertTrue(Math.abs(guided.position().q0() - atTheEnd.q0()) < 0.01, "held from going on");
+    assertTrue(Math.abs(guided.position().q0() - atTheEnd.q0()) < 0.01, "kept from continuing");
     guided.push(0, -40, 0);
     guided.guide(0.5);
     assertTrue(Math.abs(guided.position().q0() - atTheEnd.q0()) > 0.05, "went back");

@@ -17,7 +17,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
-/** A controller whose arm somebody guides, with a hand that repeats what a screen repeats. */
+/** A controller whose arm an operator guides, with a hand that repeats what a screen repeats. */
 final class GuidedArm {
   /** How often a screen repeats, in frames: 30 times a second. */
   static final int REPEAT_FRAMES = 17;

@@ -42,7 +42,7 @@ final class InTheBlendProgramTest {
     return running.state().arm().targetSpeedRadPerS().equals(Joints.ZERO);
   }
 
-  /** Goes on until the tool is in the sphere around the corner. */
+  /** Continues until the tool is in the sphere around the corner. */
   private static void enter(RunningProgram running) {
     while (Poses.pointDistance(target(running), CORNER) > RADIUS_M || running.said().isEmpty()) {
       running.advance(1);

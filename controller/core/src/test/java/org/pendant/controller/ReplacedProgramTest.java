@@ -21,7 +21,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramEvent;
 import org.pendant.script.vm.ProgramState;
 
-/** A program that somebody sends takes the place of the one that runs. */
+/** A program that a client sends takes the place of the one that runs. */
 final class ReplacedProgramTest {
   private static final double FRAME_S = 0.002;
   private static final String STRETCHED = "movej([0, -1.5708, -1.5708, -1.5708, 1.5708, 0])\n";

@@ -95,7 +95,7 @@ final class ServoProgramTest {
     before = arm();
   }
 
-  /** Goes on, and looks at every frame. */
+  /** Continues, and looks at every frame. */
   private void frames(int count) {
     for (int i = 0; i < count; i++) {
       running.advance(1);
@@ -134,7 +134,7 @@ final class ServoProgramTest {
     assertEquals(0, fastest(arm()));
     ask(new ProgramCommand.ResumeProgram());
     frames(500);
-    assertTrue(fastest(arm()) > 0.05, "does not go on");
+    assertTrue(fastest(arm()) > 0.05, "does not continue");
     assertTrue(hardest <= HARDEST_RAD_PER_S2 || steering == Steering.TORQUE, "by " + hardest);
     assertEquals(List.of(), running.reported());
   }
@@ -151,7 +151,7 @@ final class ServoProgramTest {
     ask(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     frames(500);
     assertEquals(ProgramState.RUNNING, running.programState());
-    assertTrue(fastest(arm()) > 0.05, "does not go on");
+    assertTrue(fastest(arm()) > 0.05, "does not continue");
     assertTrue(hardest <= HARDEST_RAD_PER_S2 || steering == Steering.TORQUE, "by " + hardest);
   }
 

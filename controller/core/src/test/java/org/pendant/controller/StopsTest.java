@@ -233,7 +233,7 @@ final class StopsTest {
     frames(500);
     assertTrue(
         state().readings().flangeWrenchInBase().fz() < 400,
-        "does not go on pressing: " + state().readings().flangeWrenchInBase());
+        "does not keep pressing: " + state().readings().flangeWrenchInBase());
   }
 
   @Test

@@ -8,7 +8,7 @@ import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.script.vm.ProgramState;
 
-/** An arm that an obstacle has stopped, and somebody unlocks. */
+/** An arm that an obstacle has stopped, and an operator unlocks. */
 final class UnlockOnObstacleTest {
   /** Frames of the 5 s that a protective stop lasts at least, and a little more. */
   private static final int UNLOCK_FRAMES = 2600;

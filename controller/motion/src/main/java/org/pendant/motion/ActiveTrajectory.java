@@ -111,9 +111,9 @@ final class ActiveTrajectory {
   }
 
   /** The motion continues at speeds in its own time, before it has been sampled; rad/s. */
-  void goOnAt(Joints ownSpeedRadPerS, double scaling) {
+  void continueAt(Joints ownSpeedRadPerS, double scaling) {
     ownSpeedRadPerS.copyTo(sample.speed);
-    time.goOnAt(scaling);
+    time.continueAt(scaling);
   }
 
   /** There is no motion any more. */

@@ -92,8 +92,8 @@ public final class MotionControl {
   }
 
   /**
-   * Starts a motion that goes on from the present speed; for stops. Of an arm at rest it is over at
-   * once.
+   * Starts a motion that continues from the present speed; for stops. Of an arm at rest it is over
+   * at once.
    *
    * @throws PlanningException when it cannot be planned, or another thread's motion is under way
    */
@@ -102,13 +102,13 @@ public final class MotionControl {
   }
 
   /**
-   * Starts a motion that goes on from the present speed and is scaled as moves are; for speeds and
-   * servos. What the plan is given is the speed in the motion's own time.
+   * Starts a motion that continues from the present speed and is scaled as moves are; for speeds
+   * and servos. What the plan is given is the speed in the motion's own time.
    *
    * @throws PlanningException when it cannot be planned, or another thread's motion is under way
    */
-  public MotionTicket goOn(MotionPlan plan) throws PlanningException {
-    return motionQueue.goOn(plan);
+  public MotionTicket continueWith(MotionPlan plan) throws PlanningException {
+    return motionQueue.continueWith(plan);
   }
 
   /**
@@ -230,7 +230,7 @@ public final class MotionControl {
 
   /**
    * From now on the path is where the target is, so that an offset can end without a jump. A motion
-   * under way is given up; whoever ends an offset stops the arm with {@link #takeOver}.
+   * under way is given up; the caller that ends an offset stops the arm with {@link #takeOver}.
    */
   public void takeTargetForPath() {
     motionQueue.giveUp(PATH_ENDED);
@@ -239,8 +239,8 @@ public final class MotionControl {
 
   /**
    * Ends one offset without a jump: the path is put so that the other offsets carry the TCP to
-   * where it is. A motion under way is given up; whoever ends an offset stops the arm with {@link
-   * #takeOver}.
+   * where it is. A motion under way is given up; the caller that ends an offset stops the arm with
+   * {@link #takeOver}.
    *
    * @throws PlanningException when another thread's motion is under way
    */
@@ -269,7 +269,7 @@ public final class MotionControl {
 
   /**
    * Whether an arm that slows down from now on comes to rest after the point where its move is
-   * handed over, so that whoever asked for it has to say before where it leads on.
+   * handed over, so that the caller has to say before where it leads on.
    */
   public boolean handsOverBeforeRest() {
     return motionQueue.handsOverBeforeRest();
@@ -313,7 +313,7 @@ public final class MotionControl {
     offsets.hold(decelerationRadPerS2);
   }
 
-  /** Goes on after {@link #pause} or {@link #halt}. */
+  /** Continues after {@link #pause} or {@link #halt}. */
   public void resume() {
     time.resume();
     offsets.release();

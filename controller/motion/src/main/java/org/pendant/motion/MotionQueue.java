@@ -100,7 +100,7 @@ final class MotionQueue {
     ticket.stretchedTo(motion.get().stretchedS());
     begin(motion.get(), Optional.of(ticket));
     if (moves) {
-      time.goOn();
+      time.continueScaling();
     } else {
       time.begin(false);
     }
@@ -196,12 +196,14 @@ final class MotionQueue {
     return ticket;
   }
 
-  /** See {@link MotionControl#goOn}. */
-  MotionTicket goOn(MotionPlan plan) throws PlanningException {
+  /** See {@link MotionControl#continueWith}. */
+  MotionTicket continueWith(MotionPlan plan) throws PlanningException {
     refuseSecondOwner();
     boolean unscaled = controlSource.torqueDriven() || time.stopping();
     double scaling =
-        path.moves() ? time.goingOn(unscaled, jointSpeeds.share(path.speed())) : time.wanted();
+        path.moves()
+            ? time.continuedScaling(unscaled, jointSpeeds.share(path.speed()))
+            : time.wanted();
     Joints own = scaling > 0 && scaling != 1 ? path.speedInOwnTime(scaling) : path.speed().joints();
     MotionTicket ticket = new MotionTicket(this);
     Motion motion;
@@ -214,7 +216,7 @@ final class MotionQueue {
     double overrun = handedOver ? activeTrajectory.overrun() : 0;
     begin(motion, Optional.of(ticket));
     activeTrajectory.takeOff(overrun);
-    activeTrajectory.goOnAt(own, scaling);
+    activeTrajectory.continueAt(own, scaling);
     return ticket;
   }
 
@@ -361,7 +363,7 @@ final class MotionQueue {
     return activeTrajectory.handsOverBeforeRest();
   }
 
-  /** Gives up the motion under way; whoever waits for it is told why. */
+  /** Gives up the motion under way; a thread that waits for it is told why. */
   void giveUp(MotionFailure reason) {
     owner.ifPresent(ticket -> ticket.fail(reason));
     forget();

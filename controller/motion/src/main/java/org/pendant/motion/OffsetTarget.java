@@ -197,7 +197,7 @@ final class OffsetTarget {
     }
   }
 
-  /** Goes on after {@link #hold}. */
+  /** Continues after {@link #hold}. */
   void release() {
     hold.end();
   }

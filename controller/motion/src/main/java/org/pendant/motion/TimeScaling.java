@@ -34,7 +34,7 @@ final class TimeScaling {
   }
 
   /** A motion begins where another one is, at the same scaling. */
-  void goOn() {
+  void continueScaling() {
     stopping = false;
     releasing = false;
   }
@@ -49,7 +49,7 @@ final class TimeScaling {
    * @param share of what the joints can do that the arm moves at; an unscaled speed counts as no
    *     more than all of it in the new motion's own time
    */
-  double goingOn(boolean unscaled, double share) {
+  double continuedScaling(boolean unscaled, double share) {
     if (unscaled) {
       return Math.max(Math.min(1, share), wanted());
     }
@@ -57,8 +57,8 @@ final class TimeScaling {
   }
 
   /** A motion begins at a scaling. */
-  void goOnAt(double begin) {
-    goOn();
+  void continueAt(double begin) {
+    continueScaling();
     scaling = begin;
   }
 

@@ -61,7 +61,7 @@ public final class ToolPathFollower {
   }
 
   /**
-   * Goes on from elsewhere, where the curve now leads.
+   * Continues from elsewhere, where the curve now leads.
    *
    * @param from joint positions there, rad
    */

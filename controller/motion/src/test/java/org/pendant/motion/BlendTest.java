@@ -109,7 +109,7 @@ final class BlendTest {
   }
 
   @Test
-  void goesOnWhereTheSphereBegins() throws PlanningException {
+  void continuesWhereTheSphereBegins() throws PlanningException {
     Pose corner = shifted(0.2, 0, 0);
     Trace trace =
         run(

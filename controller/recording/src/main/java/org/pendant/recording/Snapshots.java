@@ -31,7 +31,7 @@ import org.pendant.script.variables.TracedVariables;
 import org.pendant.script.variables.VariableSamples;
 
 /**
- * Makes snapshots again of what was kept of them.
+ * Snapshot decoder: makes snapshots again from the entries of a recording.
  *
  * @param arm the arm of the recording, which never changes
  * @param kinematics its kinematics

@@ -96,7 +96,7 @@ final class Console {
     }
   }
 
-  /** Whoever asks {@link #outputClosed} ends the work. A reader that went away needs no words. */
+  /** The caller of {@link #outputClosed} ends the work. A reader that went away needs no words. */
   private void outputFailed(IOException cause) {
     outputClosed = true;
     String reason = String.valueOf(cause.getMessage());

@@ -97,7 +97,7 @@ final class HeadlessRun {
           || watcher.enough()) {
         stop();
       } else if (robot.state().program().state() == ProgramState.PAUSED) {
-        goOnOrStop();
+        resumeOrStop();
       } else {
         advance();
       }
@@ -133,7 +133,7 @@ final class HeadlessRun {
   }
 
   /** No operator is here to end a safety stop: the program ends with it. */
-  private void goOnOrStop() {
+  private void resumeOrStop() {
     if (safetyStop().isEmpty()) {
       resume();
       return;

@@ -26,8 +26,8 @@ final class PortOptions {
           .standing(PortWishes.STANDARD_HOST)
           .documented(
               "127.0.0.1",
-              "where to listen. Whoever reaches another address than a loopback one can move the"
-                  + " robot, as there are no passwords; a warning says so");
+              "where to listen. Any computer that reaches another address than a loopback one can"
+                  + " move the robot, as there are no passwords; a warning says so");
   static final Option OFFSET =
       Option.of(
               "--port-offset",

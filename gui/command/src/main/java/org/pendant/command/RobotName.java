@@ -32,7 +32,7 @@ final class RobotName {
                 .orElse(""));
   }
 
-  /** The only id that goes on where the word ends ({@code ur16}), or else the nearest. */
+  /** The only id that continues where the word ends ({@code ur16}), or else the nearest. */
   private static Optional<String> likely(String word) {
     List<String> longer = ArmLibrary.ids().stream().filter(id -> id.startsWith(word)).toList();
     return longer.size() == 1

@@ -115,39 +115,6 @@ record RunOptions(
   private static final List<String> SAFETY_INPUTS =
       Arrays.stream(SafetyInput.values()).map(SafetyInput::word).toList();
 
-  /** What says how a program runs, whatever is made of the run. */
-  static final List<Option> OF_PROGRAM =
-      Stream.concat(
-              Stream.of(
-                  ROBOT,
-                  InstallationOption.OPTION,
-                  INPUT,
-                  ENCODER,
-                  ANSWER,
-                  TIMEOUT,
-                  WallLimit.OPTION,
-                  SEED,
-                  MemoryOption.OPTION,
-                  HostsOption.OPTION,
-                  ControlOption.OPTION),
-              SimulationOptions.ALL.stream())
-          .toList();
-
-  /** What says what a controller is and what surrounds it, whatever it is to do. */
-  static final List<Option> OF_CONTROLLER =
-      Stream.concat(
-              Stream.of(
-                  ROBOT,
-                  InstallationOption.OPTION,
-                  INPUT,
-                  ENCODER,
-                  SEED,
-                  MemoryOption.OPTION,
-                  HostsOption.OPTION,
-                  ControlOption.OPTION),
-              SimulationOptions.ALL.stream())
-          .toList();
-
   /** For the usage text. */
   static final List<Option> ALL =
       Stream.concat(
@@ -170,6 +137,17 @@ record RunOptions(
                   ToolSerialOption.OPTION),
               SimulationOptions.ALL.stream())
           .toList();
+
+  /** What says how a program runs, whatever is made of the run. */
+  static final List<Option> OF_PROGRAM =
+      without(ALL, SPEED, RECORD, OutputFile.FORCE, RecordColumns.OPTION, ToolSerialOption.OPTION);
+
+  /** What says what a controller is and what surrounds it, whatever it is to do. */
+  static final List<Option> OF_CONTROLLER = without(OF_PROGRAM, ANSWER, TIMEOUT, WallLimit.OPTION);
+
+  private static List<Option> without(List<Option> options, Option... others) {
+    return options.stream().filter(each -> !List.of(others).contains(each)).toList();
+  }
 
   static RunOptions of(Arguments arguments) throws UsageException {
     return of(arguments, Optional.empty(), Optional.empty());

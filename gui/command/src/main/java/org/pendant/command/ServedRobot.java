@@ -100,9 +100,9 @@ final class ServedRobot implements AutoCloseable {
     PortNumbers numbers = options.numbers();
     if (!numbers.host().isLoopbackAddress()) {
       console.complain(
-          "pendant serve: warning: whoever reaches "
+          "pendant serve: warning: any computer that reaches "
               + numbers.host().getHostAddress()
-              + " can move this robot; nobody is asked for a password");
+              + " can move this robot; there are no passwords");
     }
     if (options.modbusChosen() || !PrivilegedPort.forbidden(numbers, PortOptions.MODBUS)) {
       return numbers;

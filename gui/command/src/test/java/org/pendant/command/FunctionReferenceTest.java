@@ -18,7 +18,7 @@ final class FunctionReferenceTest {
     builtins
         .declare("wait_for")
         .manual("internals", "16.54")
-        .doc("Waits for a while. The arm goes on moving meanwhile.")
+        .doc("Waits for a while. The arm keeps moving meanwhile.")
         .needs("t", Unit.SECOND)
         .takes("a", Unit.METRE_PER_SECOND_SQUARED, 1.5)
         .mayTake("q", Type.JOINTS, Unit.RADIAN, "current joint positions")
@@ -59,7 +59,7 @@ final class FunctionReferenceTest {
         """
         wait_for(t, a=1.5, q=<current joint positions>)
 
-          Waits for a while. The arm goes on moving meanwhile.
+          Waits for a while. The arm keeps moving meanwhile.
 
           Parameters:
             t  number in s

@@ -8,22 +8,23 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * End search: finds the one {@code end} that a part of a text lacks or has too many: at the place
- * where one more or one less leaves the fewest blocks whose {@code end}, {@code else} and inner
- * blocks stand in other columns than they should.
+ * End search: finds the one {@code end} that a part of a text lacks or has too many. It looks for
+ * the place where adding or removing one leaves the fewest blocks whose {@code end}, {@code else}
+ * and inner blocks are not in the columns where they are expected.
  *
- * <p>What is before that place pairs as from the beginning and what is after it as from the end, so
- * one pass in each direction suffices, and a look at the blocks that are open at each place. Where
- * several places are as good, the last one counts, as it does for who only counts.
+ * <p>Words before that place are paired from the first one on, words after it from the last one
+ * back, so one pass in each direction suffices, with a look at the blocks that are open at each
+ * place. Of several places that are equally good the last one is taken, where a parser that only
+ * counts would report the fault.
  */
 final class EndSearch {
-  /** So many words are looked at; programs of people have fewer, and a search costs memory. */
+  /** Longest part that is searched, in words: people write shorter ones, and it takes memory. */
   private static final int MAX_WORDS = 100_000;
 
-  /** An {@code else} where there can be none is worse than any indentation. */
+  /** Cost of an {@code else} where there can be none, above that of any indentation. */
   private static final int WRONG_WORD = 1_000_000;
 
-  /** The column of what is not first on its line. */
+  /** The column of a word that is not the first on its line. */
   private static final int UNKNOWN = 0;
 
   private static final int NO_ELSE = -1;
@@ -32,23 +33,25 @@ final class EndSearch {
   private final List<ScriptToken> words;
   private final IndentedRegions.Region region;
 
-  /** Openers of blocks that are not indented, where columns tell nothing of what is in them. */
+  /** First words of blocks without indentation, in which columns tell nothing. */
   private final Set<ScriptToken> flat;
 
-  /** Whether columns tell anything. */
+  /** Whether columns tell anything in this part. */
   private final boolean indented;
 
-  /** The blocks that are closed after each word of the region and its end, as from the end. */
+  /**
+   * For each word and the end: the blocks that are closed later, paired from the last word back.
+   */
   private final Open[] behind;
 
-  /** What the blocks cost that stand wholly after each of them. */
+  /** For each of them: the cost of the blocks that are wholly after it. */
   private final int[] costBehind;
 
-  /** No place before this one is a choice: too little is closed after it. */
+  /** The first place that can be right: before it, too few blocks are closed later. */
   private int firstPlace;
 
   /**
-   * What is known of a block from one side or both.
+   * What is known of a block, paired from one side or from both.
    *
    * @param word its first, or its last as long as the first is not known
    * @param endColumn that of its {@code end}
@@ -272,7 +275,7 @@ final class EndSearch {
               + "` on line "
               + opener.getLine()
               + own.map(its -> " has its `end` on line " + its.getLine())
-                  .orElse(" goes on behind it"));
+                  .orElse(" continues after it"));
     }
     return faults;
   }

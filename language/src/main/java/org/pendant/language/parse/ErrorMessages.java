@@ -108,7 +108,7 @@ final class ErrorMessages {
       case LINE_PLUS, LINE_MINUS, LINE_LPAREN, LINE_LBRACK -> {
         return "a line cannot begin with "
             + shown(found)
-            + ": to go on with the line before, end that one with an operator or a comma";
+            + ": to continue the line before, end that one with an operator or a comma";
       }
       case LPAREN -> {
         return "unexpected `(`: only a function or a method can be called";

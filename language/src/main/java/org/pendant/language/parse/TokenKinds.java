@@ -89,7 +89,7 @@ final class TokenKinds {
     };
   }
 
-  /** Tokens that go on with the line before when they stand first on theirs. */
+  /** Tokens that continue the line before when they stand first on theirs. */
   static boolean continuesLine(int type) {
     return switch (type) {
       case OR,

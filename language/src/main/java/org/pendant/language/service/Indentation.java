@@ -91,12 +91,12 @@ final class Indentation {
               };
           default -> false;
         };
-    boolean goesOn =
+    boolean continues =
         switch (kind) {
           case OPERATOR, ASSIGN, COMMA, DOT -> true;
           case OPERATOR_WORD -> !lexemes.reads(index, "not");
           default -> false;
         };
-    return unfinished || goesOn;
+    return unfinished || continues;
   }
 }

@@ -11,7 +11,7 @@ import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement;
 
-/** Which lines hold statements that run: a debugger can stop there. */
+/** Statement lines: lines with statements that run, where a debugger can stop. */
 final class StatementLines {
   private final Source source;
   private final SortedSet<Integer> lines = new TreeSet<>();

@@ -1,6 +1,9 @@
 package org.pendant.language.service;
 
-/** What a name in the text stands for; two occurrences mean the same if their symbols are equal. */
+/**
+ * Symbol: what a name in the text stands for; two occurrences mean the same if their symbols are
+ * equal.
+ */
 public sealed interface Symbol {
 
   /** The name as it is written. */

@@ -79,7 +79,8 @@ public final class JsonFile {
         }
         Json value = value(parser, 1);
         if (parser.nextToken() != null) {
-          throw here(parser).refusal("the file goes on after its end, must be one object");
+          throw here(parser)
+              .refusal("there is more text after the end of the object, must be one object");
         }
         return value;
       } catch (JacksonException e) {

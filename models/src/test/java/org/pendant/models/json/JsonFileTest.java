@@ -56,7 +56,7 @@ final class JsonFileTest {
       textBlock =
           """
           `` | a.json:1:1: the file is empty, must be an object
-          `{} {}` | a.json:1:4: the file goes on after its end, must be one object
+          `{} {}` | a.json:1:4: there is more text after the end of the object, must be one object
           `{"a": 1` | a.json:1:8: not JSON: the file ends too early
           `{"a": 1, "a": 2}` | a.json:1:10: key "a" again, must be there once
           `{"a": nix}` | a.json:1:

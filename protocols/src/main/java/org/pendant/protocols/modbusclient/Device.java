@@ -72,15 +72,15 @@ final class Device {
 
   /** Adds a signal; false when this has come to its end. */
   synchronized boolean add(Point point) {
-    return !ended && points.add(point) && goOn();
+    return !ended && points.add(point) && wakeOrStart();
   }
 
   /** Adds a command; false when this has come to its end. */
   synchronized boolean add(CustomCommand command) {
-    return !ended && commands.add(command) && goOn();
+    return !ended && commands.add(command) && wakeOrStart();
   }
 
-  private boolean goOn() {
+  private boolean wakeOrStart() {
     if (begun) {
       wake();
     } else {

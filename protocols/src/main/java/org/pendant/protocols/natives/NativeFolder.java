@@ -84,7 +84,7 @@ public final class NativeFolder {
         Files.createDirectory(folder);
       }
     } catch (FileAlreadyExistsException e) {
-      // Looked at below, whoever made it.
+      // Looked at below, whatever made it.
     }
     requireOwn(folder);
     return folder;

@@ -12,31 +12,31 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * Connection slots: the places of one port. When all are taken, a newcomer gets the place of
- * whoever is silent for longest, so that peers that only hold their places shut no other out; peers
- * of the address that holds most places go first. Some places are kept for this computer itself.
- * Any thread.
+ * Connection slots: the limited number of connections of one port. When all are taken, a new
+ * connection replaces the one that has been silent for longest, so that peers which only stay
+ * connected exclude no other; connections of the address that has most of them are replaced first.
+ * Some slots are reserved for this computer itself. Any thread.
  */
 final class ConnectionSlots<C extends Occupant> {
-  /** One place of so many is for this computer only. */
+  /** One slot in so many is reserved for this computer. */
   private static final int RESERVED_OF = 16;
 
-  /** Who has said something keeps its place for this long. */
+  /** A peer that has sent something keeps its slot for this long. */
   static final long SPOKEN_KEEPS_NS = TimeUnit.SECONDS.toNanos(60);
 
   private final int most;
   private final Set<C> occupants = new LinkedHashSet<>();
 
   /**
-   * What becomes of a newcomer.
+   * Admission of a new connection.
    *
-   * @param taken whether it has a place
-   * @param givenUp whose place it has got
+   * @param taken whether it has a slot
+   * @param givenUp the connection that it replaces
    */
   record Admission<C>(boolean taken, Optional<C> givenUp) {}
 
   /**
-   * All free.
+   * Free slots.
    *
    * @param most how many there are
    */
@@ -44,7 +44,7 @@ final class ConnectionSlots<C extends Occupant> {
     this.most = most;
   }
 
-  /** Gives a newcomer a place, unless all others are in use. */
+  /** Gives a new connection a slot, unless all are in use. */
   synchronized Admission<C> admit(C newcomer, long nowNs) {
     boolean full = occupants.size() >= most;
     boolean remoteFull = !local(newcomer) && remote() >= most - most / RESERVED_OF;
@@ -87,12 +87,12 @@ final class ConnectionSlots<C extends Occupant> {
     return each.address().isLoopbackAddress();
   }
 
-  /** The place of {@code occupant} is free again. */
+  /** Frees the slot of {@code occupant}. */
   synchronized void free(C occupant) {
     occupants.remove(occupant);
   }
 
-  /** Who has a place now, in the order in which they came. */
+  /** The connections that have a slot, the oldest first. */
   synchronized List<C> occupants() {
     return List.copyOf(occupants);
   }

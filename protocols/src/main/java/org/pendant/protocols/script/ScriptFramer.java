@@ -99,12 +99,12 @@ final class ScriptFramer implements AutoCloseable {
   private Optional<ScriptItem> endLine() {
     if (!inProgram) {
       inProgram = lineBegins(DEF) || lineBegins(SEC);
-      return inProgram ? goOn() : finishLine();
+      return inProgram ? nextLine() : finishLine();
     }
-    return lineBegins(END) ? Optional.of(new ScriptItem.Program(take(length))) : goOn();
+    return lineBegins(END) ? Optional.of(new ScriptItem.Program(take(length))) : nextLine();
   }
 
-  private Optional<ScriptItem> goOn() {
+  private Optional<ScriptItem> nextLine() {
     lineStart = length;
     return Optional.empty();
   }

@@ -99,7 +99,7 @@ final class DeviceLine {
       complain(
           "the serial device cannot do "
               + line.baudRate()
-              + " baud with this parity and these stop bits; it goes on as it is");
+              + " baud with this parity and these stop bits; it stays as it is");
     }
   }
 

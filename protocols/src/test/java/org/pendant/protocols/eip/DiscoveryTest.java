@@ -32,7 +32,7 @@ class DiscoveryTest {
         .order(ByteOrder.LITTLE_ENDIAN);
   }
 
-  private static InetSocketAddress somebody(int number) throws UnknownHostException {
+  private static InetSocketAddress peer(int number) throws UnknownHostException {
     byte[] address = {10, 0, (byte) (number >> 8), (byte) number};
     return new InetSocketAddress(InetAddress.getByAddress(address), 50_000 + number);
   }
@@ -49,15 +49,15 @@ class DiscoveryTest {
         Encapsulation.LIST_INTERFACES
       })
   void questionsAreAnsweredAndAnswersAreNot(int command) throws UnknownHostException {
-    Optional<byte[]> answer = discovery.answer(bytes(command, 0, 0, ""), somebody(1), 0);
+    Optional<byte[]> answer = discovery.answer(bytes(command, 0, 0, ""), peer(1), 0);
     assertTrue(answer.isPresent());
     ByteBuffer back = ByteBuffer.wrap(answer.get()).order(ByteOrder.LITTLE_ENDIAN);
-    assertEquals(Optional.empty(), discovery.answer(back, somebody(1), 0));
+    assertEquals(Optional.empty(), discovery.answer(back, peer(1), 0));
   }
 
   @Test
   void onlyRequestsThatNeedNoSessionAreAnswered() throws UnknownHostException {
-    InetSocketAddress from = somebody(1);
+    InetSocketAddress from = peer(1);
     for (ByteBuffer none :
         new ByteBuffer[] {
           bytes(Encapsulation.LIST_IDENTITY, 1, 0, ""),
@@ -84,25 +84,25 @@ class DiscoveryTest {
   void oneAddressGetsTenAnswersInASecond() throws UnknownHostException {
     int count = 0;
     for (int port = 1; port <= 1000; port++) {
-      if (answers(new InetSocketAddress(somebody(1).getAddress(), port), port)) {
+      if (answers(new InetSocketAddress(peer(1).getAddress(), port), port)) {
         count++;
       }
     }
     assertEquals(10, count);
-    assertTrue(answers(somebody(2), 1000), "others are answered");
-    assertFalse(answers(somebody(1), SECOND_NS), "the second is not over");
-    assertTrue(answers(somebody(1), SECOND_NS + 1));
+    assertTrue(answers(peer(2), 1000), "others are answered");
+    assertFalse(answers(peer(1), SECOND_NS), "the second is not over");
+    assertTrue(answers(peer(1), SECOND_NS + 1));
   }
 
   @Test
   void allAddressesTogetherGetTwoHundredAnswersInASecond() throws UnknownHostException {
     int count = 0;
     for (int number = 0; number < 5000; number++) {
-      if (answers(somebody(number), 0)) {
+      if (answers(peer(number), 0)) {
         count++;
       }
     }
     assertEquals(200, count);
-    assertTrue(answers(somebody(7), SECOND_NS));
+    assertTrue(answers(peer(7), SECOND_NS));
   }
 }

@@ -9,7 +9,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Random;
 
-/** What is spoken at a port, as far as somebody must know who wants to speak it wrongly. */
+/** What is spoken at a port, as far as a client must know it to speak it wrongly. */
 final class Dialect {
   private static final Dialect MODBUS =
       new Dialect(

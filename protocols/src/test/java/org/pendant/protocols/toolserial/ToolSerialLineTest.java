@@ -32,7 +32,7 @@ class ToolSerialLineTest {
 
   @TempDir Path folder;
 
-  /** Someone on the line. */
+  /** A peer on the line. */
   private static final class Member {
     private final ToolSerialLine line;
     private final BlockingQueue<String> heard = new LinkedBlockingQueue<>();

@@ -77,10 +77,10 @@ public final class IdealArm implements SimulatedArm {
     }
   }
 
-  private void yieldTo(ArmCommand command, boolean goesOn) {
+  private void yieldTo(ArmCommand command, boolean continues) {
     DynamicArm arm = yielding.orElseGet(this::newYielding);
     yielding = Optional.of(arm);
-    if (!goesOn) {
+    if (!continues) {
       arm.jumpTo(positionRad, speedRadPerS);
     }
     arm.step(command);

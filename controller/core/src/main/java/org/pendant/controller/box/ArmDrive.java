@@ -185,7 +185,7 @@ public final class ArmDrive {
                 "the arm was pushed aside while it was stopped: conveyor tracking and path offset"
                     + " have ended");
       }
-      setup.modes().forceMode().goOnFrom(() -> motion.adopt(drivenPositionRad()));
+      setup.modes().forceMode().continueFrom(() -> motion.adopt(drivenPositionRad()));
       driveTarget.forget();
     }
   }

@@ -147,7 +147,7 @@ final class AssemblyBuiltins {
         .needs("action", Type.INT)
         .does(AssemblyBuiltins::setWatchdog);
     method(builtins, "start_watchdog", "21.3.9")
-        .doc("Goes on watching after stop_watchdog. It is an error when none is set.")
+        .doc("Resumes watching after stop_watchdog. It is an error when none is set.")
         .does(
             call -> {
               AssemblyHandle handle = handle(call);

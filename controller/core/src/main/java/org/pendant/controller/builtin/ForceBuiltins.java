@@ -48,7 +48,7 @@ final class ForceBuiltins {
         .manual(MODULE, "15.12")
         .doc(
             "Lets the TCP give way along some axes of a frame until the tool presses with a wanted"
-                + " wrench, while moves go on. selection_vector has a 1 for each axis that gives"
+                + " wrench, while moves continue. selection_vector has a 1 for each axis that gives"
                 + " way; limits are speeds along those, and along the others the farthest that the"
                 + " arm may be pushed aside: beyond it is a protective stop (C153). type 1 points y"
                 + " from the TCP at the frame's origin, 2 takes the frame as it is, 3 points x"

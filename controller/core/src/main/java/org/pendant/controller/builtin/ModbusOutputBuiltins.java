@@ -89,7 +89,7 @@ final class ModbusOutputBuiltins {
         .declare("modbus_send_custom_command")
         .manual(ModbusArguments.MODULE, "18.22")
         .doc(
-            "Sends a request with any function code and data to a Modbus device, and goes on when"
+            "Sends a request with any function code and data to a Modbus device, and waits until"
                 + " the device has answered or had the time to. What it answers is not looked at;"
                 + " fails when it cannot be reached.")
         .needs("IP", Type.STRING)

@@ -68,12 +68,12 @@ final class MotionWait implements Wait {
     return ticket.finished() ? call.answer() : new MotionWait(call, function, ticket, false);
   }
 
-  /** Starts a motion that goes on from whatever the arm does and waits until it hands over. */
-  static MotionWait goOn(Call<ControlBox> call, String function, MotionPlan plan)
+  /** Starts a motion that continues from whatever the arm does and waits until it hands over. */
+  static MotionWait continueWith(Call<ControlBox> call, String function, MotionPlan plan)
       throws ScriptError {
     try {
       call.host().drive().requirePower();
-      return new MotionWait(call, function, call.host().motion().goOn(plan), false);
+      return new MotionWait(call, function, call.host().motion().continueWith(plan), false);
     } catch (PlanningException e) {
       throw Planning.failure(call, e);
     } catch (ScriptError e) {

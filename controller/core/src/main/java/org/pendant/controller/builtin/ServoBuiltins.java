@@ -60,8 +60,8 @@ final class ServoBuiltins {
         .manual(MODULE, "15.48")
         .doc(
             "Brings the joints to constant speeds, all at the same moment. Waits for time t, or"
-                + " without it until the speeds are reached. The arm goes on as long as no time"
-                + " passes in the program; then it slows down by a, unless something takes it"
+                + " without it until the speeds are reached. The arm keeps moving as long as no"
+                + " time passes in the program; then it slows down by a, unless something takes it"
                 + " over.")
         .needs("qd", Type.JOINTS)
         .needs("a", Unit.RADIAN_PER_SECOND_SQUARED)
@@ -119,7 +119,7 @@ final class ServoBuiltins {
   private static Outcome speedj(Call<ControlBox> call) throws ScriptError {
     Joints speed = Joints.of(speeds(call, "rad/s"));
     double acceleration = MotionArguments.positive(call, 1);
-    return MotionWait.goOn(
+    return MotionWait.continueWith(
         call, "speedj", call.host().modes().servoing().speedJ(speed, acceleration, returnS(call)));
   }
 
@@ -128,7 +128,7 @@ final class ServoBuiltins {
     double acceleration = MotionArguments.positive(call, 1);
     double turning = call.given(3) ? MotionArguments.positive(call, 3) : acceleration;
     Pose tcp = call.host().flange().tool().inFlange();
-    return MotionWait.goOn(
+    return MotionWait.continueWith(
         call,
         "speedl",
         call.host().modes().servoing().speedL(tcp, twist, acceleration, turning, returnS(call)));
@@ -151,7 +151,7 @@ final class ServoBuiltins {
     double timeS = MotionArguments.notNegative(call, 3);
     double lookaheadS = within(call, 4, MIN_LOOKAHEAD_S, MAX_LOOKAHEAD_S, " s");
     double gain = within(call, 5, MIN_GAIN, MAX_GAIN, "");
-    return MotionWait.goOn(
+    return MotionWait.continueWith(
         call, "servoj", call.host().modes().servoing().servoJ(goal, timeS, lookaheadS, gain));
   }
 
@@ -182,7 +182,7 @@ final class ServoBuiltins {
     double acceleration = MotionArguments.positive(call, 1);
     double speed = MotionArguments.positive(call, 2);
     double radiusM = MotionArguments.notNegative(call, 3);
-    return MotionWait.goOn(
+    return MotionWait.continueWith(
         call, "servoc", box.modes().servoing().servoC(goal, tcp, acceleration, speed, radiusM));
   }
 

@@ -36,7 +36,9 @@ final class TimeBuiltins {
     builtins
         .declare("sleep")
         .manual(MODULE, "16.54")
-        .doc("Pauses this script thread; other threads and motions go on. Takes a frame at least.")
+        .doc(
+            "Pauses this script thread; other threads and motions continue. Takes a frame at"
+                + " least.")
         .needs("t", Unit.SECOND)
         .physicalTime()
         .does(TimeBuiltins::sleep);

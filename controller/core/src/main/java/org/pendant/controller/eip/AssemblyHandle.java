@@ -177,7 +177,7 @@ public final class AssemblyHandle {
   }
 
   /**
-   * Goes on watching, with the full time from now.
+   * Continues watching, with the full time from now.
    *
    * @throws ScriptError when there is no watchdog
    */

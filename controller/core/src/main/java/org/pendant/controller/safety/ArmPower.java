@@ -93,11 +93,11 @@ final class ArmPower {
       return;
     }
     switch (mode) {
-      case BOOTING -> goOnAfter(bootingFrames, RobotMode.POWER_ON);
-      case POWER_ON -> goOnAfter(powerOnFrames, RobotMode.IDLE);
+      case BOOTING -> enterAfter(bootingFrames, RobotMode.POWER_ON);
+      case POWER_ON -> enterAfter(powerOnFrames, RobotMode.IDLE);
       case IDLE -> {
         if (releasing) {
-          goOnAfter(brakeFrames, RobotMode.RUNNING);
+          enterAfter(brakeFrames, RobotMode.RUNNING);
         }
       }
       case NO_CONTROLLER,
@@ -123,7 +123,7 @@ final class ArmPower {
     }
   }
 
-  private void goOnAfter(long frames, RobotMode next) {
+  private void enterAfter(long frames, RobotMode next) {
     if (framesInMode >= frames) {
       enter(next);
     }

@@ -420,7 +420,7 @@ public final class SafetySystem {
       checks.restart();
       return begun(demanded.get().category());
     }
-    return goOn(facts);
+    return continueAsBefore(facts);
   }
 
   private void stepPower() {
@@ -442,7 +442,7 @@ public final class SafetySystem {
     };
   }
 
-  private SafetyAction goOn(FrameFacts facts) {
+  private SafetyAction continueAsBefore(FrameFacts facts) {
     if (stop().isPresent()) {
       if (stops.powerMayGo(facts.targetSpeedRadPerS()) && power.mode() != RobotMode.POWER_OFF) {
         power.off();

@@ -90,10 +90,10 @@ public final class HandGrip {
     requireLink(link);
     pointInLinkM.require("point", POINT);
     placeInBaseM.require("place", PLACE);
-    boolean goesOn = pulls && this.link == link;
+    boolean continues = pulls && this.link == link;
     hold(link, pointInLinkM);
     copy(placeInBaseM, goal);
-    if (!goesOn) {
+    if (!continues) {
       copy(placeInBaseM, place);
     }
     pulls = true;

@@ -63,7 +63,9 @@ final class SceneRefusalTest {
 
   @Test
   void moreThanOneValue() {
-    assertRefused("scene.json:2:1: the file goes on after its end, must be one object", "{}\n{}");
+    assertRefused(
+        "scene.json:2:1: there is more text after the end of the object, must be one object",
+        "{}\n{}");
   }
 
   @Test

@@ -49,7 +49,7 @@ final class DebugFixture {
     return this;
   }
 
-  /** Goes on with the frame, to its end or until it is held; whether it is over. */
+  /** Continues with the frame, to its end or until it is held; whether it is over. */
   boolean advance() {
     if (!inFrame) {
       box.beginFrame();

@@ -51,7 +51,7 @@ class LongOperationTest {
   }
 
   @Test
-  void goingOnFinishesIt() {
+  void continuingFinishesIt() {
     holdInTheMiddle();
     fixture.resume();
     assertInstanceOf(Ending.Finished.class, fixture.ending());

@@ -40,7 +40,7 @@ final class ComplianceOffset {
     System.arraycopy(turn9, 0, turnBefore9, 0, 9);
   }
 
-  /** Goes on for a frame at a velocity in m/s and rad/s, along the axes of the base. */
+  /** Continues for a frame at a velocity in m/s and rad/s, along the axes of the base. */
   void advance(double[] twist6) {
     remember();
     for (int i = 0; i < 3; i++) {

@@ -178,7 +178,7 @@ public final class ForceMode implements PathOffset {
   }
 
   /** The arm rests beside its path, which begins anew there: force mode stays on if it was. */
-  public void goOnFrom(Runnable elsewhere) {
+  public void continueFrom(Runnable elsewhere) {
     boolean wasOn = on();
     elsewhere.run();
     if (wasOn) {

@@ -162,7 +162,7 @@ public final class Profile {
       peak = beginSpeed;
     }
 
-    /** Goes on for a time with an acceleration that changes evenly; not at all for no time. */
+    /** Continues for a time with an acceleration that changes evenly; not at all for no time. */
     Builder phase(double lengthS, double beginAcceleration, double evenJerk) {
       if (lengthS > 0) {
         beginS[phases] = timeS;

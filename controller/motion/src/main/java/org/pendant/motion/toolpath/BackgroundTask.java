@@ -53,7 +53,7 @@ public final class BackgroundTask<T> {
         try {
           return task.get();
         } catch (InterruptedException e) {
-          // whoever closes the controller gets to it after this frame; the work is bounded
+          // the thread that closes the controller gets to it after this frame; the work is bounded
           interrupted = true;
         }
       }

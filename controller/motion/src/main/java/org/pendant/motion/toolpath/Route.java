@@ -46,7 +46,7 @@ final class Route {
   }
 
   /**
-   * Goes on with a motion.
+   * Continues with a motion.
    *
    * @throws PlanningException when there is no such way, or there are too many
    */

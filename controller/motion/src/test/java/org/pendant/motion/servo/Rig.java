@@ -69,7 +69,7 @@ final class Rig {
 
   /** Starts a motion and steps until it hands over or ends; returns the frames that took. */
   int run(MotionPlan plan) throws PlanningException {
-    MotionTicket ticket = control.goOn(plan);
+    MotionTicket ticket = control.continueWith(plan);
     return wait(ticket);
   }
 

@@ -43,7 +43,7 @@ class ServoCTest {
   void fromRestItGoesStraightAndStopsInThePose() throws PlanningException {
     Pose start = rig.tcp();
     Pose goal = beside(start, 0.05, 0.08, 0.02, 0, 0, 0.2);
-    rig.control.goOn(to(goal, 0.5, 0.1, 0));
+    rig.control.continueWith(to(goal, 0.5, 0.1, 0));
     double length = Poses.pointDistance(start, goal);
     while (rig.control.moving()) {
       rig.step();
@@ -54,7 +54,7 @@ class ServoCTest {
   }
 
   @Test
-  void goesOnAtTheRadiusAndTurnsOnACircleToTheNextPose() throws PlanningException {
+  void continuesAtTheRadiusAndTurnsOnACircleToTheNextPose() throws PlanningException {
     Pose start = rig.tcp();
     Pose corner = beside(start, 0, 0.1, 0, 0, 0, 0);
     rig.run(to(corner, 1, 0.1, 0.02));
@@ -63,7 +63,7 @@ class ServoCTest {
     Pose begin = rig.tcp();
     Pose next = beside(begin, 0.04, 0.04, 0, 0, 0, 0);
     // tangent to y through a point 45 degrees ahead: a quarter of a circle of 40 mm
-    rig.control.goOn(to(next, 1, 0.1, 0));
+    rig.control.continueWith(to(next, 1, 0.1, 0));
     double slowest = 1;
     while (Poses.pointDistance(next, rig.tcp()) > 0.015) {
       rig.step();

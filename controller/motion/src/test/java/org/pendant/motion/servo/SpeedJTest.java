@@ -45,7 +45,7 @@ class SpeedJTest {
 
   @Test
   void allJointsArriveAtTheSameMoment() throws PlanningException {
-    rig.control.goOn(rig.servoing.speedJ(TURNING, 0.5, UNTIL_REACHED));
+    rig.control.continueWith(rig.servoing.speedJ(TURNING, 0.5, UNTIL_REACHED));
     rig.steps(200);
     for (int i = 0; i < Joints.COUNT; i++) {
       assertEquals(TURNING.get(i) / 2, rig.control.speedRadPerS().get(i), 1e-12);
@@ -203,7 +203,7 @@ class SpeedJTest {
   }
 
   private static int frames(MotionControl control, MotionPlan plan) throws PlanningException {
-    MotionTicket ticket = control.goOn(plan);
+    MotionTicket ticket = control.continueWith(plan);
     int frames = 0;
     while (!ticket.finished()) {
       control.step();
@@ -214,7 +214,8 @@ class SpeedJTest {
 
   @Test
   void aPauseHoldsItAndItGoesOnAfterwards() throws PlanningException {
-    MotionTicket ticket = rig.control.goOn(rig.servoing.speedJ(TURNING, 0.5, UNTIL_REACHED));
+    MotionTicket ticket =
+        rig.control.continueWith(rig.servoing.speedJ(TURNING, 0.5, UNTIL_REACHED));
     rig.steps(100);
     rig.control.pause();
     rig.steps(100);
@@ -280,10 +281,11 @@ class SpeedJTest {
 
   @Test
   void anotherThreadCannotTakeItOverWhileSomebodyWaits() throws PlanningException {
-    rig.control.goOn(speed(TURNING, 0.5, 0.2));
+    rig.control.continueWith(speed(TURNING, 0.5, 0.2));
     rig.step();
     PlanningException error =
-        assertThrows(PlanningException.class, () -> rig.control.goOn(speed(TURNING, 0.5, 0.2)));
+        assertThrows(
+            PlanningException.class, () -> rig.control.continueWith(speed(TURNING, 0.5, 0.2)));
     assertEquals("robot-in-use", error.code());
   }
 }

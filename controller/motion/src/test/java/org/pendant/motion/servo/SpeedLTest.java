@@ -66,7 +66,7 @@ class SpeedLTest {
     int frames = rig.run(rig.servoing.speedL(Rig.TCP, wanted, 1, 0.5, UNTIL_REACHED));
     assertEquals(300, frames, "the turn takes longer: 0.3 rad/s by 0.5 rad/s²");
     Rig second = new Rig();
-    second.control.goOn(second.servoing.speedL(Rig.TCP, wanted, 1, 0.5, UNTIL_REACHED));
+    second.control.continueWith(second.servoing.speedL(Rig.TCP, wanted, 1, 0.5, UNTIL_REACHED));
     second.steps(150);
     assertEquals(0.05, second.twist()[0], 1e-9);
     assertEquals(0.15, second.twist()[5], 1e-9);
@@ -127,7 +127,7 @@ class SpeedLTest {
         new MotionControl(
             rig.arm, Rig.READY, (q, qd) -> most / Joints.of(qd).maxAbsDifference(Joints.ZERO));
     // straight out until the elbow is stretched
-    MotionTicket ticket = slow.goOn(speed(1, 1, 10, -0.25, 0, 0, 0, 0, 0));
+    MotionTicket ticket = slow.continueWith(speed(1, 1, 10, -0.25, 0, 0, 0, 0, 0));
     Joints before = Rig.READY;
     double lowest = 1;
     while (ticket.failure().isEmpty()) {
@@ -154,7 +154,7 @@ class SpeedLTest {
     double[] wanted = {0, 0.1, 0, 0, 0, 0};
     rig.control.setSpeedFraction(0.5);
     Pose start = rig.tcp();
-    rig.control.goOn(rig.servoing.speedL(Rig.TCP, wanted, 0.5, 0.5, OptionalDouble.of(5)));
+    rig.control.continueWith(rig.servoing.speedL(Rig.TCP, wanted, 0.5, 0.5, OptionalDouble.of(5)));
     rig.steps(1000);
     assertEquals(start.y() + 0.01 + 0.1 * 0.8, rig.tcp().y(), 1e-9);
     assertEquals(0.05, length(rig.twist(), 0), 1e-9);

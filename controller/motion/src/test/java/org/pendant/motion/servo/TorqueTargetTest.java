@@ -60,7 +60,7 @@ class TorqueTargetTest {
   @Test
   void aSpeedGoesOnFromThere() throws PlanningException {
     control.setSpeedFraction(0.5);
-    control.goOn(rig.servoing.speedJ(TURNING, 1, OptionalDouble.of(2)));
+    control.continueWith(rig.servoing.speedJ(TURNING, 1, OptionalDouble.of(2)));
     control.step();
     assertFalse(control.torqueDriven());
     assertEquals(0.5, control.speedRadPerS().q5(), 0.02);
@@ -73,7 +73,7 @@ class TorqueTargetTest {
   @Test
   void withTheSliderAtZeroASpeedBringsItToRestWithoutAJump() throws PlanningException {
     control.setSpeedFraction(0);
-    control.goOn(rig.servoing.speedJ(TURNING, 1, OptionalDouble.of(2)));
+    control.continueWith(rig.servoing.speedJ(TURNING, 1, OptionalDouble.of(2)));
     double before = 0.5;
     for (int i = 0; i < 100; i++) {
       control.step();

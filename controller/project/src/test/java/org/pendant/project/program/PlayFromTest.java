@@ -79,7 +79,7 @@ class PlayFromTest {
   }
 
   @Test
-  void goesOnWithTheLoopThatItStartsIn() {
+  void continuesWithTheLoopThatItStartsIn() {
     ProgramNode loop =
         node(new FlowStep.Loop(new LoopRule.Times("3", "")), say("a"), say("b"), say("c"));
     assertEquals(

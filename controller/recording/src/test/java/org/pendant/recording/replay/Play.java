@@ -18,7 +18,7 @@ import org.pendant.script.variables.VariableSample;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 
-/** A controller, what somebody does to it in which frame, and what comes of it in each. */
+/** A controller, the commands that it gets in which frame, and what comes of them in each. */
 final class Play {
   final ControllerOptions options;
   final Journal journal;

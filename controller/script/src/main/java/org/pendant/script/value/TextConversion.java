@@ -56,7 +56,7 @@ final class TextConversion implements LongOperation {
     return PIECE_NS - leftNs;
   }
 
-  private boolean goesOn() {
+  private boolean withinBudget() {
     return leftNs > 0 && text.length() <= limit;
   }
 
@@ -127,7 +127,7 @@ final class TextConversion implements LongOperation {
 
     @Override
     public boolean advance() {
-      while (next < to && goesOn()) {
+      while (next < to && withinBudget()) {
         separate(next - from);
         if (kind == ValueKind.BOOL) {
           text.append(ValueText.bool(numbers[next] != 0));
@@ -190,7 +190,7 @@ final class TextConversion implements LongOperation {
     @Override
     public boolean advance() {
       int depth = open.size();
-      while (next < length && goesOn() && open.size() == depth) {
+      while (next < length && withinBudget() && open.size() == depth) {
         separate(next);
         if (!names.isEmpty()) {
           text.append(names.get(next)).append(" = ");

@@ -244,7 +244,7 @@ final class GeneralOperations {
     work.take(operation.sizeBytes());
   }
 
-  /** Goes on with an operation of a built-in while the slice lasts; whether it is done. */
+  /** Continues with an operation of a built-in while the slice lasts; whether it is done. */
   boolean finish(ScriptThread thread, LongOperation operation) throws ScriptError {
     thread.budget -= work.settleNs();
     while (!operation.done() && thread.budget >= 0) {

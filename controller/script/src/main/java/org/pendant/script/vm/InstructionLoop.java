@@ -46,7 +46,7 @@ final class InstructionLoop {
     long[] code = function.code();
     int base = thread.bases[thread.depth - 1];
     int pc = thread.pcs[thread.depth - 1];
-    // a thread that goes on from a trap executes what the trap stands in place of
+    // a thread that continues from a trap executes what the trap stands in place of
     long w = thread.before() ? function.instructions()[pc++] : code[pc++];
     thread.trapped = false;
     thread.interrupted = false;

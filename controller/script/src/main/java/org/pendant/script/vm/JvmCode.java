@@ -380,7 +380,7 @@ final class JvmCode {
     code.iconst_0().invokevirtual(CODE, "run", RUN);
   }
 
-  /** Goes on after a call, which may have moved this frame. */
+  /** Continues after a call, which may have moved this frame. */
   void returned(int result) {
     reloadArrays();
     loadBudget();

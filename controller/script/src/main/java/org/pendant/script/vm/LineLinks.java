@@ -86,7 +86,7 @@ final class LineLinks {
     return scope;
   }
 
-  /** Takes the variables out of their slots, which the function that goes on needs itself. */
+  /** Takes the variables out of their slots, which the function that continues needs itself. */
   void takeValues(Registers registers, ScriptThread thread) {
     int first = thread.base() + thread.functions[thread.depth - 1].slotCount();
     for (int i = 0; i < placed; i++) {

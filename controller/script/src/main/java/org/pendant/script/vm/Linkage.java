@@ -51,7 +51,7 @@ final class Linkage {
     }
   }
 
-  /** Goes on from a linked program; {@code statics} places what is new. */
+  /** Continues from a linked program; {@code statics} places what is new. */
   static Linkage after(
       Program.Tables tables,
       IdentityHashMap<Definition, Integer> definitions,

@@ -260,7 +260,7 @@ public final class Machine {
     held |= state == ProgramState.RUNNING;
   }
 
-  /** Goes on after a hold; a program that has failed ends. */
+  /** Continues after a hold; a program that has failed ends. */
   void release() {
     held = false;
     failure.ifPresent(why -> end(new Ending.Failed(why)));

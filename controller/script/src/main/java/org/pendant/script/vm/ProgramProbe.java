@@ -37,7 +37,7 @@ public final class ProgramProbe {
     machine.hold();
   }
 
-  /** Goes on; a program that has failed ends instead. */
+  /** Continues; a program that has failed ends instead. */
   public void release() {
     machine.release();
   }

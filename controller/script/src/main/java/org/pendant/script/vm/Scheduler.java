@@ -95,7 +95,7 @@ final class Scheduler {
   }
 
   /**
-   * Runs every runnable thread until it waits, ends or has used its slice. Goes on with the frame
+   * Runs every runnable thread until it waits, ends or has used its slice. Continues with the frame
    * that it was paused in.
    */
   FrameResult advance() throws ThreadFailure {

@@ -25,7 +25,7 @@ record Slices(int computingNs, int wakingNs) {
 
   private static final int SHARE = 4;
 
-  /** The slice of one of {@code count} threads that go on computing. */
+  /** The slice of one of {@code count} threads that continue computing. */
   int computing(int count) {
     return computingNs / Math.max(1, count);
   }

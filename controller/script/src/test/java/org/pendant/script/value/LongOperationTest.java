@@ -9,7 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
-/** What goes on in the next frame works on the values of the frame in which it began. */
+/** What continues in the next frame works on the values of the frame in which it began. */
 class LongOperationTest {
   private static final int MANY = 4 * LongOperation.PIECE;
 

@@ -38,7 +38,7 @@ final class LiveTree {
   /**
    * Nothing yet.
    *
-   * @param clockMs any clock that goes on, ms
+   * @param clockMs any clock that runs, ms
    */
   LiveTree(ValueTree tree, LongSupplier clockMs, Source source) {
     this.tree = tree;

@@ -24,7 +24,7 @@ final class ThreadWatch {
   /**
    * Nothing seen yet.
    *
-   * @param clockMs any clock that goes on, ms
+   * @param clockMs any clock that runs, ms
    * @param changed told when threads are elsewhere
    */
   ThreadWatch(DebugLink link, LongSupplier clockMs, Runnable changed) {

@@ -20,7 +20,7 @@ final class VariablesPresenter {
    * Nothing yet.
    *
    * @param tree shows the values; a debugger fills it while a program is paused
-   * @param clockMs any clock that goes on, ms
+   * @param clockMs any clock that runs, ms
    */
   VariablesPresenter(ValueTree tree, Favourites favourites, LongSupplier clockMs) {
     this.tree = tree;

@@ -185,9 +185,9 @@ final class PortsPresenter {
   private static Stream<String> exposure(PortsState.Open open) {
     return open.exposed()
         ? Stream.of(
-            "Whoever reaches "
+            "Any computer that reaches "
                 + open.address()
-                + " can move this robot. Nobody is asked for a password.")
+                + " can move this robot. There are no passwords.")
         : Stream.empty();
   }
 

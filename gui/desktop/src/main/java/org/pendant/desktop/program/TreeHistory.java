@@ -33,7 +33,7 @@ final class TreeHistory {
   /**
    * Nothing has changed yet.
    *
-   * @param clockMs any clock that goes on, ms
+   * @param clockMs any clock that runs, ms
    */
   TreeHistory(LongSupplier clockMs) {
     this.clockMs = clockMs;
@@ -48,7 +48,7 @@ final class TreeHistory {
   void changing(String what, long key, ProgramTree before) {
     long nowMs = clockMs.getAsLong();
     Change last = done.peek();
-    boolean goesOn =
+    boolean merged =
         last != null
             && undone.isEmpty()
             && key != 0
@@ -57,7 +57,7 @@ final class TreeHistory {
             && nowMs - changedMs <= MERGE_MS;
     changedMs = nowMs;
     undone.clear();
-    if (!goesOn) {
+    if (!merged) {
       done.push(new Change(what, key, before));
       if (done.size() > MOST) {
         done.removeLast();

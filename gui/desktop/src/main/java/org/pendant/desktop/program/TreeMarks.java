@@ -10,12 +10,13 @@ import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
 
 /**
- * Tree marks: what stands beside the nodes of a tree, by their keys.
+ * Tree marks: breakpoints, the execution point and other threads beside the nodes of a tree, by the
+ * keys of the nodes.
  *
  * @param breakpoints how each looks
  * @param execution the node where the program is; 0 for none
  * @param state what the program does there
- * @param note why it is held or has failed; empty for nothing to say
+ * @param note why it is paused or has failed; empty without a reason
  * @param threads nodes where other threads of the program are
  */
 record TreeMarks(
@@ -31,7 +32,7 @@ record TreeMarks(
     threads = Set.copyOf(threads);
   }
 
-  /** The same beside other nodes, such as those that are not hidden in folded ones. */
+  /** The same marks moved to other nodes, such as visible ones instead of those in folded ones. */
   TreeMarks at(ToLongFunction<Long> place) {
     Map<Long, LineIcon.Dot> dots = new HashMap<>();
     breakpoints.forEach((key, dot) -> dots.putIfAbsent(place.applyAsLong(key), dot));

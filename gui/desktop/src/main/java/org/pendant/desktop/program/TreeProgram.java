@@ -82,7 +82,7 @@ public final class TreeProgram implements ProgramDocument.Listener {
    * @param installation what the program can refer to, asked anew each time
    * @param worker runs what takes long, one after the other
    * @param display runs what follows that in the thread that uses this object
-   * @param clockMs any clock that goes on, ms
+   * @param clockMs any clock that runs, ms
    */
   TreeProgram(
       ProgramDocument document,

@@ -92,8 +92,8 @@ public final class ActiveInstallation {
   }
 
   /**
-   * Goes on with another document. Where its text is no installation {@link #problem} says why, and
-   * what is set up stays as it is.
+   * Takes another document. Where its text is no installation {@link #problem} says why, and what
+   * is set up stays as it is.
    */
   public void open(ProgramDocument other) {
     document.removeListener(follower);

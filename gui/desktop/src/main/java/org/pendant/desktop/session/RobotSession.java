@@ -27,7 +27,7 @@ import org.pendant.script.vm.Program;
 /**
  * Robot session: the controller that the desktop works with, and the thread that drives it at the
  * chosen pace. Any thread may call it; no call waits for a frame except {@link #restart} and {@link
- * #close}. Programs can be run once more up to any frame, and go on otherwise from there: {@link
+ * #close}. Programs can be run once more up to any frame, and continue otherwise from there: {@link
  * #branch}.
  *
  * <p>What is chained to a reply runs in the frame loop unless an executor is named: views chain
@@ -74,8 +74,8 @@ public final class RobotSession implements AutoCloseable {
   }
 
   /**
-   * What the controller did in the last minutes; it stays as it is while the controller goes on, so
-   * ask again for what is newer. Costs next to nothing. After {@link #restart} there is another
+   * What the controller did in the last minutes; it stays as it is while the controller continues,
+   * so ask again for what is newer. Costs next to nothing. After {@link #restart} there is another
    * one, which begins with the new controller; that of a branch has the run up to its frame.
    */
   public Recording recording() {
@@ -117,7 +117,7 @@ public final class RobotSession implements AutoCloseable {
     return submit(new ProgramCommand.PauseProgram());
   }
 
-  /** Goes on with a paused program. */
+  /** Resumes a paused program. */
   public CompletableFuture<Reply> resume() {
     return submit(new ProgramCommand.ResumeProgram());
   }
@@ -179,7 +179,7 @@ public final class RobotSession implements AutoCloseable {
    * @throws IllegalArgumentException if the robot or an input is not known; nothing has changed
    */
   public void restart(ControllerOptions options) {
-    // Made first: where that fails, the old one goes on.
+    // Made first: where that fails, the old one continues.
     SwitchedOn next = SwitchedOn.with(options);
     cancelBranch();
     switching.lock();
@@ -211,8 +211,8 @@ public final class RobotSession implements AutoCloseable {
    * Begins to branch from the end of a frame of the present run: another controller with the same
    * options runs up to it, with the same commands in the same frames and as fast as the processor
    * goes, and takes the place of the present one as after {@link #restart}. Robot time is paused
-   * then, so that people can look and change something before it goes on. Until that moment the
-   * present controller goes on; a branch that was begun before is cancelled.
+   * then, so that people can look and change something before it continues. Until that moment the
+   * present controller continues; a branch that was begun before is cancelled.
    *
    * @param frame 0 to that of the newest snapshot
    * @throws RerunRefused if the run cannot be repeated so far; nothing has changed

@@ -258,7 +258,7 @@ final class DesktopWindow {
     files.open(file);
   }
 
-  /** Goes on with the installation that the controller has begun with. */
+  /** Takes the installation that the controller has begun with. */
   void begin(StartInstallation start) {
     installationFiles.begin(start);
   }

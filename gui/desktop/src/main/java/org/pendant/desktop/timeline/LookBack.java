@@ -188,7 +188,7 @@ public final class LookBack {
     }
   }
 
-  /** Goes on by so many frames of 2 ms, back for fewer than none. */
+  /** Moves by so many frames of 2 ms, back for fewer than none. */
   public void step(long frames) {
     move(frame.orElse(recording.lastFrame()) + frames);
   }
@@ -291,7 +291,7 @@ public final class LookBack {
   /** Why there is nothing to branch from; empty if that is for the controller to say. */
   String whyNoBranch() {
     if (ofFile()) {
-      return "A recording of a file cannot be gone on with";
+      return "A recording of a file cannot be continued";
     }
     return back() ? "" : "Choose a moment on the timeline first";
   }

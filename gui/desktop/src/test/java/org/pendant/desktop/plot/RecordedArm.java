@@ -9,7 +9,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.language.source.Source;
 import org.pendant.script.variables.VariablePath;
 
-/** A controller whose frames go on a tape. */
+/** A controller whose frames are recorded. */
 final class RecordedArm {
   private Controller controller = new Controller(ControllerOptions.headless());
   final PlotHistory plotHistory = new PlotHistory();

@@ -18,7 +18,7 @@ public final class WorkerThread implements WorkQueue {
 
   @Override
   public void run(int delayMs, Runnable work) {
-    // The executor would keep a fault to itself: it belongs to whoever looks after threads.
+    // The executor would keep a fault to itself: it belongs to the handler of uncaught faults.
     var _ = executor.schedule(() -> Faults.guard(work), delayMs, TimeUnit.MILLISECONDS);
   }
 }

@@ -33,8 +33,8 @@ public final class Faults {
   }
 
   /**
-   * A timer, not started yet, that goes on after a fault. One of Swing's own never fires again once
-   * its listener has thrown.
+   * A timer, not started yet, that continues after a fault. One of Swing's own never fires again
+   * once its listener has thrown.
    *
    * @param periodMs between two turns
    * @param turn runs on the dispatch thread

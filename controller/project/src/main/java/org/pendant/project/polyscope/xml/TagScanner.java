@@ -36,7 +36,7 @@ final class TagScanner {
     return comment;
   }
 
-  /** Goes on to the next tag, past text, comments and the like. */
+  /** Continues to the next tag, past text, comments and the like. */
   void next() throws UnreadableFile {
     comment = "";
     while (true) {

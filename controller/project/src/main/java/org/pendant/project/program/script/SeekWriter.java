@@ -8,11 +8,11 @@ import org.pendant.project.program.TemplateStep;
 import org.pendant.project.program.TemplateStep.PartKind;
 
 /**
- * Seek writer: writes the search along a stack. The level is how far from the start the last item
- * was found; the next search begins one item before where the next one is expected.
+ * Seek writer: writes the search along a stack. The level is the distance from the start at which
+ * the last item was found; the next search begins one item before the expected one.
  */
 final class SeekWriter {
-  /** What was found may be hard. */
+  /** Smallest deceleration when the search meets an item, which may be hard, m/s². */
   private static final double STOP_M_PER_S2 = 5;
 
   private final ScriptContext context;
@@ -102,7 +102,7 @@ final class SeekWriter {
     lines.close();
   }
 
-  /** Goes to where the search begins, if that is not the start. */
+  /** Moves to the level at which the search begins, unless that is the start. */
   private void begin(TemplateStep.Seek seek, String start, String way, String level) {
     String from = context.names().numbered("seek_from");
     double back = seek.destack() ? 0 : 2 * seek.itemHeightM();

@@ -135,7 +135,7 @@ public record LineText(String word, Map<String, Value> fields) {
           return items;
         }
         if (!accept(',')) {
-          throw wrong(at, "the list must go on with , or end with ]");
+          throw wrong(at, "the list must continue with , or end with ]");
         }
       }
     }

@@ -154,7 +154,7 @@ class InstallationTextTest {
   }
 
   @Test
-  void goesOnAfterWhatIsWrong() {
+  void continuesAfterWhatIsWrong() {
     ReadInstallation read =
         InstallationText.read(
             HEADING

@@ -141,7 +141,7 @@ final class ArmRun {
     return state().program().state() == ProgramState.RUNNING;
   }
 
-  /** Goes on until the program has said something. */
+  /** Continues until the program has said something. */
   ArmRun until(String text) {
     for (int i = 0; i < MAX_FRAMES && !said.contains(text) && running(); i++) {
       advance(1);
@@ -150,7 +150,7 @@ final class ArmRun {
     return this;
   }
 
-  /** Goes on until the program has ended as it should. */
+  /** Continues until the program has ended as it should. */
   ArmRun finish() {
     for (int i = 0; i < MAX_FRAMES && running(); i++) {
       advance(1);

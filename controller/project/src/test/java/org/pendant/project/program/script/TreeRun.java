@@ -85,7 +85,7 @@ final class TreeRun {
     return this;
   }
 
-  /** Goes on until the program has said something. */
+  /** Continues until the program has said something. */
   TreeRun until(String text) {
     for (int i = 0; i < MAX_FRAMES && !said.contains(text); i++) {
       advance(1);
@@ -94,7 +94,7 @@ final class TreeRun {
     return this;
   }
 
-  /** Goes on until the program has ended as it should. */
+  /** Continues until the program has ended as it should. */
   TreeRun finish() {
     for (int i = 0; i < MAX_FRAMES && state().program().state() != ProgramState.STOPPED; i++) {
       advance(1);

@@ -186,7 +186,7 @@ class ProgramTextTest {
         "`halt`!1!halt stands at the left edge",
         "`  halt now`!11!= must follow now",
         "`  halt halt=1 halt=2`!15!halt stands in the line twice",
-        "`  force kind=simple compliant=[true`!36!the list must go on with , or end with ]",
+        "`  force kind=simple compliant=[true`!36!the list must continue with , or end with ]",
         "`  | text`!3!main has no lines that begin with |",
       })
   void saysWhatIsWrongAndWhere(String line, int column, String message) {

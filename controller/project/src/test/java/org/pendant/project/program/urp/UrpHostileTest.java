@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.ProgramTree;
 
-/** Files that somebody has damaged, or made to do harm. */
+/** Files that are damaged, or made to do harm. */
 @Tag("slow")
 class UrpHostileTest {
   private static final String SAMPLE =

@@ -54,7 +54,7 @@ public final class AnalysisSchedule {
    * @param name what messages call the text
    * @param text the text now, asked on the dispatch thread
    * @param shown takes every result that is still of the text, on the dispatch thread
-   * @param clockNs any clock that goes on, ns
+   * @param clockNs any clock that runs, ns
    */
   public AnalysisSchedule(
       WorkQueue background,

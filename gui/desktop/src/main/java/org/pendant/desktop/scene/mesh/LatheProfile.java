@@ -28,12 +28,12 @@ final class LatheProfile {
 
   private record Corner(double r, double z, double roundingM) {}
 
-  /** Goes on to a sharp corner, or, first and last, to a point of the axis. */
+  /** Continues to a sharp corner, or, first and last, to a point of the axis. */
   LatheProfile to(double r, double z) {
     return to(r, z, 0);
   }
 
-  /** Goes on to a corner with this radius of rounding, less where the sides are too short. */
+  /** Continues to a corner with this radius of rounding, less where the sides are too short. */
   LatheProfile to(double r, double z, double roundingM) {
     corners.add(new Corner(r, z, roundingM));
     return this;

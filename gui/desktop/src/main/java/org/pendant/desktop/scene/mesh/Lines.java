@@ -15,7 +15,7 @@ public final class Lines {
     return add(x, y, z, 1, rgb, opacity);
   }
 
-  /** Goes on to a point; colour as 0xRRGGBB, opacity 0 to 1. */
+  /** Continues to a point; colour as 0xRRGGBB, opacity 0 to 1. */
   public Lines to(double x, double y, double z, int rgb, double opacity) {
     return add(x, y, z, 0, rgb, opacity);
   }

@@ -94,7 +94,7 @@ final class AnalysisScheduleTest {
     assertEquals(150, later.getFirst().delayMs, "of the 200 ms some have passed");
     later.clear();
     schedule.whenCurrent(analysed -> {});
-    assertEquals(0, later.getFirst().delayMs, "whoever asks does not wait");
+    assertEquals(0, later.getFirst().delayMs, "a request does not wait");
   }
 
   @Test

@@ -67,7 +67,7 @@ public final class FormShots {
   private void shoot(Optional<ProgramNode> node, Path file)
       throws IOException, InterruptedException, InvocationTargetException {
     EventQueue.invokeAndWait(() -> forms.show(node));
-    Thread.sleep(400); // expressions are read after a pause of whoever types
+    Thread.sleep(400); // expressions are read after a pause in typing
     for (int i = 0; i < 4; i++) {
       EventQueue.invokeAndWait(() -> frame.validate());
     }
