@@ -64,6 +64,9 @@ public final class NodeFields {
       new NodeField(
           "blendRadiusM", "blend radius", FieldUnit.MILLIMETRE, NumberRange.of(0, 10), 0.025);
 
+  /** Radius of the corner at a {@link UntilRule.Distance} that has one. */
+  public static final NodeField UNTIL_BLEND_RADIUS = BLEND_RADIUS.named("rule.blendRadiusM");
+
   /** Part of a {@link MotionStep.Direction} along x. */
   public static final NodeField DIRECTION_X = part("x", 0);
 

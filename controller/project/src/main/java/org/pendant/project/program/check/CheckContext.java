@@ -8,13 +8,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.regex.Pattern;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
-import org.pendant.language.parse.Lexeme;
-import org.pendant.language.parse.LexemeReader;
 import org.pendant.language.signature.Catalogue;
-import org.pendant.language.source.Source;
+import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.NodeField;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
@@ -27,8 +24,6 @@ import org.pendant.project.program.WaypointPosition;
  * about it.
  */
 final class CheckContext {
-  private static final Pattern NAME = Pattern.compile("[A-Za-z_][A-Za-z_0-9]*");
-
   private final ProgramTree tree;
   private final Installation installation;
   private final Catalogue catalogue;
@@ -133,12 +128,9 @@ final class CheckContext {
   }
 
   private Optional<String> refusal(String name) {
-    if (!NAME.matcher(name).matches()) {
-      return Optional.of(
-          "'" + name + "' is no name, expected letters, digits and _, no digit first");
-    }
-    if (LexemeReader.lexemes(Source.of("name", name)).getFirst().kind() != Lexeme.Kind.NAME) {
-      return Optional.of("'" + name + "' is a word of the language, expected another name");
+    Optional<String> noIdentifier = Identifiers.refusal(name);
+    if (noIdentifier.isPresent()) {
+      return noIdentifier;
     }
     if (catalogue.function(name).isPresent()) {
       return Optional.of("'" + name + "' is a built-in function, expected another name");

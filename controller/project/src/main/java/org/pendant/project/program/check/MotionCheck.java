@@ -128,8 +128,10 @@ final class MotionCheck {
 
   private void until(ProgramNode node, UntilRule rule) {
     switch (rule) {
-      case UntilRule.Distance distance ->
-          findings.number(node, NodeFields.UNTIL_DISTANCE, distance.distanceM());
+      case UntilRule.Distance distance -> {
+        findings.number(node, NodeFields.UNTIL_DISTANCE, distance.distanceM());
+        findings.number(node, NodeFields.UNTIL_BLEND_RADIUS, distance.blendRadiusM());
+      }
       case UntilRule.Contact contact -> {
         findings.number(node, NodeFields.RETRACTION, contact.retractM());
         findings.number(node, NodeFields.CONTACT_DECELERATION, contact.stopDecelerationMPerS2());

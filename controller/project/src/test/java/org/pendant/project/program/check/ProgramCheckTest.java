@@ -316,6 +316,13 @@ final class ProgramCheckTest {
         "3 blendRadiusM: blend radius is -1000 mm, must be 0 to 10000 mm",
         move(MoveKind.LINEAR, blended("A", OptionalDouble.of(-1))));
     assertProblem(
+        "4 rule: blend radius is 11000 mm, must be 0 to 10000 mm",
+        move(
+            MoveKind.LINEAR,
+            node(
+                new MotionStep.Direction("Base", 0, 0, 1, NONE, NONE),
+                node(new MotionStep.Until(new UntilRule.Distance(0.1, OptionalDouble.of(11)))))));
+    assertProblem(
         "speed: speed is -0.00012 mm/s, must be above 0 and at most 5000 mm/s",
         new MotionStep.Move(MoveKind.LINEAR, -1.2e-7, 1, new ToolChoice.Active(), "Base", false));
     assertProblem(

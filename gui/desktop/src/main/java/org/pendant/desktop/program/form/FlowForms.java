@@ -208,7 +208,7 @@ final class FlowForms {
                       variable,
                       "by itself",
                       ProgramNames.ownVariables(context.tree()),
-                      FormBuilder::notLegal,
+                      FormBuilder::nameRefusal,
                       text ->
                           context.with(new FlowStep.Loop(new LoopRule.Times(count, text.strip())))))
               .quiet("counter-hint", "The counter begins at 0; without a name it gets one.");

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.function.UnaryOperator;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.NodeField;
 import org.pendant.project.program.NumberRange;
 import org.pendant.project.program.ProgramTree;
@@ -139,16 +140,14 @@ final class FormBuilder {
         value,
         "a name, such as count",
         known,
-        FormBuilder::notLegal,
+        FormBuilder::nameRefusal,
         each -> context.with(step.apply(each.strip())));
   }
 
-  /** Why a text is no name of the language; empty if it is one, or is empty. */
-  static String notLegal(String text) {
+  /** Why a text cannot be the name of a variable; empty if it can, or is empty. */
+  static String nameRefusal(String text) {
     String name = text.strip();
-    return name.isEmpty() || ProgramNames.legal(name)
-        ? ""
-        : "'" + name + "' is no name: letters, digits and _ only, no digit first";
+    return name.isEmpty() ? "" : Identifiers.refusal(name).orElse("");
   }
 
   /** An expression for any value. */

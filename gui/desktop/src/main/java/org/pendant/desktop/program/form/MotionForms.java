@@ -11,6 +11,7 @@ import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.Joints;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
+import org.pendant.project.program.NodeField;
 import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
@@ -226,6 +227,14 @@ final class MotionForms {
 
   /** Stop, or a round corner. */
   static void blend(FormBuilder form, OptionalDouble radiusM, Function<OptionalDouble, Step> step) {
+    blend(form, NodeFields.BLEND_RADIUS, radiusM, step);
+  }
+
+  private static void blend(
+      FormBuilder form,
+      NodeField field,
+      OptionalDouble radiusM,
+      Function<OptionalDouble, Step> step) {
     Kept kept = form.context().kept();
     radiusM.ifPresent(radius -> kept.keep("blend", radius));
     form.part("Corner")
@@ -240,14 +249,10 @@ final class MotionForms {
                     stop
                         ? OptionalDouble.empty()
                         : OptionalDouble.of(
-                            kept.recall("blend", Double.class)
-                                .orElse(NodeFields.BLEND_RADIUS.initialValue()))));
+                            kept.recall("blend", Double.class).orElse(field.initialValue()))));
     if (radiusM.isPresent()) {
       form.number(
-          NodeFields.BLEND_RADIUS,
-          "Radius",
-          radiusM.getAsDouble(),
-          value -> step.apply(OptionalDouble.of(value)));
+          field, "Radius", radiusM.getAsDouble(), value -> step.apply(OptionalDouble.of(value)));
     }
   }
 
@@ -274,12 +279,18 @@ final class MotionForms {
             },
             chosen -> new MotionStep.Until(rule(kept, chosen)));
     switch (rule) {
-      case UntilRule.Distance(double distanceM, OptionalDouble blendRadiusM) ->
-          form.number(
-              NodeFields.UNTIL_DISTANCE,
-              "Distance",
-              distanceM,
-              value -> new MotionStep.Until(new UntilRule.Distance(value, blendRadiusM)));
+      case UntilRule.Distance(double distanceM, OptionalDouble blendRadiusM) -> {
+        form.number(
+            NodeFields.UNTIL_DISTANCE,
+            "Distance",
+            distanceM,
+            value -> new MotionStep.Until(new UntilRule.Distance(value, blendRadiusM)));
+        blend(
+            form,
+            NodeFields.UNTIL_BLEND_RADIUS,
+            blendRadiusM,
+            radius -> new MotionStep.Until(new UntilRule.Distance(distanceM, radius)));
+      }
       case UntilRule.Contact(double retractM, double decelerationMPerS2) ->
           form.number(
                   NodeFields.RETRACTION,

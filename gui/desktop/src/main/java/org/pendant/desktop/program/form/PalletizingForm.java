@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.NodeFields;
 import org.pendant.project.program.Pattern;
 import org.pendant.project.program.ProgramTree;
@@ -277,7 +278,7 @@ final class PalletizingForm {
             name,
             label,
             waypoint,
-            (ProgramNames.legal(prefix) ? prefix : "Pallet") + "_corner_",
+            (Identifiers.wellFormed(prefix) ? prefix : "Pallet") + "_corner_",
             (now, chosen) -> now.withStep(context.key(), step.apply(now, chosen)))
         .addTo(form);
   }

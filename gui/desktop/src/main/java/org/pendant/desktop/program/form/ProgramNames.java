@@ -14,6 +14,7 @@ import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.ForeignStep;
+import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
@@ -23,9 +24,6 @@ import org.pendant.project.program.TreeNames;
 
 /** Program names: what a program and its installation have given names to. */
 final class ProgramNames {
-  /** What {@link #variables} takes for a name of the language. */
-  private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
-
   private static final Pattern ASSIGNED =
       Pattern.compile("(?:^|[\\s;])(?:global\\s+|local\\s+)?([A-Za-z_]\\w*)\\s*=(?!=)");
   private static final Pattern DEFINED =
@@ -33,15 +31,10 @@ final class ProgramNames {
 
   private ProgramNames() {}
 
-  /** Whether a text is a name of the language, as far as its characters go. */
-  static boolean legal(String text) {
-    return NAME.matcher(text).matches();
-  }
-
   /** The variables that nodes give values to, in the order of the program. */
   static List<String> ownVariables(ProgramTree tree) {
     Set<String> names = new LinkedHashSet<>();
-    tree.forEach(node -> assigned(node.step()).filter(ProgramNames::legal).forEach(names::add));
+    tree.forEach(node -> assigned(node.step()).filter(Identifiers::wellFormed).forEach(names::add));
     return List.copyOf(names);
   }
 
@@ -52,7 +45,7 @@ final class ProgramNames {
             installation.features().stream().map(Feature::name),
             installation.modbus().stream().map(ModbusSetup::name))
         .flatMap(each -> each)
-        .filter(ProgramNames::legal)
+        .filter(Identifiers::wellFormed)
         .distinct()
         .toList();
   }
@@ -61,7 +54,7 @@ final class ProgramNames {
   static List<String> variables(ProgramTree tree, Installation installation) {
     Stream<String> places =
         WaypointNames.of(tree).stream()
-            .filter(ProgramNames::legal)
+            .filter(Identifiers::wellFormed)
             .flatMap(name -> Stream.of(name + "_p", name + "_q"));
     return Stream.of(ownVariables(tree).stream(), sharedVariables(installation).stream(), places)
         .flatMap(each -> each)
@@ -72,7 +65,9 @@ final class ProgramNames {
   /** The heads of functions that the program itself defines, such as {@code f(a, b)}. */
   static List<String> functions(ProgramTree tree) {
     Set<String> heads = new LinkedHashSet<>();
-    subPrograms(tree).stream().filter(ProgramNames::legal).forEach(each -> heads.add(each + "()"));
+    subPrograms(tree).stream()
+        .filter(Identifiers::wellFormed)
+        .forEach(each -> heads.add(each + "()"));
     tree.forEach(
         node ->
             found(DEFINED, code(node.step()))

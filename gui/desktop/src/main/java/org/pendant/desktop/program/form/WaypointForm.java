@@ -9,6 +9,7 @@ import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MotionStep.Waypoint;
 import org.pendant.project.program.MoveKind;
@@ -146,7 +147,7 @@ final class WaypointForm {
     if (!name.equals(was) && WaypointNames.of(tree).contains(name)) {
       return "'" + name + "' is another waypoint; choose it under Position of to share its place";
     }
-    return FormBuilder.notLegal(name);
+    return Identifiers.formRefusal(name).orElse("");
   }
 
   private static ProgramTree renamed(
@@ -273,7 +274,7 @@ final class WaypointForm {
         .quiet(
             "relative-hint",
             "Goes as far from where the tool is as the second place is from the first.");
-    String prefix = ProgramNames.legal(relative.name()) ? relative.name() : "Waypoint";
+    String prefix = Identifiers.wellFormed(relative.name()) ? relative.name() : "Waypoint";
     form.part("Places");
     new Teachable(
             context,

@@ -29,6 +29,7 @@ import org.pendant.project.program.Section;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.Timing;
 import org.pendant.project.program.ToolChoice;
+import org.pendant.project.program.UntilRule;
 import org.pendant.project.program.WaitFor;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
@@ -394,9 +395,32 @@ final class FormPresenterTest {
     assertEquals("", presenter.typeText("values.0.expression", "3"));
     assertEquals(
         new Section.InitialValues(List.of(new Section.InitialValue("count", "3"))), step());
-    assertTrue(presenter.typeText("values.0.variable", "3count").contains("is no name"));
+    assertEquals(
+        "'3count' is no name, expected letters, digits and _, no digit first",
+        presenter.typeText("values.0.variable", "3count"));
     press("values.0-remove");
     assertEquals(new Section.InitialValues(List.of()), step());
+  }
+
+  @Test
+  void aWordOfTheLanguageIsNoNameOfAVariable() {
+    open(node(new ActionStep.Timer("t", ActionStep.TimerAction.START)));
+    assertEquals(
+        "'while' is a word of the language, expected another name",
+        presenter.typeText("name", "while"));
+    assertEquals("", presenter.typeText("name", "while_away"));
+    assertEquals(new ActionStep.Timer("while_away", ActionStep.TimerAction.START), step());
+  }
+
+  @Test
+  void aDistanceThatEndsAMoveMayHaveARoundCorner() {
+    open(node(new MotionStep.Until(new UntilRule.Distance(0.2))));
+    presenter.choose("blend", "false");
+    assertEquals(
+        new MotionStep.Until(new UntilRule.Distance(0.2, OptionalDouble.of(0.025))), step());
+    assertEquals("", presenter.typeNumber("rule.blendRadiusM", "50"));
+    assertEquals(
+        new MotionStep.Until(new UntilRule.Distance(0.2, OptionalDouble.of(0.05))), step());
   }
 
   @Test
