@@ -58,16 +58,8 @@ final class ConveyorProgramTest {
     return running;
   }
 
-  private static void until(RunningProgram running, String said) {
-    for (int i = 0; i < 20_000 && !running.said().contains(said); i++) {
-      assertEquals(ProgramState.RUNNING, running.programState(), () -> "" + running.reported());
-      running.advance(1);
-    }
-    assertTrue(running.said().contains(said), () -> "" + running.said());
-  }
-
   private static List<Pose> drawn(RunningProgram running) {
-    until(running, "draws");
+    running.until("draws");
     List<Pose> poses = new ArrayList<>();
     while (!running.said().contains("drawn")) {
       running.advance(1);
@@ -158,7 +150,7 @@ final class ConveyorProgramTest {
           sleep(0.1)
         end
         """);
-    until(running, "tracks");
+    running.until("tracks");
     Smoothness start = new Smoothness(8);
     start.see(running.state().arm());
     while (!running.said().contains("stops")) {
@@ -184,7 +176,7 @@ final class ConveyorProgramTest {
   void theSpeedSliderSlowsMovesButNoBelt() {
     RunningProgram running = withBelt(TICKS_PER_S);
     running.start(CIRCLE.formatted(TRACK));
-    until(running, "draws");
+    running.until("draws");
     running.done(new BoxCommand.SetSpeedFraction(0));
     running.advance(200);
     Pose before = tcp(running);
@@ -197,7 +189,7 @@ final class ConveyorProgramTest {
   void aPausedProgramGoesOnWithTheBelt() {
     RunningProgram running = withBelt(TICKS_PER_S);
     running.start(CIRCLE.formatted(TRACK));
-    until(running, "draws");
+    running.until("draws");
     running.advance(100);
     running.done(new ProgramCommand.PauseProgram());
     running.advance(200);
@@ -206,14 +198,14 @@ final class ConveyorProgramTest {
     assertEquals(0.5 * BELT_M_PER_S, tcp(running).y() - before.y(), 1e-6);
     assertEquals(before.x(), tcp(running).x(), 1e-9);
     running.done(new ProgramCommand.ResumeProgram());
-    until(running, "drawn");
+    running.until("drawn");
   }
 
   @Test
   void aSafeguardStopHoldsTheArmAndTheBeltIsCaughtUpWithAfterwards() {
     RunningProgram running = withBelt(TICKS_PER_S);
     running.start(CIRCLE.formatted(TRACK));
-    until(running, "draws");
+    running.until("draws");
     running.advance(100);
     running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     Smoothness stop = new Smoothness(40);
@@ -245,7 +237,7 @@ final class ConveyorProgramTest {
     for (boolean stopped : new boolean[] {true, false}) {
       RunningProgram running = withBelt(TICKS_PER_S);
       running.start(TRACK + "sleep(1)\ntextmsg(\"now\")\nsleep(" + (stopped ? 9 : 0.1) + ")\n");
-      until(running, "now");
+      running.until("now");
       if (stopped) {
         running.done(new ProgramCommand.StopProgram());
       }
@@ -268,7 +260,7 @@ final class ConveyorProgramTest {
   void anArmWithoutPowerIsLeftBehindByTheBelt() {
     RunningProgram running = withBelt(TICKS_PER_S);
     running.start(TRACK + "sleep(1)\ntextmsg(\"now\")\nsleep(9)\n");
-    until(running, "now");
+    running.until("now");
     running.done(new SafetyCommand.PowerOff());
     running.advance(500);
     Pose rests = running.state().arm().actualTcpInBase();
@@ -309,7 +301,7 @@ final class ConveyorProgramTest {
           sleep(0.1)
         end
         """);
-    until(running, "follows");
+    running.until("follows");
     Pose before = tcp(running);
     int frame = 0;
     while (!running.said().contains("done")) {
@@ -339,7 +331,7 @@ final class ConveyorProgramTest {
       running.done(new IoCommand.SetInput("configurable_in[0]", false));
       running.done(new IoCommand.SetInput("configurable_in[1]", false));
     }
-    until(running, "20");
+    running.until("20");
     assertEquals(before + 0.02, tcp(running).z(), 1e-6);
   }
 
@@ -360,13 +352,13 @@ final class ConveyorProgramTest {
             textmsg("done")
             sleep(0.1)
             """);
-    until(running, "ended");
+    running.until("ended");
     Pose before = tcp(running);
     running.advance(250);
     Pose after = tcp(running);
     assertEquals(0.5 * BELT_M_PER_S, after.y() - before.y(), 1e-6);
     assertEquals(before.z(), after.z(), 1e-6);
-    until(running, "done");
+    running.until("done");
   }
 
   @Test
@@ -388,7 +380,7 @@ final class ConveyorProgramTest {
           end
           """
               .formatted(rotate ? "True" : "False"));
-      until(running, "follows");
+      running.until("follows");
       Pose start = tcp(running);
       running.advance(1);
       double angle = 2 * Math.PI / 6000;
@@ -397,7 +389,7 @@ final class ConveyorProgramTest {
       Pose after = tcp(running);
       assertEquals(0, Poses.pointDistance(expected, after), 1e-7, "rotate " + rotate);
       assertEquals(rotate ? angle : 0, Poses.rotationAngle(start, after), 1e-8);
-      until(running, "done");
+      running.until("done");
       assertTrue(running.reported().isEmpty(), () -> "" + running.reported());
     }
   }

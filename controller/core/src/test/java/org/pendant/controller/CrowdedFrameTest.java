@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.command.Reply;
-import org.pendant.language.source.Source;
 import org.pendant.script.debug.Breakpoint;
 
 /** What clients may have done in a single frame, and what they are told beyond that. */
@@ -24,19 +23,8 @@ final class CrowdedFrameTest {
     return controller.submit(command);
   }
 
-  private void start(String text) {
-    CompletableFuture<Reply> reply =
-        submit(
-            new ProgramCommand.StartProgram(
-                controller.load(Source.of("t.script", text)).program().orElseThrow()));
-    controller.advance();
-    assertEquals(new Reply.Done(), reply.join());
-  }
-
   private CompletableFuture<Reply> submitSecondary() {
-    return submit(
-        new ProgramCommand.RunSecondary(
-            controller.load(Source.of("s.script", SECONDARY)).program().orElseThrow()));
+    return submit(new ProgramCommand.RunSecondary(TestController.program(controller, SECONDARY)));
   }
 
   @Test
@@ -55,7 +43,7 @@ final class CrowdedFrameTest {
   @Test
   void aSecondaryProgramIsRefusedAtOnceWhileADebuggerHoldsTheFrame() {
     var _ = submit(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2))));
-    start("def p():\n  x = 1\n  sleep(9)\nend\n");
+    TestController.start(controller, "def p():\n  x = 1\n  sleep(9)\nend\n");
     assertTrue(controller.state().debug().held());
     CompletableFuture<Reply> reply = submitSecondary();
     controller.advance();
@@ -68,7 +56,7 @@ final class CrowdedFrameTest {
 
   @Test
   void linesBeyondTheSixteenthWaitForTheNextFrame() {
-    start("def p():\n  interpreter_mode()\nend\n");
+    TestController.start(controller, "def p():\n  interpreter_mode()\nend\n");
     List<CompletableFuture<Reply>> replies = new ArrayList<>();
     for (int i = 0; i < 20; i++) {
       replies.add(submit(new InterpreterCommand.Interpret("textmsg(" + i + ")")));

@@ -10,7 +10,6 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.language.source.Source;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramState;
@@ -32,7 +31,7 @@ final class ErrorsInProgramsTest {
               throw error;
             });
     controller = new Controller(ControllerOptions.headless(), builtins);
-    start("def meets():\n  meet_error()\nend\n");
+    TestController.start(controller, "def meets():\n  meet_error()\nend\n");
     controller.runUntil(this::stopped, 10);
     Ending ending = controller.state().program().ending().orElseThrow();
     return assertInstanceOf(Ending.Failed.class, ending).failure();
@@ -40,14 +39,6 @@ final class ErrorsInProgramsTest {
 
   private boolean stopped() {
     return controller.state().program().state() == ProgramState.STOPPED;
-  }
-
-  private void start(String text) {
-    var _ =
-        controller.submit(
-            new ProgramCommand.StartProgram(
-                controller.load(Source.of("t.script", text)).program().orElseThrow()));
-    controller.advance();
   }
 
   private List<String> log() {
@@ -74,7 +65,7 @@ final class ErrorsInProgramsTest {
   @Test
   void theControllerRunsTheNextProgram() {
     failing(new OutOfMemoryError("Java heap space"));
-    start("def well():\n  textmsg(\"well\")\nend\n");
+    TestController.start(controller, "def well():\n  textmsg(\"well\")\nend\n");
     controller.runUntil(this::stopped, 10);
     assertEquals("well", log().getLast());
     assertInstanceOf(Ending.Finished.class, controller.state().program().ending().orElseThrow());
@@ -83,14 +74,11 @@ final class ErrorsInProgramsTest {
   @Test
   void aSecondaryProgramThatMeetsOneLeavesThePrimaryOne() {
     failing(new OutOfMemoryError("Java heap space"));
-    start("def goes_on():\n  sleep(9)\nend\n");
+    TestController.start(controller, "def goes_on():\n  sleep(9)\nend\n");
     var reply =
         controller.submit(
             new ProgramCommand.RunSecondary(
-                controller
-                    .load(Source.of("s.script", "sec s():\n  meet_error()\nend\n"))
-                    .program()
-                    .orElseThrow()));
+                TestController.program(controller, "sec s():\n  meet_error()\nend\n")));
     controller.advance();
     assertInstanceOf(Reply.Failed.class, reply.join());
     assertEquals(ProgramState.RUNNING, controller.state().program().state());

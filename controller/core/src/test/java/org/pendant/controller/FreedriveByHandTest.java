@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,25 +21,15 @@ import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.world.Vector3;
-import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
-import org.pendant.script.vm.Program;
 
 /** An operator at the screen guides the arm. */
 final class FreedriveByHandTest {
   private static final String WAITING = "def waiting():\n  sleep(100)\nend\n";
 
   private GuidedArm guided = GuidedArm.free();
-
-  private Program program(String text) {
-    return guided
-        .controller
-        .load(Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1)))
-        .program()
-        .orElseThrow();
-  }
 
   @ParameterizedTest
   @EnumSource
@@ -128,7 +117,8 @@ final class FreedriveByHandTest {
 
   @Test
   void aProgramHasTheArmForItself() {
-    guided.done(new ProgramCommand.StartProgram(program(WAITING)));
+    guided.done(
+        new ProgramCommand.StartProgram(TestController.program(guided.controller, WAITING)));
     assertEquals(
         new Reply.Refused(
             Refusal.Code.PROGRAM, "program waiting runs, stop it before the arm is guided by hand"),
@@ -144,7 +134,8 @@ final class FreedriveByHandTest {
   @Test
   void aProgramThatStartsEndsIt() {
     guided.guide(0.1);
-    guided.done(new ProgramCommand.StartProgram(program(WAITING)));
+    guided.done(
+        new ProgramCommand.StartProgram(TestController.program(guided.controller, WAITING)));
     assertFalse(guided.state().freedrive().active());
   }
 
@@ -244,7 +235,9 @@ final class FreedriveByHandTest {
   void anInputCanAskForIt() {
     guided.done(
         new ProgramCommand.RunSecondary(
-            program("sec s():\n  set_standard_digital_input_action(3, \"freedrive\")\nend\n")));
+            TestController.program(
+                guided.controller,
+                "sec s():\n  set_standard_digital_input_action(3, \"freedrive\")\nend\n")));
     guided.done(new IoCommand.SetInput("digital_in[3]", true));
     guided.frames(1);
     assertTrue(guided.state().freedrive().heldBy(FreedriveHolder.INPUT));
@@ -259,7 +252,8 @@ final class FreedriveByHandTest {
   void anInputCannotTakeTheArmFromAProgram() {
     guided.done(
         new ProgramCommand.StartProgram(
-            program(
+            TestController.program(
+                guided.controller,
                 """
                 def p():
                   set_standard_digital_input_action(3, "freedrive")

@@ -1,10 +1,8 @@
 package org.pendant.controller;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
@@ -36,13 +34,11 @@ final class GuidedArm {
   }
 
   Reply ask(Command command) {
-    CompletableFuture<Reply> reply = controller.submit(command);
-    controller.advance();
-    return reply.join();
+    return TestController.ask(controller, command);
   }
 
   void done(Command command) {
-    assertEquals(new Reply.Done(), ask(command));
+    TestController.done(controller, command);
   }
 
   String refusal(Command command) {

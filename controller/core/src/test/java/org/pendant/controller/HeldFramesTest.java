@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -15,7 +14,6 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.ProgramState;
@@ -54,12 +52,7 @@ final class HeldFramesTest {
   }
 
   private void start() {
-    send(
-        new ProgramCommand.StartProgram(
-            controller
-                .load(Source.of("t.script", PROGRAM.getBytes(StandardCharsets.ISO_8859_1)))
-                .program()
-                .orElseThrow()));
+    send(new ProgramCommand.StartProgram(TestController.program(controller, PROGRAM)));
   }
 
   private void ask(Consumer<Debugger> request) {

@@ -10,18 +10,15 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.MessageCommand;
-import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup;
-import org.pendant.language.source.Source;
 import org.pendant.script.vm.Interpreter;
 import org.pendant.script.vm.InterpreterEvent;
 import org.pendant.script.vm.InterpreterEvent.Accepted;
 import org.pendant.script.vm.InterpreterJournal;
 import org.pendant.script.vm.InterpreterStatus;
-import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
 /** Interpreter mode as those outside use it (manual 13). */
@@ -31,20 +28,12 @@ final class InterpreterCommandsTest {
   private final Controller controller = new Controller(ControllerOptions.headless());
 
   private void start(String... lines) {
-    Program program =
-        controller.load(Source.of("im.script", String.join("\n", lines))).program().orElseThrow();
-    assertEquals(new Reply.Done(), ask(new ProgramCommand.StartProgram(program)));
+    TestController.start(controller, String.join("\n", lines));
     controller.advance();
   }
 
   private void interpreting() {
     start("def im():", "  interpreter_mode()", "end");
-  }
-
-  private Reply ask(Command command) {
-    CompletableFuture<Reply> reply = controller.submit(command);
-    controller.advance();
-    return reply.join();
   }
 
   private CompletableFuture<Reply> send(String line) {
@@ -57,7 +46,8 @@ final class InterpreterCommandsTest {
 
   private InterpreterStatus status() {
     return assertInstanceOf(
-            Reply.InterpreterState.class, ask(new InterpreterCommand.AskInterpreter()))
+            Reply.InterpreterState.class,
+            TestController.ask(controller, new InterpreterCommand.AskInterpreter()))
         .status();
   }
 
@@ -105,7 +95,7 @@ final class InterpreterCommandsTest {
     CompletableFuture<Reply> waiting = send("textmsg(1)");
     controller.advance();
     assertFalse(waiting.isDone());
-    ask(new ProgramCommand.StopProgram());
+    TestController.ask(controller, new ProgramCommand.StopProgram());
     controller.advance();
     assertEquals(
         new Reply.Interpreted(new Interpreter.Response.Discarded("no program is running")),
@@ -119,7 +109,7 @@ final class InterpreterCommandsTest {
     var _ = send("clear_interpreter()");
     CompletableFuture<Reply> waiting = send("textmsg(1)");
     controller.advance();
-    ask(new InterpreterCommand.SkipInterpreted());
+    TestController.ask(controller, new InterpreterCommand.SkipInterpreted());
     controller.advance();
     assertEquals(acknowledged(3), waiting.join());
   }
@@ -152,7 +142,7 @@ final class InterpreterCommandsTest {
     for (int i = 0; i < 4; i++) {
       controller.advance();
     }
-    ask(new InterpreterCommand.Interpret("end_interpreter()"));
+    TestController.ask(controller, new InterpreterCommand.Interpret("end_interpreter()"));
     controller.advance();
     assertEquals(
         List.of(
@@ -168,7 +158,7 @@ final class InterpreterCommandsTest {
   @Test
   void theJournalTellsWhatAProgramKeeps() {
     start("def im():", "  interpreter_mode(clearOnEnd = False)", "  sleep(1)", "end");
-    ask(new InterpreterCommand.Interpret("end_interpreter()"));
+    TestController.ask(controller, new InterpreterCommand.Interpret("end_interpreter()"));
     controller.advance();
     controller.advance();
     assertEquals(new InterpreterEvent.Kept(), events().getLast());
@@ -178,9 +168,9 @@ final class InterpreterCommandsTest {
   void theJournalKeepsTheNewestEvents() {
     interpreting();
     for (int i = 0; i < InterpreterJournal.KEPT; i++) {
-      ask(new InterpreterCommand.Interpret("a = 1"));
+      TestController.ask(controller, new InterpreterCommand.Interpret("a = 1"));
       if (i % 1000 == 0) {
-        ask(new InterpreterCommand.Interpret("clear_interpreter()"));
+        TestController.ask(controller, new InterpreterCommand.Interpret("clear_interpreter()"));
         controller.advance();
         controller.advance();
       }
@@ -209,7 +199,7 @@ final class InterpreterCommandsTest {
   @Test
   void shuttingDownEndsTheProgramAndSwitchesTheArmOff() {
     interpreting();
-    ask(new BoxCommand.ShutDown());
+    TestController.ask(controller, new BoxCommand.ShutDown());
     controller.advance();
     assertTrue(controller.state().safety().shutDown());
     assertEquals(ProgramState.STOPPED, controller.state().program().state());

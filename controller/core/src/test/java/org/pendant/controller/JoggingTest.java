@@ -5,11 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxSetup;
@@ -30,13 +28,11 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.world.Vector3;
-import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.script.vm.Ending;
-import org.pendant.script.vm.Program;
 
 /** The arm moves by hand while a client repeats the command, and rests otherwise. */
 @Tag("slow")
@@ -49,29 +45,21 @@ final class JoggingTest {
 
   private Controller controller = new Controller(ControllerOptions.headless());
 
-  private Reply ask(Command command) {
-    CompletableFuture<Reply> reply = controller.submit(command);
-    controller.advance();
-    return reply.join();
-  }
-
-  private void done(Command command) {
-    assertEquals(new Reply.Done(), ask(command));
-  }
-
   private static Command payload(double massKg, double x, double y, double z) {
     return new ManualCommand.DeclarePayload(massKg, new Vector3(x, y, z), Optional.empty());
   }
 
   private String refusal(Command command) {
-    return assertInstanceOf(Reply.Refused.class, ask(command)).refusal().text();
+    return assertInstanceOf(Reply.Refused.class, TestController.ask(controller, command))
+        .refusal()
+        .text();
   }
 
   /** Holds for a time of the robot; returns the last reply. */
   private Reply hold(JogMove move, double speedFraction, double seconds) {
     Reply reply = new Reply.Done();
     for (int i = 0; i < seconds / 0.002; i += REPEAT_FRAMES) {
-      reply = ask(new ManualCommand.Jog(move, speedFraction));
+      reply = TestController.ask(controller, new ManualCommand.Jog(move, speedFraction));
       frames(REPEAT_FRAMES - 1);
     }
     return reply;
@@ -79,7 +67,8 @@ final class JoggingTest {
 
   private String heldUntilRefused(JogMove move) {
     for (int i = 0; i < LONG; i += REPEAT_FRAMES) {
-      if (ask(new ManualCommand.Jog(move, 1)) instanceof Reply.Refused refused) {
+      if (TestController.ask(controller, new ManualCommand.Jog(move, 1))
+          instanceof Reply.Refused refused) {
         return refused.refusal().text();
       }
       frames(REPEAT_FRAMES - 1);
@@ -105,13 +94,6 @@ final class JoggingTest {
     return controller.state().arm();
   }
 
-  private Program program(String text) {
-    return controller
-        .load(Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1)))
-        .program()
-        .orElseThrow();
-  }
-
   private List<String> said() {
     return controller.logSince(0).stream().map(LogEntry::text).toList();
   }
@@ -128,7 +110,7 @@ final class JoggingTest {
   void aJointTurnsAsLongAsItIsHeldAndRestsAfterTheRelease() {
     assertEquals(new Reply.Done(), hold(BASE_UP, 1, 1));
     assertEquals(0.6, arm().targetSpeedRadPerS().get(0), 1e-9);
-    done(new ManualCommand.StopJog());
+    TestController.done(controller, new ManualCommand.StopJog());
     rest();
     double where = arm().targetPositionRad().get(0);
     assertTrue(where > 0.4 && where < 0.55, "at " + where);
@@ -164,7 +146,7 @@ final class JoggingTest {
     assertTrue(where > smallest && where < smallest + 0.02, where + " of " + smallest);
     assertEquals(1, jogLines());
     assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
-    done(new ManualCommand.StopJog());
+    TestController.done(controller, new ManualCommand.StopJog());
     assertEquals(new Reply.Done(), hold(new JogMove.TurnJoint(2, 1), 1, 0.5));
   }
 
@@ -175,7 +157,7 @@ final class JoggingTest {
     Pose before = start;
     for (int i = 0; i < 600; i++) {
       if (i % REPEAT_FRAMES == 0) {
-        done(new ManualCommand.Jog(along(0, 0, 1, JogFrame.BASE), 1));
+        TestController.done(controller, new ManualCommand.Jog(along(0, 0, 1, JogFrame.BASE), 1));
       } else {
         controller.advance();
       }
@@ -198,7 +180,7 @@ final class JoggingTest {
     assertEquals(0, moved.x(), 1e-9);
     assertEquals(0, moved.y(), 1e-9);
     assertTrue(moved.z() > 0.02, "by " + moved.z());
-    done(new ManualCommand.StopJog());
+    TestController.done(controller, new ManualCommand.StopJog());
     rest();
     Pose frame = new Pose(5, 5, 5, 0, 0, Math.PI / 2);
     Pose there = arm().targetTcpInBase();
@@ -209,12 +191,14 @@ final class JoggingTest {
 
   @Test
   void theToolTurnsAboutAnAxisThroughTheTcpAtAtMostOneRadianASecond() {
-    done(new ManualCommand.SetTool(new ToolCentre(new Pose(0, 0, 0.1, 0, 0, 0), "gripper")));
+    TestController.done(
+        controller,
+        new ManualCommand.SetTool(new ToolCentre(new Pose(0, 0, 0.1, 0, 0, 0), "gripper")));
     Pose start = arm().targetTcpInBase();
     JogMove turn = new JogMove.MoveTool(JogDirection.around(0, 0, 1), JogFrame.BASE);
     hold(turn, 1, 1);
     Pose before = arm().targetTcpInBase();
-    done(new ManualCommand.Jog(turn, 1));
+    TestController.done(controller, new ManualCommand.Jog(turn, 1));
     Pose now = arm().targetTcpInBase();
     assertEquals(1, Poses.rotationAngle(before, now) / 0.002, 1e-6);
     assertEquals(0, Poses.pointDistance(start, now), 1e-9);
@@ -231,7 +215,7 @@ final class JoggingTest {
     assertTrue(said().stream().noneMatch(each -> each.contains("protective")), said().toString());
     assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
     assertEquals(Optional.empty(), arm().fault());
-    done(new ManualCommand.StopJog());
+    TestController.done(controller, new ManualCommand.StopJog());
     assertEquals(new Reply.Done(), hold(new JogMove.ToJoints(BoxSetup.START_RAD), 1, 0.5));
   }
 
@@ -269,7 +253,7 @@ final class JoggingTest {
     for (int held = 400; held < 1500; held += 50) {
       controller = new Controller(ControllerOptions.headless());
       hold(along(1, 0.2, 0.1, JogFrame.BASE), 1, held * 0.002);
-      done(new ManualCommand.StopJog());
+      TestController.done(controller, new ManualCommand.StopJog());
       rest();
       frames(200);
       assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
@@ -293,7 +277,7 @@ final class JoggingTest {
     double height = arm().actualTcpInBase().z();
     assertTrue(height > 0.3 && height < 0.33, "at " + height);
     assertEquals(SafetyMode.NORMAL, controller.state().safety().safetyMode());
-    done(new ManualCommand.StopJog());
+    TestController.done(controller, new ManualCommand.StopJog());
     assertEquals(new Reply.Done(), hold(along(0, 0, 1, JogFrame.BASE), 1, 0.5), "back up");
   }
 
@@ -330,27 +314,32 @@ final class JoggingTest {
 
   @Test
   void whileAProgramHasTheArmHandsAreOff() {
-    done(new ProgramCommand.StartProgram(program("def p():\n sleep(1)\nend\n")));
+    TestController.done(
+        controller,
+        new ProgramCommand.StartProgram(
+            TestController.program(controller, "def p():\n sleep(1)\nend\n")));
     assertEquals(
         "program p runs, stop it before the arm is moved by hand",
         refusal(new ManualCommand.Jog(BASE_UP, 1)));
     assertEquals(
         "program p runs, stop it before the TCP is changed",
         refusal(new ManualCommand.SetTool(ToolCentre.FLANGE)));
-    done(new ProgramCommand.PauseProgram());
+    TestController.done(controller, new ProgramCommand.PauseProgram());
     assertEquals(
         "program p is paused, stop it before the arm is moved by hand",
         refusal(new ManualCommand.Jog(BASE_UP, 1)));
-    done(new ProgramCommand.StopProgram());
-    done(new ManualCommand.Jog(BASE_UP, 1));
+    TestController.done(controller, new ProgramCommand.StopProgram());
+    TestController.done(controller, new ManualCommand.Jog(BASE_UP, 1));
   }
 
   @Test
   void aProgramThatStartsTakesTheArmOver() {
     hold(BASE_UP, 1, 1);
-    done(
+    TestController.done(
+        controller,
         new ProgramCommand.StartProgram(
-            program("def p():\n movej([0, -1.57, -1.57, -1.57, 1.57, 0])\nend\n")));
+            TestController.program(
+                controller, "def p():\n movej([0, -1.57, -1.57, -1.57, 1.57, 0])\nend\n")));
     assertTrue(controller.runUntil(() -> controller.state().program().ending().isPresent(), LONG));
     assertInstanceOf(Ending.Finished.class, controller.state().program().ending().orElseThrow());
     assertEquals(0, arm().targetPositionRad().get(0));
@@ -359,9 +348,11 @@ final class JoggingTest {
   @Test
   void whatHoldsForHandsDoesNotHoldForTheProgramThatFollows() {
     hold(along(0, 0, 1, JogFrame.BASE), 1, 0.5);
-    done(
+    TestController.done(
+        controller,
         new ProgramCommand.StartProgram(
-            program("def p():\n movej([0, -1.57, 0.5, -1.57, 1.57, 0], a=3, v=2)\nend\n")));
+            TestController.program(
+                controller, "def p():\n movej([0, -1.57, 0.5, -1.57, 1.57, 0], a=3, v=2)\nend\n")));
     assertTrue(controller.runUntil(() -> controller.state().program().ending().isPresent(), LONG));
     assertEquals(0.5, arm().targetPositionRad().get(2), "beyond the elbow singularity");
     assertEquals(0, jogLines());
@@ -370,7 +361,8 @@ final class JoggingTest {
   @Test
   void anEmergencyStopIsNotSoftenedByALimitAhead() {
     hold(along(1, 0, 0, JogFrame.BASE), 1, 1);
-    done(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
+    TestController.done(
+        controller, new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
     assertTrue(
         controller.runUntil(() -> arm().targetSpeedRadPerS().equals(Joints.ZERO), 250),
         "rests within 0.5 s");
@@ -386,12 +378,14 @@ final class JoggingTest {
     assertTrue(off.contains("power it on"), off);
     controller = new Controller(ControllerOptions.headless());
     hold(BASE_UP, 1, 1);
-    done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
+    TestController.done(
+        controller, new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     assertInstanceOf(Reply.Refused.class, hold(BASE_UP, 1, 0.5));
     assertEquals(Joints.ZERO, arm().targetSpeedRadPerS());
-    done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
+    TestController.done(
+        controller, new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
     frames(10);
-    done(new ManualCommand.StopJog());
+    TestController.done(controller, new ManualCommand.StopJog());
     double before = arm().targetPositionRad().get(0);
     assertEquals(new Reply.Done(), hold(BASE_UP, 1, 0.5));
     assertTrue(arm().targetPositionRad().get(0) > before + 0.05, "moves again after the stop");
@@ -408,9 +402,9 @@ final class JoggingTest {
   @Test
   void theToolCentreAndThePayloadAreSetByHand() {
     ToolCentre tool = new ToolCentre(new Pose(0, 0, 0.12, 0, 0, 0), "gripper");
-    done(new ManualCommand.SetTool(tool));
+    TestController.done(controller, new ManualCommand.SetTool(tool));
     assertEquals(tool, arm().tool());
-    done(payload(1.5, 0, 0, 0.05));
+    TestController.done(controller, payload(1.5, 0, 0, 0.05));
     assertEquals(1.5, controller.state().readings().payload().massKg());
     assertEquals(0.05, controller.state().readings().payload().cogZM());
     assertEquals("the mass is 50 kg, must be 0 to 20 kg on ur5e", refusal(payload(50, 0, 0, 0)));
@@ -419,7 +413,8 @@ final class JoggingTest {
         refusal(payload(1, 0, 0, 50)));
     Vector3 middle = new Vector3(0, 0, 0);
     Inertia plate = new Inertia(0.01, 0.01, 0.02, 0, 0, 0);
-    done(new ManualCommand.DeclarePayload(2, middle, Optional.of(plate)));
+    TestController.done(
+        controller, new ManualCommand.DeclarePayload(2, middle, Optional.of(plate)));
     assertEquals(0.02, controller.state().readings().payload().izz());
     assertEquals(
         "the inertia is refused: the first three must not be negative",

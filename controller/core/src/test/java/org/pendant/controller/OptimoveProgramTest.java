@@ -3,7 +3,6 @@ package org.pendant.controller;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -16,7 +15,6 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
-import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -52,25 +50,12 @@ final class OptimoveProgramTest {
     SceneObject box =
         new SceneObject.Box("shelf", pose, new Vector3(0.01, 0.01, 0.01), new Material(10, 0, 0));
     Scene scene = new Scene(List.of(box), Optional.empty(), List.of());
-    Controller controller = new Controller(ControllerOptions.headless().withScene(scene));
-    run(controller, "optimovej(struct(pose=p[0, 0, -0.1, 0, 0, 0], frame=\"shelf\"))\n");
-    Pose above = controller.state().arm().targetTcpInBase();
+    RunningProgram onScene = new RunningProgram(ControllerOptions.headless().withScene(scene));
+    onScene.run("optimovej(struct(pose=p[0, 0, -0.1, 0, 0, 0], frame=\"shelf\"))\n");
+    Pose above = onScene.state().arm().targetTcpInBase();
     assertEquals(0, Poses.distance(new Pose(-0.3, -0.4, 0.4, 0, Math.PI, 0), above), 1e-9);
-    run(controller, "tool_wrench_limit_disable()\noptimovel(\"shelf\", v=0.1)\n");
-    assertEquals(0, Poses.distance(pose, controller.state().arm().targetTcpInBase()), 1e-9);
-  }
-
-  private static void run(Controller controller, String text) {
-    Source source = Source.of("goal.script", text.getBytes(StandardCharsets.ISO_8859_1));
-    var _ =
-        controller.submit(
-            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
-    controller.advance();
-    for (int i = 0; controller.state().program().state() == ProgramState.RUNNING; i++) {
-      assertTrue(i < 10_000, "still running");
-      controller.advance();
-    }
-    assertEquals(ProgramState.STOPPED, controller.state().program().state());
+    onScene.run("tool_wrench_limit_disable()\noptimovel(\"shelf\", v=0.1)\n");
+    assertEquals(0, Poses.distance(pose, onScene.state().arm().targetTcpInBase()), 1e-9);
   }
 
   /** Long moves of a stretched arm, whose tool would be faster than it may be. */

@@ -20,14 +20,6 @@ final class PathOffsetProgramTest {
     return running.state().arm().targetTcpInBase();
   }
 
-  private static void until(RunningProgram running, String said) {
-    for (int i = 0; i < 20_000 && !running.said().contains(said); i++) {
-      assertEquals(ProgramState.RUNNING, running.programState(), () -> "" + running.reported());
-      running.advance(1);
-    }
-    assertTrue(running.said().contains(said), () -> "" + running.said());
-  }
-
   /** Where the TCP is before and after an offset is applied. */
   private record Shift(Pose before, Pose after) {
     static Shift of(String offset, int type) {
@@ -40,9 +32,9 @@ final class PathOffsetProgramTest {
               + ", "
               + type
               + ")\nsleep(7)\ntextmsg(\"after\")\nsync()\n");
-      until(running, "before");
+      running.until("before");
       Pose before = tcp(running);
-      until(running, "after");
+      running.until("after");
       return new Shift(before, tcp(running));
     }
   }
@@ -96,9 +88,9 @@ final class PathOffsetProgramTest {
             textmsg("after")
             sync()
             """);
-    until(running, "rests");
+    running.until("rests");
     Pose start = tcp(running);
-    until(running, "after");
+    running.until("after");
     Pose end = tcp(running);
     // forward is y; the tool points down but for 0.7 degrees, so across it is -x, and z is up
     assertEquals(-0.01, end.x() - start.x(), 4e-4);
@@ -118,7 +110,7 @@ final class PathOffsetProgramTest {
             textmsg("set")
             sleep(1)
             """);
-    until(running, "set");
+    running.until("set");
     Pose first = tcp(running);
     double start = first.z() - 0.1 * 0.001;
     for (int k = 2; k < 40; k++) {
@@ -220,9 +212,9 @@ final class PathOffsetProgramTest {
             sleep(0.2)
             textmsg(pose_dist(goal, get_target_tcp_pose()) < 0.000001)
             """);
-    until(running, "before");
+    running.until("before");
     Pose before = tcp(running);
-    until(running, "after");
+    running.until("after");
     assertEquals(0, Poses.distance(before, tcp(running)), 1e-5);
     assertEquals(Joints.ZERO, running.state().arm().targetSpeedRadPerS());
     running.finish();
@@ -257,7 +249,7 @@ final class PathOffsetProgramTest {
           sleep(0.1)
         end
         """);
-    until(running, "weaves");
+    running.until("weaves");
     Pose start = tcp(running);
     double lowest = 0;
     double highest = -1;
@@ -280,7 +272,7 @@ final class PathOffsetProgramTest {
         READY
             + "path_offset_enable()\ntextmsg(\"on\")\nsync()\n"
             + "path_offset_set(p[0, 0, 0.09, 0, 0, 0], 1)\nsleep(5)\n");
-    until(running, "on");
+    running.until("on");
     Pose before = tcp(running);
     running.finish();
     running.advance(500);
@@ -306,7 +298,7 @@ final class PathOffsetProgramTest {
             textmsg("end")
             sync()
             """);
-    until(running, "now");
+    running.until("now");
     Pose path = tcp(running);
     running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     running.advance(300);
@@ -315,7 +307,7 @@ final class PathOffsetProgramTest {
     assertEquals(held, tcp(running));
     assertTrue(Poses.pointDistance(path, held) < 0.01);
     running.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, false));
-    until(running, "end");
+    running.until("end");
     assertTrue(tcp(running).z() > held.z() + 0.005, () -> held + " then " + tcp(running));
   }
 }

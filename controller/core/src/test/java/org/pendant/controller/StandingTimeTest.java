@@ -17,9 +17,7 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyCommand;
-import org.pendant.language.source.Source;
 import org.pendant.script.debug.Breakpoint;
-import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
 /** What commands do while robot time stands: all that they do, and no time passes. */
@@ -44,10 +42,6 @@ final class StandingTimeTest {
     return controller.ask(command, SOON);
   }
 
-  private Program program(String text) {
-    return controller.load(Source.of("t.script", text)).program().orElseThrow();
-  }
-
   @Test
   void commandsAreCarriedOutAndNoTimePasses() {
     long frame = controller.state().frame();
@@ -69,7 +63,8 @@ final class StandingTimeTest {
         Reply.done(),
         ask(
             new ProgramCommand.RunSecondary(
-                program("sec s():\n  set_digital_out(0, True)\nend\n"))));
+                TestController.program(
+                    controller, "sec s():\n  set_digital_out(0, True)\nend\n"))));
     assertEquals(1, controller.state().io().standardOut());
     assertEquals(Reply.done(), ask(new BoxCommand.ShutDown()));
     Reply.Refused refused =
@@ -77,7 +72,8 @@ final class StandingTimeTest {
             Reply.Refused.class,
             ask(
                 new ProgramCommand.RunSecondary(
-                    program("sec s():\n  set_digital_out(1, True)\nend\n"))));
+                    TestController.program(
+                        controller, "sec s():\n  set_digital_out(1, True)\nend\n"))));
     assertEquals(Refusal.Code.SWITCHED_OFF, refused.refusal().code());
     assertEquals(1, controller.state().io().standardOut());
     assertEquals(0, controller.state().frame());
@@ -86,7 +82,10 @@ final class StandingTimeTest {
   @Test
   void aProgramStartsAndWaitsForTime() {
     assertEquals(
-        Reply.done(), ask(new ProgramCommand.StartProgram(program("textmsg(\"runs\")\n"))));
+        Reply.done(),
+        ask(
+            new ProgramCommand.StartProgram(
+                TestController.program(controller, "textmsg(\"runs\")\n"))));
     assertEquals(ProgramState.RUNNING, controller.state().program().state());
     assertEquals(List.of(), controller.logSince(0));
     clock.grant(1);
@@ -102,7 +101,9 @@ final class StandingTimeTest {
         Reply.done(), ask(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2)))));
     assertEquals(
         Reply.done(),
-        ask(new ProgramCommand.StartProgram(program("def p():\n  x = 1\n  sleep(9)\nend\n"))));
+        ask(
+            new ProgramCommand.StartProgram(
+                TestController.program(controller, "def p():\n  x = 1\n  sleep(9)\nend\n"))));
     clock.grant(1);
     while (!controller.state().debug().held()) {
       Thread.onSpinWait();

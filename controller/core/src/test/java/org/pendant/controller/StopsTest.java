@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -27,7 +26,6 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
-import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
@@ -64,11 +62,7 @@ final class StopsTest {
   }
 
   private void start(String text) {
-    Program program =
-        controller
-            .load(Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1)))
-            .program()
-            .orElseThrow();
+    Program program = TestController.program(controller, text);
     done(new ProgramCommand.StartProgram(program));
   }
 
@@ -108,12 +102,7 @@ final class StopsTest {
     controller.advance();
     assertEquals(RobotMode.POWER_OFF, safety().robotMode());
     String refused =
-        refusal(
-            new ProgramCommand.StartProgram(
-                controller
-                    .load(Source.of("t", TURN.getBytes(StandardCharsets.ISO_8859_1)))
-                    .program()
-                    .orElseThrow()));
+        refusal(new ProgramCommand.StartProgram(TestController.program(controller, TURN)));
     assertTrue(refused.contains("power"), refused);
     done(new SafetyCommand.PowerOn());
     List<RobotMode> seen = new ArrayList<>();

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Reply;
-import org.pendant.language.source.Source;
 import org.pendant.script.vm.Program;
 
 class RecorderTest {
@@ -45,7 +45,7 @@ class RecorderTest {
 
   private static String record(String text) throws IOException {
     Controller controller = new Controller(ControllerOptions.headless());
-    Program program = controller.load(Source.of("test.script", text)).program().orElseThrow();
+    Program program = TestController.program(controller, text);
     CompletableFuture<Reply> started = controller.submit(new ProgramCommand.StartProgram(program));
     StringWriter out = new StringWriter();
     try (Recorder recorder = new Recorder(out)) {

@@ -17,10 +17,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.message.LogLines;
 import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.Program;
@@ -57,8 +57,7 @@ final class RecordingRingTest {
   private List<ControllerState> run(String text, int frames) {
     var _ =
         controller.submit(
-            new ProgramCommand.StartProgram(
-                controller.load(Source.of("busy.script", text)).program().orElseThrow()));
+            new ProgramCommand.StartProgram(TestController.program(controller, text)));
     List<ControllerState> states = new ArrayList<>();
     for (int i = 0; i < frames; i++) {
       controller.advance();
@@ -263,11 +262,7 @@ final class RecordingRingTest {
   @Test
   void ofAHeldFrameTheLastSnapshotIsShown() {
     RecordingRing ring = new RecordingRing(start, Optional::empty);
-    Program program =
-        controller
-            .load(Source.of("held.script", "a = 1\na = 2\nsleep(1)\n"))
-            .program()
-            .orElseThrow();
+    Program program = TestController.program(controller, "a = 1\na = 2\nsleep(1)\n");
     var _ = controller.submit(new ProgramCommand.StartProgram(program));
     var _ = controller.submit(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2))));
     advance(ring, 20);

@@ -10,11 +10,11 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 import org.pendant.recording.RecordingMark.Kind;
 import org.pendant.script.variables.VariablePath;
 
@@ -28,8 +28,7 @@ final class RecordingTest {
   private void start(String text) {
     var _ =
         controller.submit(
-            new ProgramCommand.StartProgram(
-                controller.load(Source.of("test.script", text)).program().orElseThrow()));
+            new ProgramCommand.StartProgram(TestController.program(controller, text)));
   }
 
   private Recording run(int frames) {

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.file.ProgramsFolder;
@@ -34,7 +35,6 @@ import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
-import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
@@ -114,8 +114,7 @@ class DashboardServerTest {
 
   /** Starts a program as an upload does. */
   private void upload(String text) {
-    Program program =
-        box.controller().load(Source.of("upload.script", text)).program().orElseThrow();
+    Program program = TestController.program(box.controller(), text);
     box.controller().submit(new ProgramCommand.StartProgram(program)).join();
   }
 

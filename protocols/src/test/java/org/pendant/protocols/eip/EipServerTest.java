@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.InstallationCommand;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.eip.AssemblyCommand;
@@ -30,7 +31,6 @@ import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.state.StateStream;
-import org.pendant.language.source.Source;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
@@ -179,11 +179,7 @@ class EipServerTest {
             new InstallationCommand.ApplyInstallation(
                 InstallationText.read("pendant installation 1\nethernet-ip on-loss=stop\n")
                     .installation())));
-    Program waits =
-        box.controller()
-            .load(Source.of("waits.script", "def waits():\n  sleep(1e9)\nend\n"))
-            .program()
-            .orElseThrow();
+    Program waits = TestController.program(box.controller(), "def waits():\n  sleep(1e9)\nend\n");
     assertInstanceOf(Reply.Done.class, ask(new ProgramCommand.StartProgram(waits)));
     try (EipClient client = EipClient.registered(port);
         Scanner scanner = new Scanner(client, 1);

@@ -19,9 +19,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.StateStream;
-import org.pendant.language.source.Source;
 import org.pendant.protocols.script.RunningBox;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
@@ -60,11 +60,7 @@ class InterpreterServerTest {
   }
 
   private void start(String... lines) {
-    Program program =
-        box.controller()
-            .load(Source.of("im.script", String.join("\n", lines)))
-            .program()
-            .orElseThrow();
+    Program program = TestController.program(box.controller(), String.join("\n", lines));
     box.controller().submit(new ProgramCommand.StartProgram(program)).join();
   }
 

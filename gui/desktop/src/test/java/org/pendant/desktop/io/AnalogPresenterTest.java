@@ -12,10 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.io.IoCommand;
-import org.pendant.language.source.Source;
 import org.pendant.script.vm.Program;
 
 final class AnalogPresenterTest {
@@ -34,7 +34,7 @@ final class AnalogPresenterTest {
   }
 
   private void start(String text) {
-    Program program = controller.load(Source.of("test.script", text)).program().orElseThrow();
+    Program program = TestController.program(controller, text);
     CompletableFuture<?> started = controller.submit(new ProgramCommand.StartProgram(program));
     frame();
     assertTrue(started.isDone());

@@ -24,10 +24,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.RobotSession;
-import org.pendant.language.source.Source;
 
 final class IoViewTest {
   private RobotSession session;
@@ -165,11 +165,7 @@ final class IoViewTest {
           settle(view);
           assertEquals(1 << 4, session.state().io().standardOut());
           session
-              .run(
-                  session
-                      .load(Source.of("busy.script", "def busy():\n  sleep(60)\nend\n"))
-                      .program()
-                      .orElseThrow())
+              .run(TestController.program(session.robot(), "def busy():\n  sleep(60)\nend\n"))
               .join();
           settle(view);
           assertFalse(output.isEnabled());

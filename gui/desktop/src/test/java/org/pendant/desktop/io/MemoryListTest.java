@@ -15,10 +15,10 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.kit.settings.Settings;
-import org.pendant.language.source.Source;
 import org.pendant.script.vm.Program;
 
 final class MemoryListTest {
@@ -56,7 +56,7 @@ final class MemoryListTest {
   }
 
   private void start(String text) {
-    Program program = controller.load(Source.of("test.script", text)).program().orElseThrow();
+    Program program = TestController.program(controller, text);
     var _ = controller.submit(new ProgramCommand.StartProgram(program));
     frame();
   }

@@ -2,17 +2,16 @@ package org.pendant.desktop.move;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 
 /** A controller, and what has been sent to it. */
 final class FreedriveFixture {
@@ -45,12 +44,7 @@ final class FreedriveFixture {
   /** Has a program wait for ever after this line. */
   void run(String line) {
     String text = "def p():\n  " + line + "\n  sleep(1000)\nend\n";
-    done(
-        new ProgramCommand.StartProgram(
-            controller
-                .load(Source.of("p.script", text.getBytes(StandardCharsets.ISO_8859_1)))
-                .program()
-                .orElseThrow()));
+    done(new ProgramCommand.StartProgram(TestController.program(controller, text)));
     frames(2);
   }
 }

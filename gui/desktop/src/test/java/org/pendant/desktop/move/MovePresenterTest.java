@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -16,6 +15,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.command.Command;
@@ -26,7 +26,6 @@ import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.kit.settings.Settings;
-import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -135,13 +134,7 @@ final class MovePresenterTest {
     var _ =
         controller.submit(
             new ProgramCommand.StartProgram(
-                controller
-                    .load(
-                        Source.of(
-                            "t",
-                            "def p():\n sleep(9)\nend\n".getBytes(StandardCharsets.ISO_8859_1)))
-                    .program()
-                    .orElseThrow()));
+                TestController.program(controller, "def p():\n sleep(9)\nend\n")));
     refresh(1);
     assertEquals("Program p is running. Stop it to move the arm by hand.", obstacle());
     presenter.removeObstacle();

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
@@ -36,7 +37,6 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.theme.Contrast;
 import org.pendant.kit.theme.Look;
 import org.pendant.kit.theme.Theme;
-import org.pendant.language.source.Source;
 import org.pendant.script.vm.Program;
 
 /** The screens in a real window, as far as there is a display. */
@@ -125,7 +125,7 @@ final class ViewsTest {
   }
 
   private void runToItsEnd() {
-    Program program = session.load(Source.of("talk.script", PROGRAM)).program().orElseThrow();
+    Program program = TestController.program(session.robot(), PROGRAM);
     session.run(program).join();
     while (session.state().program().ending().isEmpty()) {
       // a command is answered at the end of a frame

@@ -9,13 +9,13 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.desktop.session.ArmReadiness.Light;
-import org.pendant.language.source.Source;
 
 final class ArmReadinessTest {
   private final Controller controller =
@@ -43,9 +43,7 @@ final class ArmReadinessTest {
   }
 
   private void start(String text) {
-    send(
-        new ProgramCommand.StartProgram(
-            controller.load(Source.of("t.script", text)).program().orElseThrow()));
+    send(new ProgramCommand.StartProgram(TestController.program(controller, text)));
   }
 
   @Test

@@ -18,11 +18,11 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.InstallationCommand;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.IoCommand;
-import org.pendant.language.source.Source;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.script.vm.Program;
 
@@ -90,7 +90,7 @@ final class InstallationLinkTest {
   }
 
   private void run(String text) throws Exception {
-    Program program = session.load(Source.of("t.script", text)).program().orElseThrow();
+    Program program = TestController.program(session.robot(), text);
     assertInstanceOf(Reply.Done.class, session.run(program).get(30, TimeUnit.SECONDS));
   }
 

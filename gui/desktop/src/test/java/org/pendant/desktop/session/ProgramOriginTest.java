@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Reply;
-import org.pendant.language.source.Source;
 
 final class ProgramOriginTest {
   private final Controller controller = new Controller(ControllerOptions.headless());
@@ -18,8 +18,7 @@ final class ProgramOriginTest {
   private CompletableFuture<Reply> start() {
     CompletableFuture<Reply> reply =
         controller.submit(
-            new ProgramCommand.StartProgram(
-                controller.load(Source.of("t.script", "sleep(1)\n")).program().orElseThrow()));
+            new ProgramCommand.StartProgram(TestController.program(controller, "sleep(1)\n")));
     controller.advance();
     return reply;
   }

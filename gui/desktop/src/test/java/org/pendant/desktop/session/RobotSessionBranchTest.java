@@ -22,11 +22,11 @@ import org.pendant.controller.DebugCommand;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.ScriptError;
@@ -69,7 +69,7 @@ final class RobotSessionBranchTest {
   }
 
   private static Program program(RobotSession session, String text) {
-    return session.load(Source.of("test.script", text)).program().orElseThrow();
+    return TestController.program(session.robot(), text);
   }
 
   /** The first snapshot of which {@code wanted} holds, waited for without looking at the clock. */

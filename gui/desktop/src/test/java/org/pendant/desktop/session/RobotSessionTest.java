@@ -13,11 +13,11 @@ import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
@@ -25,7 +25,7 @@ import org.pendant.script.vm.ProgramState;
 @Timeout(60)
 final class RobotSessionTest {
   private static Program program(RobotSession session, String text) {
-    return session.load(Source.of("test.script", text)).program().orElseThrow();
+    return TestController.program(session.robot(), text);
   }
 
   private static Reply ask(CompletableFuture<Reply> asked) throws Exception {

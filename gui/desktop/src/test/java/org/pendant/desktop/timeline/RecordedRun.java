@@ -3,8 +3,8 @@ package org.pendant.desktop.timeline;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 import org.pendant.recording.RecordingRing;
 
 /** A controller that is recorded. */
@@ -15,8 +15,7 @@ final class RecordedRun {
   RecordedRun start(String text) {
     var _ =
         controller.submit(
-            new ProgramCommand.StartProgram(
-                controller.load(Source.of("test.script", text)).program().orElseThrow()));
+            new ProgramCommand.StartProgram(TestController.program(controller, text)));
     return this;
   }
 

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.command.Command;
@@ -17,7 +18,6 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.Popup.Severity;
-import org.pendant.language.source.Source;
 import org.pendant.script.vm.ProgramState;
 
 final class PromptsTest {
@@ -30,10 +30,7 @@ final class PromptsTest {
   private void start(String... lines) {
     send(
         new ProgramCommand.StartProgram(
-            controller
-                .load(Source.of("t.script", String.join("\n", lines) + "\n"))
-                .program()
-                .orElseThrow()));
+            TestController.program(controller, String.join("\n", lines) + "\n")));
   }
 
   private void send(Command command) {

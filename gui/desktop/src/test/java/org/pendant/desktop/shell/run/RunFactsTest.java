@@ -10,9 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.message.Operator;
-import org.pendant.language.source.Source;
 
 final class RunFactsTest {
   private final Controller controller =
@@ -22,8 +22,7 @@ final class RunFactsTest {
   private void start(String text) {
     var _ =
         controller.submit(
-            new ProgramCommand.StartProgram(
-                controller.load(Source.of("t.script", text)).program().orElseThrow()));
+            new ProgramCommand.StartProgram(TestController.program(controller, text)));
     controller.advance();
   }
 
