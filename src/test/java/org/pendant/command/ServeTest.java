@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.client.Served;
+import org.pendant.protocols.rtde.RtdeServer;
 
 /** {@code pendant serve} as a system starts and ends it. */
 @Tag("slow")
@@ -257,5 +258,44 @@ final class ServeTest {
     Launcher.Result result = Launcher.pendant(folder, "serve", option);
     assertEquals(2, result.exitCode());
     assertTrue(result.errors().contains(message), result.errors());
+  }
+
+  @Test
+  void recordingItEndsByCtrlCWithAWholeTable() throws Exception {
+    Process robot = serve("--ready");
+    try (BufferedReader ready = robot.inputReader(StandardCharsets.UTF_8)) {
+      untilReady(ready);
+      Process recorder =
+          Launcher.start(
+              folder,
+              "record",
+              "--host",
+              "127.0.0.1",
+              "--port",
+              String.valueOf(RtdeServer.STANDARD_PORT + offset),
+              "--out",
+              "out.csv");
+      Path table = folder.resolve("out.csv");
+      while (recorder.isAlive() && rows(table) < 100) {
+        Thread.onSpinWait();
+      }
+      Process kill = new ProcessBuilder("kill", "-INT", Long.toString(recorder.pid())).start();
+      assertEquals(0, kill.waitFor());
+      String said = new String(recorder.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+
+      assertEquals(0, Launcher.await(recorder), said);
+      assertTrue(said.contains(" rows, "), said);
+      String text = Files.readString(table);
+      assertTrue(text.endsWith("\n"), "the table ends in the middle of a row");
+      List<String> lines = text.lines().toList();
+      int cells = lines.getFirst().split(" ", -1).length;
+      assertTrue(lines.stream().allMatch(each -> each.split(" ", -1).length == cells), said);
+    } finally {
+      robot.destroy();
+    }
+  }
+
+  private static long rows(Path table) throws IOException {
+    return Files.exists(table) ? Files.readAllLines(table).size() : 0;
   }
 }

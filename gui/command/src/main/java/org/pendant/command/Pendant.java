@@ -34,6 +34,7 @@ public final class Pendant {
             new ConvertCommand(),
             new RenderCommand(services),
             new ServeCommand(),
+            new RecordCommand(),
             new CompareCommand(),
             new FunctionsCommand(StandardBuiltins::create),
             new RobotsCommand(),

@@ -18,7 +18,8 @@ import org.junit.jupiter.api.Test;
 /** docs/command-line.md against the options that the commands declare. */
 final class OptionDocumentationTest {
   /** Those whose options the page has in tables; what one of them has, the next only mentions. */
-  private static final List<String> TABLES = List.of("run", "serve", "render", "open", "compare");
+  private static final List<String> TABLES =
+      List.of("run", "serve", "render", "open", "record", "compare");
 
   private static List<Subcommand> subcommands() {
     return new Pendant(new Console(new ByteArrayOutputStream(), new ByteArrayOutputStream()))

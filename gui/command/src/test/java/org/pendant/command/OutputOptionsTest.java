@@ -53,10 +53,15 @@ final class OutputOptionsTest {
 
   static Stream<Arguments> commandsThatWrite() {
     return subcommands().stream()
+        .filter(OutputOptionsTest::reads)
         .flatMap(
             subcommand ->
                 options(subcommand, Option.Role.WRITTEN).stream()
                     .map(option -> arguments(subcommand.name(), option.name())));
+  }
+
+  private static boolean reads(Subcommand subcommand) {
+    return !subcommand.operands().isEmpty() || !options(subcommand, Option.Role.READ).isEmpty();
   }
 
   private static Subcommand subcommand(String name) {

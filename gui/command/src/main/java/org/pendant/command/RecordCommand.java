@@ -1,0 +1,243 @@
+package org.pendant.command;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.net.ConnectException;
+import java.net.InetSocketAddress;
+import java.net.NoRouteToHostException;
+import java.net.SocketTimeoutException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.pendant.controller.disk.FileDraft;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.disk.GrowingFile;
+import org.pendant.protocols.rtde.ReceivedField;
+import org.pendant.protocols.rtde.RtdeClient;
+
+/**
+ * Command {@code pendant record}: writes what a controller, of Pendant or of a real robot, sends by
+ * RTDE to a table.
+ */
+final class RecordCommand implements Subcommand {
+  /** A controller that sends nothing for so long is gone. */
+  private static final long SILENCE_NS = TimeUnit.SECONDS.toNanos(5);
+
+  @Override
+  public String name() {
+    return "record";
+  }
+
+  @Override
+  public String operands() {
+    return "";
+  }
+
+  @Override
+  public String summary() {
+    return "write what a robot does to a table, by RTDE";
+  }
+
+  @Override
+  public List<Option> options() {
+    return RecordOptions.ALL;
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    RecordOptions options = RecordOptions.of(arguments);
+    if (!arguments.operands().isEmpty()) {
+      throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
+    }
+    String place = options.host() + ":" + options.port();
+    Interruption interruption = Interruption.listen("the recording");
+    try (interruption;
+        RtdeClient client = connect(options)) {
+      List<ReceivedField> fields = subscribe(client, options, console);
+      console.complain(
+          "pendant record: " + place + ", controller version " + client.controllerVersion());
+      interruption.hold();
+      ExitCode code = record(client, fields, options, interruption, console);
+      console.flush();
+      interruption.closeWith(code);
+      return code;
+    } catch (IOException e) {
+      console.complain("pendant record: " + place + ": " + reason(e));
+      return ExitCode.UNAVAILABLE;
+    }
+  }
+
+  private static RtdeClient connect(RecordOptions options) throws IOException {
+    InetSocketAddress address = new InetSocketAddress(options.host(), options.port());
+    if (address.isUnresolved()) {
+      throw new IOException("there is no computer of this name");
+    }
+    return RtdeClient.connect(address);
+  }
+
+  private static String reason(IOException e) {
+    return switch (e) {
+      case ConnectException _ -> "cannot be reached, nothing listens there or it is off";
+      case NoRouteToHostException _ -> "cannot be reached, there is no way to it";
+      case SocketTimeoutException late -> "cannot be reached, " + late.getMessage();
+      default -> String.valueOf(e.getMessage());
+    };
+  }
+
+  /** Fields that people have named must be there; of the others those are left out that are not. */
+  private static List<ReceivedField> subscribe(
+      RtdeClient client, RecordOptions options, Console console)
+      throws IOException, UsageException {
+    List<String> names = new ArrayList<>(options.fields());
+    while (true) {
+      switch (client.subscribe(options.frequencyHz(), names)) {
+        case RtdeClient.Subscription.Granted granted -> {
+          return granted.fields();
+        }
+        case RtdeClient.Subscription.Unknown unknown -> {
+          String missing = String.join(", ", unknown.names());
+          if (options.chosen() || !names.removeAll(unknown.names()) || names.isEmpty()) {
+            throw new UsageException("the controller has no field " + missing);
+          }
+          console.complain(
+              "pendant record: note: the controller has no field " + missing + ", left out");
+        }
+      }
+    }
+  }
+
+  private static ExitCode record(
+      RtdeClient client,
+      List<ReceivedField> fields,
+      RecordOptions options,
+      Interruption interruption,
+      Console console)
+      throws UsageException {
+    Optional<FileDraft> draft = Optional.empty();
+    try {
+      OutputStream out;
+      if (options.out().replaces()) {
+        draft = Optional.of(FileDraft.replacing(options.out().path()));
+        out = draft.get().out();
+      } else {
+        out = GrowingFile.create(options.out().path());
+      }
+      ExitCode code;
+      try (Writer table =
+          new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.US_ASCII))) {
+        code = new Rows(client, fields, options, table).write(interruption, console);
+      }
+      if (draft.isPresent()) {
+        draft.get().commit();
+      }
+      return code;
+    } catch (IOException e) {
+      throw new UsageException(
+          options.out().name() + ": cannot be written, " + FileTrouble.reason(e));
+    } finally {
+      if (draft.isPresent()) {
+        close(draft.get());
+      }
+    }
+  }
+
+  private static void close(FileDraft draft) throws UsageException {
+    try {
+      draft.close();
+    } catch (IOException e) {
+      throw new UsageException("the draft of the table stays: " + FileTrouble.reason(e));
+    }
+  }
+
+  /** The rows of the table. */
+  private static final class Rows {
+    private static final int ROWS_A_FLUSH = 64;
+
+    private final RtdeClient client;
+    private final List<ReceivedField> fields;
+    private final RecordOptions options;
+    private final Writer table;
+    private final StringBuilder row = new StringBuilder();
+    private long count;
+
+    Rows(RtdeClient client, List<ReceivedField> fields, RecordOptions options, Writer table) {
+      this.client = client;
+      this.fields = fields;
+      this.options = options;
+      this.table = table;
+    }
+
+    /**
+     * Writes rows until there are enough, people want no more, or the controller is gone.
+     *
+     * @throws IOException if the table cannot be written
+     */
+    ExitCode write(Interruption interruption, Console console) throws IOException {
+      String separator = String.valueOf(options.separator());
+      table.write(
+          fields.stream()
+              .flatMap(each -> each.columns().stream())
+              .collect(Collectors.joining(separator, "", "\n")));
+      table.flush();
+      double wanted = options.seconds().orElse(Double.POSITIVE_INFINITY) * options.frequencyHz();
+      Optional<String> lost = Optional.empty();
+      try {
+        client.start();
+      } catch (IOException e) {
+        lost = Optional.of(reason(e));
+      }
+      long heardNs = System.nanoTime();
+      while (lost.isEmpty() && count < wanted && !interruption.requested()) {
+        Optional<ByteBuffer> data = Optional.empty();
+        try {
+          data = client.next();
+        } catch (IOException e) {
+          lost = Optional.of(reason(e));
+        }
+        if (data.isPresent()) {
+          heardNs = System.nanoTime();
+          write(data.get());
+        } else if (lost.isEmpty() && System.nanoTime() - heardNs > SILENCE_NS) {
+          lost = Optional.of("it sends nothing any more");
+        }
+      }
+      table.flush();
+      String written =
+          String.format(
+              Locale.ROOT,
+              "%d rows, %.1f s, are in %s",
+              count,
+              count / options.frequencyHz(),
+              options.out().path().getFileName());
+      if (lost.isPresent()) {
+        console.complain("pendant record: the connection is lost, " + lost.get() + "; " + written);
+        return ExitCode.UNAVAILABLE;
+      }
+      console.complain("pendant record: " + written);
+      return ExitCode.DONE;
+    }
+
+    private void write(ByteBuffer data) throws IOException {
+      row.setLength(0);
+      for (ReceivedField each : fields) {
+        if (!row.isEmpty()) {
+          row.append(options.separator());
+        }
+        each.append(data, options.separator(), row);
+      }
+      table.append(row.append('\n'));
+      count++;
+      if (count % ROWS_A_FLUSH == 0) {
+        table.flush();
+      }
+    }
+  }
+}
