@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.Controller;
 import org.pendant.language.source.Source;
-import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.recording.compare.RunComparison;
 import org.pendant.recording.compare.StartOfRun;
 import org.pendant.script.vm.LoadResult;
@@ -81,9 +79,9 @@ final class ProgramComparison {
                       : "")));
       return new Outcome(code.or(ExitCode.PROGRAM_FAILED), Optional.empty());
     }
-    ArmDescription arm = controller.state().arm().description();
     RunComparison comparison =
-        RunComparison.of(recorded.samples(), collector.samples(), new ForwardKinematics(arm.dh()));
+        RunComparison.of(
+            recorded.samples(), collector.samples(), controller.state().arm().kinematics());
     return new Outcome(code, Optional.of(noted(comparison)));
   }
 

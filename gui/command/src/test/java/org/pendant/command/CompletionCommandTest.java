@@ -43,7 +43,7 @@ final class CompletionCommandTest {
 
   @Test
   void bashOffersCommandsOptionsAndTheWordsOfAnOption() throws Exception {
-    assertEquals(List.of("run", "render", "robots"), bash("r"));
+    assertEquals(List.of("run", "render", "record", "robots"), bash("r"));
     assertEquals(
         List.of("--seed", "--scene", "--safety"),
         bash("run", "a.script", "--s").stream().filter(each -> !each.equals("--speed")).toList());
