@@ -17,8 +17,8 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.WallClock;
-import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.server.PortNumbers;
@@ -133,10 +133,11 @@ class ModbusServerTest {
   void aScriptSharesTheRegisters() throws Exception {
     try (Socket socket = connect()) {
       assertAnswer(socket, "0001 0000 0006 01 06 0080 8001", "0001 0000 0006 01 06 0080 8001");
-      Source script =
-          Source.of("add.script", "write_port_register(129, read_port_register(128) + 1)");
       controller
-          .submit(new ProgramCommand.StartProgram(controller.load(script).program().orElseThrow()))
+          .submit(
+              new ProgramCommand.StartProgram(
+                  TestController.program(
+                      controller, "write_port_register(129, read_port_register(128) + 1)")))
           .get(GIVE_UP_MS, TimeUnit.MILLISECONDS);
       for (String read = ""; !read.equals("8002"); ) {
         socket.getOutputStream().write(Hex.bytes("0002 0000 0006 01 03 0081 0001"));

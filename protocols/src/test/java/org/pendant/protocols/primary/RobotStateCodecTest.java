@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -13,11 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.IoCommand;
-import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
 
 class RobotStateCodecTest {
@@ -185,8 +184,7 @@ class RobotStateCodecTest {
   @Test
   void toolCommunicationAsAProgramSetItUp() {
     String text = "set_tool_communication(True, 9600, 2, 2, 40, 0)\n";
-    Source source = Source.of("t.script", text.getBytes(StandardCharsets.ISO_8859_1));
-    carryOut(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
+    carryOut(new ProgramCommand.StartProgram(TestController.program(controller, text)));
     assertEquals(
         RobotMessageCodecTest.hex("0000001A 0B 01 00002580 00000002 00000002 42200000 00000000"),
         part(11).hex());

@@ -13,9 +13,9 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
-import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.server.RemoteControl;
@@ -59,8 +59,9 @@ class RefusedScriptTest {
   @Test
   void whileADebuggerHoldsTheFrame() throws Exception {
     ask(new DebugCommand.Debug(debugger -> debugger.set(Breakpoint.at(2))));
-    Source source = Source.of("p", "def p():\n  x = 1\n  sleep(9)\nend\n");
-    ask(new ProgramCommand.ReplaceProgram(box.controller().load(source).program().orElseThrow()));
+    ask(
+        new ProgramCommand.ReplaceProgram(
+            TestController.program(box.controller(), "def p():\n  x = 1\n  sleep(9)\nend\n")));
     assertEquals("a debugger has paused program p", refusal(box.serverContext()));
     assertTrue(box.nextLogged().endsWith("a debugger has paused program p"));
   }

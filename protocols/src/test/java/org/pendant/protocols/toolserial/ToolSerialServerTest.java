@@ -5,15 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.InetAddress;
 import java.net.Socket;
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.external.Connectors;
-import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.server.PortNumbers;
 
@@ -33,10 +32,8 @@ class ToolSerialServerTest {
           Socket tool = connect(port);
           Socket master = connect(port)) {
         String text = "set_tool_communication(True, 115200, 0, 1, 1.5, 3.5)\n";
-        Source source = Source.of("t.script", text.getBytes(StandardCharsets.ISO_8859_1));
         controller
-            .submit(
-                new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()))
+            .submit(new ProgramCommand.StartProgram(TestController.program(controller, text)))
             .get();
         assertArrayEquals(new byte[] {1, 0, -1}, exchanged(master, tool, 1, 0, -1));
         assertArrayEquals(new byte[] {7}, exchanged(tool, master, 7));

@@ -2,12 +2,12 @@ package org.pendant.controller.quantity;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.Signal;
@@ -15,7 +15,6 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
-import org.pendant.language.source.Source;
 
 class PortImageTest {
   private final Controller controller = new Controller(ControllerOptions.headless());
@@ -30,8 +29,7 @@ class PortImageTest {
   }
 
   private void start(String text) {
-    Source source = Source.of("test.script", text.getBytes(StandardCharsets.ISO_8859_1));
-    send(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
+    send(new ProgramCommand.StartProgram(TestController.program(controller, text)));
   }
 
   @Test

@@ -6,10 +6,10 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.language.source.Source;
 import org.pendant.script.debug.Variable;
 import org.pendant.script.vm.ProgramState;
 
@@ -18,9 +18,10 @@ final class RunningProgram {
   final Controller controller = new Controller(ControllerOptions.headless());
 
   RunningProgram start(String... lines) {
-    Source source = Source.of("test.script", String.join("\n", lines) + "\n");
     Reply reply =
-        ask(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
+        ask(
+            new ProgramCommand.StartProgram(
+                TestController.program(controller, String.join("\n", lines) + "\n")));
     if (!(reply instanceof Reply.Done)) {
       throw new AssertionError(reply);
     }

@@ -13,10 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.kit.settings.Settings;
-import org.pendant.language.source.Source;
 
 /** What the panel of variables shows while no debugger holds the program. */
 final class LiveVariablesTest {
@@ -51,9 +51,10 @@ final class LiveVariablesTest {
   }
 
   private void start(String... lines) {
-    Source source = Source.of("test.script", String.join("\n", lines) + "\n");
     var _ =
-        submit(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
+        submit(
+            new ProgramCommand.StartProgram(
+                TestController.program(controller, String.join("\n", lines) + "\n")));
     variables.refresh(controller.state(), false);
   }
 

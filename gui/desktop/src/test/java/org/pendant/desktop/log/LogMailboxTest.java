@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
-import org.pendant.language.source.Source;
+import org.pendant.controller.TestController;
 import org.pendant.script.vm.ProgramState;
 
 final class LogMailboxTest {
@@ -27,10 +27,9 @@ final class LogMailboxTest {
 
   private static Controller running() {
     Controller controller = new Controller(ControllerOptions.headless());
-    Source source = Source.of("three.script", THREE_MESSAGES);
     var _ =
         controller.submit(
-            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
+            new ProgramCommand.StartProgram(TestController.program(controller, THREE_MESSAGES)));
     controller.advance();
     return controller;
   }

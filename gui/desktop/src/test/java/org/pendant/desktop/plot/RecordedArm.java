@@ -6,7 +6,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
-import org.pendant.language.source.Source;
+import org.pendant.controller.TestController;
 import org.pendant.script.variables.VariablePath;
 
 /** A controller whose frames are recorded. */
@@ -15,10 +15,9 @@ final class RecordedArm {
   final PlotHistory plotHistory = new PlotHistory();
 
   void run(String program) {
-    Source source = Source.of("test.script", program);
     var _ =
         controller.submit(
-            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
+            new ProgramCommand.StartProgram(TestController.program(controller, program)));
   }
 
   /** Has variables read in every frame. */

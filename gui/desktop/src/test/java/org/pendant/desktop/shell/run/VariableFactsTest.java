@@ -8,18 +8,18 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.language.source.Source;
 import org.pendant.script.variables.VariableSamples;
 
 final class VariableFactsTest {
 
   private static VariableSamples samples(String... lines) {
     Controller controller = new Controller(ControllerOptions.headless());
-    Source source = Source.of("test.script", String.join("\n", lines) + "\n");
     var _ =
         controller.submit(
-            new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
+            new ProgramCommand.StartProgram(
+                TestController.program(controller, String.join("\n", lines) + "\n")));
     controller.advance();
     return controller.state().variables();
   }
