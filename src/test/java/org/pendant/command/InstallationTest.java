@@ -7,11 +7,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
 
 /** {@code --installation FILE} sets a headless controller up. */
+@Tag("slow")
 final class InstallationTest {
   private static final String CELL =
       """

@@ -8,12 +8,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What others leave among the temporary files is neither loaded nor followed. */
+@Tag("slow")
 @EnabledOnOs(OS.LINUX)
 final class NativeCodeTest {
   @TempDir Path folder;

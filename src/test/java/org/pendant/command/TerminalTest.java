@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.Launcher.Result;
 
 /** What programs and files say on standard error is shown, never obeyed, by a terminal. */
+@Tag("slow")
 @DisabledOnOs(OS.WINDOWS)
 final class TerminalTest {
   @TempDir Path folder;

@@ -16,6 +16,7 @@ import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
@@ -30,6 +31,7 @@ import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.teachpendant.PendantSetup;
 import org.pendant.protocols.teachpendant.RemotePendant;
 
+@Tag("slow")
 class BoxPortsTest {
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.HexFormat;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -17,6 +18,7 @@ import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.script.vm.ProgramState;
 
+@Tag("slow")
 class AssemblyProgramTest {
   private static final int FROM_PLC = 111;
   private static final int TO_PLC = 101;

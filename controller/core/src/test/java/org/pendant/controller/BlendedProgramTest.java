@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.models.arm.Joints;
@@ -12,6 +13,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.script.vm.ProgramState;
 
 /** Programs whose moves blend, from outside. */
+@Tag("slow")
 final class BlendedProgramTest {
   private static final String CHAIN =
       """

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.WorldCommand;
@@ -22,6 +23,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramState;
 
 /** Programs that move along with conveyors, from outside. */
+@Tag("slow")
 final class ConveyorProgramTest {
   private static final double FRAME_S = 0.002;
 

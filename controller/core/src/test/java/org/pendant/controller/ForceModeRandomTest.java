@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.pendant.controller.box.ArmChoice;
@@ -25,6 +26,7 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Wrench;
 
 /** Random wrenches, frames, selections, limits, moves and pushes in force mode. */
+@Tag("slow")
 final class ForceModeRandomTest {
   private static final List<String> ROBOTS = List.of("ur3e", "ur5e", "ur10e", "ur20");
   private static final int FRAMES = 3000;

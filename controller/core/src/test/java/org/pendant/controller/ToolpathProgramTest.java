@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.box.BoxSetup;
@@ -26,6 +27,7 @@ import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.ProgramState;
 
 /** Programs that run toolpaths, from outside, on an arm with mass. */
+@Tag("slow")
 final class ToolpathProgramTest {
   private static final int MAX_FRAMES = 60_000;
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.models.arm.ArmDescription;
@@ -16,6 +17,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.time.FrameTime;
 
 /** Moves from rest to rest take the time of their closed forms, and lines are straight. */
+@Tag("slow")
 final class MoveDurationTest {
   private static final int CASES = 30;
   private static final double JERK_RAMP_S = 0.08;

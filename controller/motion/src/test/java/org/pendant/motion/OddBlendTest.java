@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,6 +19,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.time.FrameTime;
 
 /** Blends that nobody would program on purpose. */
+@Tag("slow")
 final class OddBlendTest {
   private static final double FRAME_S = FrameTime.FRAME_S;
   private static final Joints READY =

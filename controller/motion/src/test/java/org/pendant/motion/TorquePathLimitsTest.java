@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.JointLimits;
@@ -16,6 +17,7 @@ import org.pendant.models.kinematics.InverseKinematics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.time.FrameTime;
 
+@Tag("slow")
 final class TorquePathLimitsTest {
   private static final Payload LOAD = new Payload(3, 0.02, 0, 0.08, 0.01, 0.01, 0.01, 0, 0, 0);
 

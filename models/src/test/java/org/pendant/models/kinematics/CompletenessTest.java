@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.pendant.models.arm.ArmDescription;
@@ -13,6 +14,7 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /** The solutions of a pose are all there are, for every arm. */
+@Tag("slow")
 class CompletenessTest {
   private static final int POSES = 1000;
   private static final int SEARCHED_POSES = 20;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.Parameter;
 import org.junit.jupiter.params.ParameterizedClass;
@@ -18,6 +19,7 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.models.reference.ReferenceStates;
 
 /** Kinematics against an independent implementation, at 100 random states of each arm. */
+@Tag("slow")
 @ParameterizedClass
 @MethodSource("org.pendant.models.arm.ArmLibrary#ids")
 final class KinematicsReferenceTest {

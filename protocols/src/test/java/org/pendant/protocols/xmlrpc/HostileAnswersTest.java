@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.pendant.controller.external.Pending;
@@ -15,6 +16,7 @@ import org.pendant.controller.external.RpcLink;
 import org.pendant.script.value.ScriptError;
 
 /** Whatever a server answers, it is a value or an error of the script. */
+@Tag("slow")
 @Timeout(120)
 class HostileAnswersTest {
   private static final String CHUNKED =

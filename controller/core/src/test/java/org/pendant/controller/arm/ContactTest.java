@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -25,6 +26,7 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.models.time.FrameTime;
 
 /** The tool goes straight down onto a table that is 20 mm below it. */
+@Tag("slow")
 class ContactTest {
   private static final double GAP_M = 0.02;
 

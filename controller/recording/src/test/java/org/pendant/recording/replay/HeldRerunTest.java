@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -22,6 +23,7 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.vm.ProgramState;
 
 /** Runs that a debugger held and changed are repeated with all that it did. */
+@Tag("slow")
 final class HeldRerunTest {
   private static final String PROGRAM =
       """

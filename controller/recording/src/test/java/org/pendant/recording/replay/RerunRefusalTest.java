@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Controller;
@@ -29,6 +30,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
 
 /** What cannot be repeated is refused with its reason; what was before still can. */
+@Tag("slow")
 final class RerunRefusalTest {
   private static final ControllerOptions REAL_TIME =
       ControllerOptions.headless().withSystemTime(() -> Instant.EPOCH);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
@@ -17,6 +18,7 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 
 /** Dragging the arm, with a controller but without a window. */
+@Tag("slow")
 final class ArmPullTest {
   private static final Vector3 ORIGIN = new Vector3(0, 0, 0);
 

@@ -20,6 +20,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +30,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.script.vm.ProgramState;
 
+@Tag("slow")
 @Timeout(60)
 final class DesktopPortsTest {
   private static final int DASHBOARD = 29_999;
