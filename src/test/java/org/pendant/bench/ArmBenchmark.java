@@ -14,6 +14,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.DynamicArm;
+import org.pendant.controller.arm.ReadingNoise;
 import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
@@ -41,6 +42,9 @@ public class ArmBenchmark {
   @Param({"sway", "hold", "free"})
   String does;
 
+  @Param({"none", "measured"})
+  String noise;
+
   private final ArmCommand[] commands = new ArmCommand[FRAMES];
   private DynamicArm arm;
   private int next;
@@ -53,7 +57,8 @@ public class ArmBenchmark {
     ArmDynamics model = new ArmDynamics(description);
     model.setPayload(payload);
     ContactWorld world = new ContactWorld(Scene.EMPTY);
-    arm = new DynamicArm(new DynamicArm.Setup(description, MIDDLE_RAD, model, world, 0, 1));
+    ReadingNoise errors = ReadingNoise.NONE.withMeasured(noise.equals("measured"));
+    arm = new DynamicArm(new DynamicArm.Setup(description, MIDDLE_RAD, model, world, errors, 1));
     arm.setLoad(payload);
     for (int frame = 0; frame < FRAMES; frame++) {
       commands[frame] =

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.pendant.controller.arm.ReadingNoise;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.WorldCommand;
@@ -43,7 +44,7 @@ public final class ControllerOptions {
   private List<SignalWrite> signals = List.of();
   private Map<Integer, Double> encoderTicksPerS = Map.of();
   private ArmChoice armChoice = ArmChoice.DYNAMIC;
-  private double encoderNoiseRad;
+  private ReadingNoise noise = ReadingNoise.NONE;
   private Scene scene = Scene.EMPTY;
   private Optional<SafetyConfiguration> safety = Optional.empty();
   private boolean poweredOn = true;
@@ -74,7 +75,7 @@ public final class ControllerOptions {
     copy.signals = signals;
     copy.encoderTicksPerS = encoderTicksPerS;
     copy.armChoice = armChoice;
-    copy.encoderNoiseRad = encoderNoiseRad;
+    copy.noise = noise;
     copy.scene = scene;
     copy.safety = safety;
     copy.poweredOn = poweredOn;
@@ -159,9 +160,20 @@ public final class ControllerOptions {
     return changed(copy -> copy.armChoice = choice);
   }
 
-  /** With noise on each reading of a joint encoder, its standard deviation in rad; 0 for none. */
+  /**
+   * With readings that err at random as those of recorded arms do, or exact ones; those of {@link
+   * ArmChoice#IDEAL} are always exact.
+   */
+  public ControllerOptions withMeasuredNoise(boolean wanted) {
+    return changed(copy -> copy.noise = noise.withMeasured(wanted));
+  }
+
+  /**
+   * With noise on each reading of a joint encoder, its standard deviation in rad, whatever {@link
+   * #withMeasuredNoise} says; 0 for none.
+   */
   public ControllerOptions withEncoderNoise(double standardDeviationRad) {
-    return changed(copy -> copy.encoderNoiseRad = standardDeviationRad);
+    return changed(copy -> copy.noise = noise.withPosition(standardDeviationRad));
   }
 
   /** With something around the arm and on its flange. */
@@ -239,6 +251,11 @@ public final class ControllerOptions {
     return scene;
   }
 
+  /** By how much readings err. */
+  public ReadingNoise noise() {
+    return noise;
+  }
+
   List<SignalWrite> signals() {
     return signals;
   }
@@ -259,7 +276,7 @@ public final class ControllerOptions {
         seed,
         operator,
         armChoice,
-        encoderNoiseRad,
+        noise,
         scene,
         safety(),
         poweredOn,

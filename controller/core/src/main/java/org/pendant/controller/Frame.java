@@ -460,8 +460,9 @@ final class Frame {
     return new ControllerState(
         box.clock().frame(),
         box.clock().timeS(),
-        box.clock().inRealTime() ? NS * (System.nanoTime() - beganNs) : 0,
+        executionTimeS(),
         box.clock().behindS(),
+        box.arm().simulated().rests(),
         arm,
         readings,
         new ArmGeometry(arm, readings),
@@ -483,6 +484,12 @@ final class Frame {
         box.prompts().questions().takeNew(),
         machine.takeEvents(),
         box.log().newest());
+  }
+
+  private double executionTimeS() {
+    return box.clock().inRealTime()
+        ? NS * (System.nanoTime() - beganNs)
+        : box.clock().executionTimeS(machine.state() == ProgramState.RUNNING);
   }
 
   private ArmState armState() {

@@ -250,7 +250,7 @@ final class PublishedFieldsTest {
   void ratiosAndExecutionTimesAreReproducible() {
     robot.run(STRETCHED);
     assertEquals(0, number("actual_execution_time"));
-    assertEquals(2000, number("target_execution_time"), 1e-9);
+    assertEquals(2, number("target_execution_time"), 1e-9);
     assertEquals(robot.state().frame(), longBits("control_step"));
     assertEquals(0.002 * robot.state().frame(), number("timestamp"), 1e-9);
     robot.start("movej([1, -1, -1, -1, 1, 1])\n");
@@ -279,6 +279,27 @@ final class PublishedFieldsTest {
     robot.advance(100);
     assertEquals(0, number("speed_scaling"));
     assertEquals(1, integer("time_scale_source"));
+  }
+
+  @Test
+  void theSpeedIsScaledOnlyWhileAProgramRuns() {
+    robot.advance(10);
+    assertEquals(0, number("speed_scaling"));
+    assertEquals(1, number("target_speed_fraction"));
+    robot.start("sleep(1)\n");
+    robot.advance(10);
+    assertEquals(1, number("speed_scaling"));
+    robot.done(new ProgramCommand.PauseProgram());
+    robot.advance(100);
+    assertEquals(0, number("speed_scaling"));
+    assertEquals(1, number("target_speed_fraction"));
+  }
+
+  @Test
+  void theOutputOfTheControllerIsTheTargetCurrent() {
+    robot.start("movej([1, -1, -1, -1, 1, 1])\n");
+    robot.advance(200);
+    assertEquals(element("target_current", 2), element("joint_control_output", 2));
   }
 
   @Test

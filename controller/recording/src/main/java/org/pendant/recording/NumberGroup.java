@@ -17,7 +17,7 @@ enum NumberGroup {
   ACTUAL_Q(3, "actual_q", 6),
   ACTUAL_QD(4, "actual_qd", 6),
   /** Slider and scaling. */
-  SPEED(5, "speed", 2, "speed_slider speed_scaling"),
+  SPEED(5, "speed", 2, "speed_slider motion_scaling"),
   ACCELERATION(6, "actual_qdd", 6),
   TORQUE(7, "torque", 6),
   EXTERNAL_TORQUE(8, "external_torque", 6),
@@ -27,14 +27,19 @@ enum NumberGroup {
   TOOL_ACCELERATION(12, "tool_acceleration", 3),
   FLANGE_WRENCH(13, "flange_wrench", 6, "tcp_wrench"),
   RAW_WRENCH(14, "raw_wrench", 6),
-  /** Current of the tool and the robot, momentum, deviation and collision. */
-  LOAD(15, "load", 5, "tool_current robot_current momentum deviation collision"),
+  TOOL_CURRENT(15, "tool_current", 1),
+  /** What the robot's supply gives, and what follows from positions, speeds and torques. */
+  SUPPLY(
+      16,
+      "supply",
+      12,
+      "robot_current momentum deviation collision main_voltage robot_voltage joint_voltage"),
   /**
    * What never rests: temperatures of joints, tool and box, energies, the computer's time. By
    * itself it is kept once in a while only, or an arm at rest would fill the ring.
    */
   AMBIENT(
-      16,
+      17,
       "ambient",
       11,
       "temperature tool_temperature box_temperature energy_consumed energy_dissipated");
@@ -44,8 +49,40 @@ enum NumberGroup {
   /** A bit for each group. */
   static final int ALL = (1 << COUNT) - 1;
 
+  /**
+   * What the sensors of an arm that rests say differently in each frame, because of their noise.
+   * While nothing else changes they are kept as seldom as {@link #AMBIENT}.
+   */
+  static final int NOISY =
+      AMBIENT.bit()
+          | ACTUAL_Q.bit()
+          | ACTUAL_QD.bit()
+          | TORQUE.bit()
+          | EXTERNAL_TORQUE.bit()
+          | CURRENT.bit()
+          | TOOL_ACCELERATION.bit()
+          | FLANGE_WRENCH.bit()
+          | RAW_WRENCH.bit()
+          | SUPPLY.bit();
+
   private static final NumberGroup[] GROUPS = values();
   private static final int[] SIZES = Arrays.stream(GROUPS).mapToInt(each -> each.size).toArray();
+
+  /**
+   * What the sensors of an arm that rests say differently in each frame, because of their noise.
+   * While nothing else changes they are kept as seldom as {@link #AMBIENT}.
+   */
+  static final int NOISY =
+      AMBIENT.bit()
+          | ACTUAL_Q.bit()
+          | ACTUAL_QD.bit()
+          | TORQUE.bit()
+          | EXTERNAL_TORQUE.bit()
+          | CURRENT.bit()
+          | TOOL_ACCELERATION.bit()
+          | FLANGE_WRENCH.bit()
+          | RAW_WRENCH.bit()
+          | SUPPLY.bit();
 
   /** The quantities of all groups, one after the other. */
   private static final StateQuantity[] QUANTITIES =
@@ -115,7 +152,7 @@ enum NumberGroup {
       each.getter().read(state, out, at);
       at += each.size();
     }
-    // the quantity counts microseconds, and going back to seconds does not give the same number
+    // the quantity counts milliseconds, and going back to seconds does not give the same number
     out[at] = state.executionTimeS();
   }
 

@@ -11,7 +11,10 @@ import org.pendant.models.time.FrameTime;
  * when a segment is full.
  */
 final class SnapshotEncoder {
-  /** Frames after which what never rests is kept although nothing else has changed: a second. */
+  /**
+   * Frames after which what never rests is kept although nothing else has changed: a second. Of an
+   * arm that rests that is the noise of its sensors as well.
+   */
   static final int AMBIENT_FRAMES = FrameTime.FRAMES_PER_SECOND;
 
   private final Consumer<Segment> begun;
@@ -73,7 +76,8 @@ final class SnapshotEncoder {
     long frame = state.frame();
     NumberGroup.read(state, now);
     int numberMask = NumberGroup.differences(now, last);
-    if (numberMask == NumberGroup.AMBIENT.bit() && frame - ambientFrame < ambientFrames) {
+    int restless = state.armRests() ? NumberGroup.NOISY : NumberGroup.AMBIENT.bit();
+    if ((numberMask & ~restless) == 0 && frame - ambientFrame < ambientFrames) {
       numberMask = 0;
     }
     int partMask = newParts(state);

@@ -19,6 +19,7 @@ import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.state.SupplyVoltages;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
@@ -56,6 +57,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         frame / (double) FrameTime.FRAMES_PER_SECOND,
         at.number(NumberGroup.AMBIENT, 10),
         0,
+        at.frame() != frame,
         armState,
         readings,
         new ArmGeometry(armState, readings),
@@ -109,7 +111,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         joints(at, NumberGroup.AMBIENT),
         at.number(NumberGroup.AMBIENT, 6),
         at.number(NumberGroup.AMBIENT, 7),
-        at.number(NumberGroup.LOAD, 0),
+        at.number(NumberGroup.TOOL_CURRENT, 0),
         new ArmReadings.Acceleration(
             at.number(NumberGroup.TOOL_ACCELERATION, 0),
             at.number(NumberGroup.TOOL_ACCELERATION, 1),
@@ -118,12 +120,22 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         wrench(at, NumberGroup.RAW_WRENCH),
         (Payload) at.part(SnapshotPart.PAYLOAD),
         (Mounting) at.part(SnapshotPart.MOUNTING),
-        at.number(NumberGroup.LOAD, 1),
+        new SupplyVoltages(
+            at.number(NumberGroup.SUPPLY, 4),
+            at.number(NumberGroup.SUPPLY, 5),
+            new Joints(
+                at.number(NumberGroup.SUPPLY, 6),
+                at.number(NumberGroup.SUPPLY, 7),
+                at.number(NumberGroup.SUPPLY, 8),
+                at.number(NumberGroup.SUPPLY, 9),
+                at.number(NumberGroup.SUPPLY, 10),
+                at.number(NumberGroup.SUPPLY, 11))),
+        at.number(NumberGroup.SUPPLY, 0),
         at.number(NumberGroup.AMBIENT, 8),
         at.number(NumberGroup.AMBIENT, 9),
-        at.number(NumberGroup.LOAD, 2),
-        at.number(NumberGroup.LOAD, 3),
-        at.number(NumberGroup.LOAD, 4));
+        at.number(NumberGroup.SUPPLY, 1),
+        at.number(NumberGroup.SUPPLY, 2),
+        at.number(NumberGroup.SUPPLY, 3));
   }
 
   private static Joints joints(SegmentCursor at, NumberGroup group) {

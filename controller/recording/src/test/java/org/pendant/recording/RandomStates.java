@@ -54,6 +54,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.state.SupplyVoltages;
 import org.pendant.controller.state.StopPlace;
 import org.pendant.language.signature.Type;
 import org.pendant.language.source.SourceRange;
@@ -130,6 +131,7 @@ final class RandomStates {
             frame / 500.0,
             some(last.map(ControllerState::executionTimeS), this::number),
             0,
+            false,
             arm,
             readings,
             new ArmGeometry(arm, readings),
@@ -223,6 +225,7 @@ final class RandomStates {
         wrench(),
         Payload.of(random.nextDouble(), random.nextDouble(), random.nextDouble(), -0.0),
         new Mounting(number(), number(), number(), number(), number(), number()),
+        new SupplyVoltages(number(), number(), joints()),
         number(),
         number(),
         number(),

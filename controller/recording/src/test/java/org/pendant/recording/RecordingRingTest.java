@@ -180,6 +180,7 @@ final class RecordingRingTest {
         frame / 500.0,
         0,
         0,
+        false,
         state.arm(),
         new ArmReadings(
             readings.accelerationRadPerS2(),
@@ -197,6 +198,7 @@ final class RecordingRingTest {
             readings.rawFlangeWrench(),
             readings.payload(),
             readings.mounting(),
+            readings.voltages(),
             readings.robotCurrentA(),
             readings.energyConsumedJ(),
             readings.energyDissipatedJ(),

@@ -1,7 +1,6 @@
 package org.pendant.controller.arm;
 
 import java.util.Arrays;
-import java.util.SplittableRandom;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
@@ -18,8 +17,8 @@ import org.pendant.models.time.FrameTime;
  *
  * <p>The true arm ({@link ArmBody}) is one thing and what the controller believes about it another:
  * the drives reckon with the controller's model and its declared payload, the arm moves by the true
- * load. An arm that rests comes to rest for good: from then on its numbers stay as they are, and a
- * frame costs next to nothing until something changes.
+ * load. An arm that rests comes to rest for good: from then on its numbers stay as they are but for
+ * the noise of its sensors, and a frame costs next to nothing until something changes.
  *
  * <p>Belongs to the thread of the frame loop.
  */
@@ -40,7 +39,7 @@ public final class DynamicArm implements SimulatedArm {
    * @param model the controller's model; its owner keeps payload and mounting up to date and tells
    *     the arm by {@link #modelChanged}
    * @param world what the tool may touch
-   * @param encoderNoiseRad standard deviation of each position reading, rad; 0 for exact readings
+   * @param noise of the readings
    * @param seed of the noise
    */
   public record Setup(
@@ -48,21 +47,8 @@ public final class DynamicArm implements SimulatedArm {
       Joints startRad,
       ArmDynamics model,
       ContactWorld world,
-      double encoderNoiseRad,
-      long seed) {
-
-    /**
-     * Checks the noise.
-     *
-     * @throws IllegalArgumentException if it is negative or not finite
-     */
-    public Setup {
-      if (!(encoderNoiseRad >= 0 && encoderNoiseRad < Double.POSITIVE_INFINITY)) {
-        throw new IllegalArgumentException(
-            "encoder noise is " + encoderNoiseRad + " rad, must be at least 0");
-      }
-    }
-  }
+      ReadingNoise noise,
+      long seed) {}
 
   private final Setup setup;
   private final ArmDynamics truth;
@@ -73,12 +59,16 @@ public final class DynamicArm implements SimulatedArm {
   private final ExternalForces externalForces;
   private final Flange flange;
   private final JointHeat heat;
-  private final SplittableRandom noise;
+
+  /** What the sensors would say without noise. */
   private final SimulatedSensors sensors = new SimulatedSensors();
+
+  private final SensorNoise noise;
   private final double[] motorSum = new double[N];
   private ArmCommand last = ArmCommand.BRAKES_ON;
   private Payload load = Payload.NONE;
   private boolean resting;
+  private boolean unmoved;
 
   /** An arm at rest, with nothing on its flange, upright. */
   public DynamicArm(Setup setup) {
@@ -90,19 +80,25 @@ public final class DynamicArm implements SimulatedArm {
     freeMotors = new FreeMotors(arm, setup.model());
     externalForces = new ExternalForces(arm, setup.world());
     flange = new Flange(arm);
-    heat = new JointHeat(arm, sensors);
-    noise = new SplittableRandom(setup.seed());
+    heat = new JointHeat(arm, sensors, setup.noise().measured());
+    noise = new SensorNoise(arm, setup.noise(), setup.seed(), sensors);
     flange.update(body.q, body.qd, body.qdd);
     measureMotion();
+    noise.read(sensors, false);
   }
 
   @Override
   public void step(ArmCommand command) {
-    if (resting && !externalForces.changed() && command.equals(last)) {
-      readEncoders();
-      heat.step(sensors);
-      return;
+    unmoved = resting && !externalForces.changed() && command.equals(last);
+    if (!unmoved) {
+      move(command);
+      last = command;
     }
+    heat.step(sensors);
+    noise.read(sensors, !(command instanceof ArmCommand.BrakesOn));
+  }
+
+  private void move(ArmCommand command) {
     body.beginFrame();
     switch (command) {
       case ArmCommand.BrakesOn brakes -> brake();
@@ -121,8 +117,6 @@ public final class DynamicArm implements SimulatedArm {
         drive(freeMotors);
       }
     }
-    heat.step(sensors);
-    last = command;
   }
 
   private void brake() {
@@ -167,19 +161,10 @@ public final class DynamicArm implements SimulatedArm {
   }
 
   private void measureMotion() {
-    readEncoders();
+    System.arraycopy(body.q, 0, sensors.positionRad, 0, N);
     System.arraycopy(body.qd, 0, sensors.speedRadPerS, 0, N);
     System.arraycopy(body.qdd, 0, sensors.accelerationRadPerS2, 0, N);
     flange.accelerometer(sensors.toolAccelerationMPerS2);
-  }
-
-  private void readEncoders() {
-    System.arraycopy(body.q, 0, sensors.positionRad, 0, N);
-    if (setup.encoderNoiseRad() > 0) {
-      for (int i = 0; i < N; i++) {
-        sensors.positionRad[i] += setup.encoderNoiseRad() * noise.nextGaussian();
-      }
-    }
   }
 
   private void measureTorques(Drives drives, int steps) {
@@ -215,12 +200,18 @@ public final class DynamicArm implements SimulatedArm {
     servos.release();
     flange.update(body.q, body.qd, body.qdd);
     measureMotion();
+    noise.read(sensors, false);
     resting = false;
   }
 
   @Override
   public SimulatedSensors sensors() {
-    return sensors;
+    return noise.readings();
+  }
+
+  @Override
+  public boolean rests() {
+    return unmoved && noise.settled();
   }
 
   @Override

@@ -18,14 +18,17 @@ public final class ForceSensor {
   private Wrench zero = Wrench.ZERO;
   private Wrench felt = Wrench.ZERO;
 
-  /** Makes what {@code arm} feels now beyond the declared payload the zero (manual 18.72). */
+  /**
+   * Makes what {@code arm} feels now beyond the declared payload the zero (manual 18.72), without
+   * the noise of this moment.
+   */
   public void zero(SimulatedArm arm, Payload declared) {
     zero = less(arm.loadOnFlange(), arm.weightOf(declared));
   }
 
   /** The reading at the flange's origin, along the flange's axes. */
   public Wrench reading(SimulatedArm arm, Payload declared) {
-    felt = arm.loadOnFlange();
+    felt = less(arm.loadOnFlange(), arm.sensors().flangeNoise6);
     return less(less(felt, arm.weightOf(declared)), zero);
   }
 
@@ -66,5 +69,15 @@ public final class ForceSensor {
         a.mx() - b.mx(),
         a.my() - b.my(),
         a.mz() - b.mz());
+  }
+
+  private static Wrench less(Wrench a, double[] b6) {
+    return new Wrench(
+        a.fx() - b6[0],
+        a.fy() - b6[1],
+        a.fz() - b6[2],
+        a.mx() - b6[3],
+        a.my() - b6[4],
+        a.mz() - b6[5]);
   }
 }

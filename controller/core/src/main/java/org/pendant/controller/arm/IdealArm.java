@@ -40,14 +40,19 @@ public final class IdealArm implements SimulatedArm {
   public IdealArm(ArmDescription arm, Joints startRad) {
     this(
         new DynamicArm.Setup(
-            arm, startRad, new ArmDynamics(arm), new ContactWorld(Scene.EMPTY), 0, 0));
+            arm, startRad, new ArmDynamics(arm), new ContactWorld(Scene.EMPTY), ReadingNoise.NONE, 0));
   }
 
   /** An arm at rest; model and world count when it yields, the noise never. */
   public IdealArm(DynamicArm.Setup setup) {
     this.setup =
         new DynamicArm.Setup(
-            setup.arm(), setup.startRad(), setup.model(), setup.world(), 0, setup.seed());
+            setup.arm(),
+            setup.startRad(),
+            setup.model(),
+            setup.world(),
+            ReadingNoise.NONE,
+            setup.seed());
     flange = new Flange(setup.arm());
     Arrays.fill(sensors.temperatureC, JointHeat.AMBIENT_C);
     sensors.toolTemperatureC = JointHeat.AMBIENT_C;
@@ -119,6 +124,12 @@ public final class IdealArm implements SimulatedArm {
   @Override
   public SimulatedSensors sensors() {
     return sensors;
+  }
+
+  /** Never said: its readings have no noise that anybody had to leave out. */
+  @Override
+  public boolean rests() {
+    return false;
   }
 
   @Override

@@ -19,6 +19,12 @@ public interface SimulatedArm extends MeasuredArm {
   SimulatedSensors sensors();
 
   /**
+   * Whether the arm rests: since the frame before its readings have changed by their noise alone,
+   * and by the slow change of its temperatures.
+   */
+  boolean rests();
+
+  /**
    * The load on the flange as its force/torque sensor feels it: weight and inertia of what hangs
    * there, contacts and everything else that pushes, at the flange's origin along the flange's
    * axes.

@@ -17,6 +17,25 @@ public final class SimulatedSensors implements ArmSensors {
   final double[] toolAccelerationMPerS2 = new double[3];
   double toolTemperatureC;
 
+  /** By how much the force sensor errs, at the flange's origin along its axes. */
+  final double[] flangeNoise6 = new double[6];
+
+  /** Takes over what {@code others} say. */
+  void set(SimulatedSensors others) {
+    System.arraycopy(others.positionRad, 0, positionRad, 0, Joints.COUNT);
+    System.arraycopy(others.speedRadPerS, 0, speedRadPerS, 0, Joints.COUNT);
+    System.arraycopy(others.accelerationRadPerS2, 0, accelerationRadPerS2, 0, Joints.COUNT);
+    System.arraycopy(others.torqueNm, 0, torqueNm, 0, Joints.COUNT);
+    System.arraycopy(others.modelTorqueNm, 0, modelTorqueNm, 0, Joints.COUNT);
+    System.arraycopy(others.targetTorqueNm, 0, targetTorqueNm, 0, Joints.COUNT);
+    System.arraycopy(others.currentA, 0, currentA, 0, Joints.COUNT);
+    System.arraycopy(others.targetCurrentA, 0, targetCurrentA, 0, Joints.COUNT);
+    System.arraycopy(others.temperatureC, 0, temperatureC, 0, Joints.COUNT);
+    System.arraycopy(others.toolAccelerationMPerS2, 0, toolAccelerationMPerS2, 0, 3);
+    toolTemperatureC = others.toolTemperatureC;
+    System.arraycopy(others.flangeNoise6, 0, flangeNoise6, 0, flangeNoise6.length);
+  }
+
   @Override
   public Joints positionRad() {
     return Joints.of(positionRad);

@@ -27,6 +27,9 @@ public final class ArmDrive {
   /** An arm that a stop leaves further than this from its target (rad) stays where it is. */
   private static final double ASIDE_RAD = 2e-3;
 
+  /** The target of an arm on its brakes does not follow readings nearer than this, rad. */
+  private static final double NOISE_RAD = 2e-4;
+
   private final Setup setup;
   private final SimulatedArm arm;
   private final SafetySystem safety;
@@ -108,6 +111,7 @@ public final class ArmDrive {
     setup.arm().world().grip().beginFrame();
     arm.step(command());
     setup.arm().supply().step(arm.sensors(), powered());
+    setup.arm().supplyMeter().step();
     flange.armChanged();
     Joints position = arm.positionRad();
     if (!position.equals(actualRad)) {
@@ -168,7 +172,7 @@ public final class ArmDrive {
       freedrive.end();
     }
     if (safety.robotMode() != RobotMode.RUNNING) {
-      if (motion.moving() || motion.carried() || !motion.positionRad().equals(actualRad)) {
+      if (motion.moving() || motion.carried() || elsewhere()) {
         motion.adopt(actualRad);
       }
       driveTarget.forget();
@@ -188,6 +192,13 @@ public final class ArmDrive {
       setup.modes().forceMode().continueFrom(() -> motion.adopt(drivenPositionRad()));
       driveTarget.forget();
     }
+  }
+
+  /** Whether the arm is not where its target is, noise of the encoders left aside. */
+  private boolean elsewhere() {
+    return arm.rests()
+        ? actualRad.maxAbsDifference(motion.positionRad()) > NOISE_RAD
+        : !motion.positionRad().equals(actualRad);
   }
 
   private boolean pushedAside() {

@@ -13,18 +13,25 @@ public final class BoxClock {
   private static final long FRAME_NS = 1_000_000_000L / FrameTime.FRAMES_PER_SECOND;
 
   private final Optional<InstantSource> wall;
+  private final ExecutionTime executionTime;
   private final Determinism determinism = new Determinism(this);
   private long frame;
   private double behindS;
   private double nextToldS;
 
-  /** A clock whose date comes from {@code wall}, or without one from the frames. */
-  BoxClock(Optional<InstantSource> wall) {
+  /**
+   * A clock whose date comes from {@code wall}, or without one from the frames.
+   *
+   * @param executionTime how long frames take in virtual time
+   */
+  BoxClock(Optional<InstantSource> wall, ExecutionTime executionTime) {
     this.wall = wall;
+    this.executionTime = executionTime;
   }
 
   void beginFrame() {
     frame++;
+    executionTime.beginFrame();
   }
 
   /** Number of the frame that is running, from 1; 0 before the first. */
@@ -46,6 +53,11 @@ public final class BoxClock {
   public Instant systemTime() {
     determinism.loseInRealTime("a program asked for the date");
     return wall.isPresent() ? wall.get().instant() : VIRTUAL_START.plusNanos(timeNs());
+  }
+
+  /** How long the running frame is taken to need in virtual time, s. */
+  public double executionTimeS(boolean programRuns) {
+    return executionTime.seconds(programRuns);
   }
 
   /** By how much robot time has fallen behind the wall clock, s; 0 in virtual time. */

@@ -3,6 +3,7 @@ package org.pendant.controller.box;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.arm.ReadingNoise;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.message.Operator;
@@ -21,7 +22,7 @@ import org.pendant.models.arm.Joints;
  * @param seed of the random numbers that programs ask for
  * @param operator who answers popups and questions
  * @param armChoice which simulated arm
- * @param encoderNoiseRad standard deviation of each reading of a joint encoder, rad; 0 for exact
+ * @param noise by how much readings err, but for those of an ideal arm
  * @param scene what stands around the arm and hangs on it
  * @param safety limits and planes
  * @param poweredOn whether the arm is powered and its brakes are released at first
@@ -37,7 +38,7 @@ public record BoxSetup(
     long seed,
     Operator operator,
     ArmChoice armChoice,
-    double encoderNoiseRad,
+    ReadingNoise noise,
     Scene scene,
     SafetyConfiguration safety,
     boolean poweredOn,
@@ -64,6 +65,11 @@ public record BoxSetup(
     }
   }
 
+  /** How readings err: an ideal arm has none that do. */
+  ReadingNoise readingNoise() {
+    return armChoice == ArmChoice.IDEAL ? ReadingNoise.NONE : noise;
+  }
+
   /**
    * A powered box without a screen, in virtual time, with an ideal arm in an empty world.
    *
@@ -77,7 +83,7 @@ public record BoxSetup(
         0,
         Operator.headless(List.of()),
         ArmChoice.IDEAL,
-        0,
+        ReadingNoise.NONE,
         Scene.EMPTY,
         SafetyConfiguration.standard(arm),
         true,

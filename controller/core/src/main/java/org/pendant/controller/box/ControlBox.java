@@ -35,7 +35,10 @@ public final class ControlBox implements Host {
 
   /** A box that was just switched on. */
   public ControlBox(BoxSetup setup) {
-    clock = new BoxClock(setup.systemTime());
+    clock =
+        new BoxClock(
+            setup.systemTime(),
+            new ExecutionTime(setup.readingNoise().measured(), setup.seed()));
     arm = new RobotArm(setup);
     safety =
         new SafetySystem(

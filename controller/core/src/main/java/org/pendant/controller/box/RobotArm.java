@@ -4,6 +4,7 @@ import org.pendant.controller.arm.ArmSupply;
 import org.pendant.controller.arm.DynamicArm;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
+import org.pendant.controller.arm.SupplyMeter;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
@@ -19,6 +20,7 @@ public final class RobotArm {
   private final ContactWorld world;
   private final SimulatedArm simulated;
   private final ArmSupply supply;
+  private final SupplyMeter supplyMeter;
   private final FlangeForces forces;
   private BaseLight baseLight = BaseLight.STANDARD;
 
@@ -29,6 +31,7 @@ public final class RobotArm {
     world = new ContactWorld(scene);
     simulated = simulated(setup);
     supply = new ArmSupply(description);
+    supplyMeter = new SupplyMeter(description, supply, setup.readingNoise(), setup.seed());
     forces = new FlangeForces(simulated, model);
   }
 
@@ -39,7 +42,7 @@ public final class RobotArm {
             setup.startRad(),
             model.dynamics(),
             world,
-            setup.encoderNoiseRad(),
+            setup.readingNoise(),
             setup.seed());
     return switch (setup.armChoice()) {
       case IDEAL -> new IdealArm(own);
@@ -65,6 +68,11 @@ public final class RobotArm {
   /** What the arm takes from its supply. */
   public ArmSupply supply() {
     return supply;
+  }
+
+  /** Reads the voltages and the current of the supply. */
+  public SupplyMeter supplyMeter() {
+    return supplyMeter;
   }
 
   /** What stands around the arm. */

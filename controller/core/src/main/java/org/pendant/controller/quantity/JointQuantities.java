@@ -28,8 +28,9 @@ final class JointQuantities {
             RADIAN_PER_SECOND_SQUARED,
             s -> s.arm().targetAccelerationRadPerS2())
         .rtde("target_qdd");
+    // recorded arms repeat the target in the controller's output
     list.joints("target_current", "Target current", AMPERE, s -> s.readings().targetCurrentA())
-        .rtde("target_current");
+        .rtde("target_current", "joint_control_output");
     list.joints("target_torque", "Target torque", NEWTON_METRE, s -> s.readings().targetTorqueNm())
         .rtde("target_moment");
     list.joints("actual_q", "Actual position", RADIAN, s -> s.arm().actualPositionRad())
@@ -41,9 +42,7 @@ final class JointQuantities {
         "Actual acceleration",
         RADIAN_PER_SECOND_SQUARED,
         s -> s.readings().accelerationRadPerS2());
-    // the simulated drives give what is asked of them, within the same frame
-    list.joints("current", "Current", AMPERE, s -> s.readings().currentA())
-        .rtde("actual_current", "joint_control_output");
+    list.joints("current", "Current", AMPERE, s -> s.readings().currentA()).rtde("actual_current");
     list.joints(
             "current_window",
             "Current window",
@@ -62,7 +61,7 @@ final class JointQuantities {
         .explained("What the torque has beyond the controller's model of arm and payload");
     list.joints("temperature", "Temperature", CELSIUS, s -> s.readings().temperatureC())
         .rtde("joint_temperatures");
-    list.joints("joint_voltage", "Voltage", ScalarType.DOUBLE, VOLT, SupplyReadings::jointV)
+    list.joints("joint_voltage", "Voltage", VOLT, s -> s.readings().voltages().jointV())
         .rtde("actual_joint_voltage");
     list.joints(
             "joint_mode",

@@ -87,9 +87,9 @@ final class LoadQuantities {
   }
 
   private static void addPower(QuantityList list) {
-    list.number("main_voltage", "Main voltage", VOLT, SupplyReadings::mainV)
+    list.number("main_voltage", "Main voltage", VOLT, s -> s.readings().voltages().boxV())
         .rtde("actual_main_voltage");
-    list.number("robot_voltage", "Robot voltage", VOLT, SupplyReadings::robotV)
+    list.number("robot_voltage", "Robot voltage", VOLT, s -> s.readings().voltages().robotV())
         .rtde("actual_robot_voltage");
     list.number("robot_current", "Robot current", AMPERE, s -> s.readings().robotCurrentA())
         .rtde("actual_robot_current");

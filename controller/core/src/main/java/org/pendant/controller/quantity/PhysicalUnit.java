@@ -9,7 +9,7 @@ public enum PhysicalUnit {
   /** A level, 0 or 1. */
   LEVEL(""),
   SECOND("s"),
-  MICROSECOND("µs"),
+  MILLISECOND("ms"),
   METRE("m"),
   METRE_PER_SECOND("m/s"),
   METRE_PER_SECOND_SQUARED("m/s²"),

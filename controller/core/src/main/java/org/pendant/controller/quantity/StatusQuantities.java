@@ -1,6 +1,6 @@
 package org.pendant.controller.quantity;
 
-import static org.pendant.controller.quantity.PhysicalUnit.MICROSECOND;
+import static org.pendant.controller.quantity.PhysicalUnit.MILLISECOND;
 import static org.pendant.controller.quantity.PhysicalUnit.RATIO;
 import static org.pendant.controller.quantity.PhysicalUnit.SECOND;
 import static org.pendant.controller.quantity.ScalarType.INT32;
@@ -16,7 +16,7 @@ import org.pendant.script.vm.ProgramState;
 
 /** Quantities of modes, the program and the controller itself. */
 final class StatusQuantities {
-  private static final double MICRO = 1e6;
+  private static final double MILLI = 1e3;
 
   private StatusQuantities() {}
 
@@ -30,9 +30,11 @@ final class StatusQuantities {
 
   private static void addController(QuantityList list) {
     list.number("timestamp", "Time", SECOND, ControllerState::timeS).rtde("timestamp");
-    list.number("speed_scaling", "Speed scaling", RATIO, s -> s.arm().speedScaling())
-        .explained("How fast motion time runs against the clock")
+    list.number("speed_scaling", "Speed scaling", RATIO, StatusQuantities::speedScaling)
+        .explained("Motion scaling of a program; 0 without one and while it is paused")
         .rtde("speed_scaling");
+    list.number("motion_scaling", "Motion scaling", RATIO, s -> s.arm().speedScaling())
+        .explained("How fast motion time runs against the clock");
     list.number("speed_slider", "Speed slider", RATIO, s -> s.arm().speedFraction())
         .rtde("target_speed_fraction");
     list.whole(
@@ -45,15 +47,23 @@ final class StatusQuantities {
     list.whole("program_line", "Program line", UINT32, s -> s.program().line())
         .rtde("script_control_line");
     list.whole("control_step", "Control step", UINT64, ControllerState::frame).rtde("control_step");
-    list.number("execution_time", "Execution time", MICROSECOND, s -> MICRO * s.executionTimeS())
+    list.number("execution_time", "Execution time", MILLISECOND, s -> MILLI * s.executionTimeS())
         .explained("How long the computer worked at the frame")
         .rtde(Published.EXECUTION_TIME);
     list.number(
             "target_execution_time",
             "Target execution time",
-            MICROSECOND,
-            s -> MICRO * FrameTime.FRAME_S)
+            MILLISECOND,
+            s -> MILLI * FrameTime.FRAME_S)
         .rtde("target_execution_time");
+  }
+
+  /** 0 without a program and while it is paused. */
+  private static double speedScaling(ControllerState state) {
+    return switch (state.program().runtime()) {
+      case STOPPED, PAUSED -> 0;
+      case STOPPING, PLAYING, PAUSING, RESUMING -> state.arm().speedScaling();
+    };
   }
 
   private static void addModes(QuantityList list) {

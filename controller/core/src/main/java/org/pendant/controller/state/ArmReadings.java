@@ -27,6 +27,7 @@ import org.pendant.models.pose.Wrench;
  *     of the payload and without its zero
  * @param payload what programs have declared
  * @param mounting gravity and acceleration of the base, as programs have declared them
+ * @param voltages of the supply
  * @param robotCurrentA what the arm takes from its 48 V supply, A
  * @param energyConsumedJ energy that it has taken since the controller was switched on, J
  * @param energyDissipatedJ energy that it gave back in braking since then, J
@@ -50,6 +51,7 @@ public record ArmReadings(
     Wrench rawFlangeWrench,
     Payload payload,
     Mounting mounting,
+    SupplyVoltages voltages,
     double robotCurrentA,
     double energyConsumedJ,
     double energyDissipatedJ,
@@ -88,7 +90,8 @@ public record ArmReadings(
         box.flange().rawWrench(),
         box.arm().model().payload(),
         box.arm().model().mounting(),
-        box.arm().supply().currentA(),
+        SupplyVoltages.of(box),
+        box.arm().supplyMeter().currentA(),
         box.arm().supply().consumedJ(),
         box.arm().supply().dissipatedJ(),
         box.safety().momentumKgMPerS(),

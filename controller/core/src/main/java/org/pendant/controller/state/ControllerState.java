@@ -25,9 +25,12 @@ import org.pendant.script.vm.ProgramEvent;
  *
  * @param frame number of the frame, 0 before the first
  * @param timeS controller time at its end, s
- * @param executionTimeS how long the computer worked at this frame, s; 0 in virtual time
+ * @param executionTimeS how long the computer worked at this frame, s; in virtual time 0, or with
+ *     measured readings as long as a recorded control box does
  * @param behindS by how much robot time has fallen behind the wall clock since the controller was
  *     switched on, s: delays that the computer was too slow to catch up; not part of recordings
+ * @param armRests whether readings of the arm differ from those of the frame before by their noise
+ *     alone; a recording may say so of frames whose readings it has left out
  * @param geometry what follows from the joints, worked out on demand
  * @param debug whether a debugger has paused the program, and where its threads are then; snapshots
  *     of a held frame repeat its number
@@ -52,6 +55,7 @@ public record ControllerState(
     double timeS,
     double executionTimeS,
     double behindS,
+    boolean armRests,
     ArmState arm,
     ArmReadings readings,
     ArmGeometry geometry,

@@ -19,7 +19,12 @@ public final class RobotBits {
 
   /** Whether the arm has power. */
   public static boolean powerOn(ControllerState state) {
-    return switch (state.safety().robotMode()) {
+    return powerOn(state.safety().robotMode());
+  }
+
+  /** Whether an arm in this mode has power. */
+  static boolean powerOn(RobotMode mode) {
+    return switch (mode) {
       case POWER_ON, IDLE, BACKDRIVE, RUNNING -> true;
       case NO_CONTROLLER, DISCONNECTED, CONFIRM_SAFETY, BOOTING, POWER_OFF, UPDATING_FIRMWARE ->
           false;

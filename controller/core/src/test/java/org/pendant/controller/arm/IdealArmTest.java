@@ -74,7 +74,7 @@ class IdealArmTest {
     ArmDescription ur5e = ArmLibrary.load("ur5e");
     ContactWorld world = new ContactWorld(Scene.EMPTY);
     DynamicArm.Setup setup =
-        new DynamicArm.Setup(ur5e, Rig.START, new ArmDynamics(ur5e), world, 0, 0);
+        new DynamicArm.Setup(ur5e, Rig.START, new ArmDynamics(ur5e), world, ReadingNoise.NONE, 0);
     IdealArm ideal = new IdealArm(setup);
     DynamicArm dynamic = new DynamicArm(setup);
     ArmCommand guide = new ArmCommand.Guide(Joints.ZERO, new Joints(9, 9, 9, 3, 3, 3));
@@ -93,7 +93,7 @@ class IdealArmTest {
     ArmDescription ur5e = ArmLibrary.load("ur5e");
     ContactWorld world = new ContactWorld(Scene.EMPTY);
     DynamicArm.Setup setup =
-        new DynamicArm.Setup(ur5e, Rig.START, new ArmDynamics(ur5e), world, 0, 0);
+        new DynamicArm.Setup(ur5e, Rig.START, new ArmDynamics(ur5e), world, ReadingNoise.NONE, 0);
     IdealArm ideal = new IdealArm(setup);
     DynamicArm dynamic = new DynamicArm(setup);
     for (int frame = 0; frame < 100; frame++) {

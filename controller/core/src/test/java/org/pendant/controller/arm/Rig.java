@@ -31,10 +31,14 @@ final class Rig {
   }
 
   Rig(ArmDescription description, Scene scene) {
+    this(description, scene, ReadingNoise.NONE);
+  }
+
+  Rig(ArmDescription description, Scene scene, ReadingNoise noise) {
     this.description = description;
     model = new ArmDynamics(description);
     world = new ContactWorld(scene);
-    arm = new DynamicArm(new DynamicArm.Setup(description, START, model, world, 0, 1));
+    arm = new DynamicArm(new DynamicArm.Setup(description, START, model, world, noise, 1));
   }
 
   /** The rated payload of an arm, somewhat in front of the flange. */

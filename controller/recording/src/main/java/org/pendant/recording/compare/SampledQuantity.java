@@ -35,7 +35,7 @@ public final class SampledQuantity {
     PhysicalUnit unit = quantity.components().getFirst().unit();
     boolean counts =
         switch (unit) {
-          case NONE, LEVEL, SECOND, MICROSECOND, JOULE, AMPERE_OR_VOLT -> false;
+          case NONE, LEVEL, SECOND, MILLISECOND, JOULE, AMPERE_OR_VOLT -> false;
           case RATIO,
               METRE,
               METRE_PER_SECOND,

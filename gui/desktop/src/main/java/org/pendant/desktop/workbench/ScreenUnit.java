@@ -28,7 +28,7 @@ public record ScreenUnit(String symbol, double scale) {
       case AMPERE_OR_VOLT -> new ScreenUnit("V or mA", 1);
       case NONE,
           SECOND,
-          MICROSECOND,
+          MILLISECOND,
           METRE_PER_SECOND_SQUARED,
           KILOGRAM,
           KILOGRAM_METRE_SQUARED,

@@ -1,0 +1,33 @@
+package org.pendant.controller.state;
+
+import org.pendant.controller.arm.SupplyMeter;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.models.arm.Joints;
+
+/**
+ * Supply voltages, as the control box reads them.
+ *
+ * @param boxV of the supply of the control box, V
+ * @param robotV at the arm, V; 0 without power
+ * @param jointV at each joint, V; 0 without power
+ */
+public record SupplyVoltages(double boxV, double robotV, Joints jointV) {
+  /** The voltages of this frame. */
+  static SupplyVoltages of(ControlBox box) {
+    SupplyMeter meter = box.arm().supplyMeter();
+    if (!RobotBits.powerOn(box.safety().robotMode())) {
+      return new SupplyVoltages(meter.boxV(), 0, Joints.ZERO);
+    }
+    Joints currentA = box.arm().simulated().sensors().currentA();
+    return new SupplyVoltages(
+        meter.boxV(),
+        meter.robotV(),
+        new Joints(
+            meter.jointV(0, currentA.q0()),
+            meter.jointV(1, currentA.q1()),
+            meter.jointV(2, currentA.q2()),
+            meter.jointV(3, currentA.q3()),
+            meter.jointV(4, currentA.q4()),
+            meter.jointV(5, currentA.q5())));
+  }
+}
