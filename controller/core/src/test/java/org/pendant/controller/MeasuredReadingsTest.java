@@ -48,21 +48,21 @@ class MeasuredReadingsTest {
     assertWithin(47.5, 47.95, arm[0], "arm");
     for (int joint = 0; joint < Joints.COUNT; joint++) {
       int i = joint;
-      double[] each =
-          meanAndSpread(robot, 2000, s -> s.readings().voltages().jointV().get(i));
+      double[] each = meanAndSpread(robot, 2000, s -> s.readings().voltages().jointV().get(i));
       assertWithin(47.2, 47.95, each[0], "joint " + i);
       assertWithin(0.012, 0.027, each[1], "noise of joint " + i);
     }
     double old =
         meanAndSpread(
-                new RunningProgram(measured("ur5")), 100, s -> s.readings().voltages().boxV())[0];
+            new RunningProgram(measured("ur5")), 100, s -> s.readings().voltages().boxV())[0];
     assertEquals(48.2, old, 0.1);
   }
 
   @Test
   void theCurrentOfTheArmIsThatOfRecordedOnes() {
     double[] found =
-        meanAndSpread(new RunningProgram(measured("ur5e")), 2000, s -> s.readings().robotCurrentA());
+        meanAndSpread(
+            new RunningProgram(measured("ur5e")), 2000, s -> s.readings().robotCurrentA());
     assertWithin(0.52, 0.74, found[0], "current");
     assertWithin(0.035, 0.06, found[1], "noise");
   }
@@ -70,12 +70,10 @@ class MeasuredReadingsTest {
   @Test
   void aFrameTakesAsLongAsOnARecordedBox() {
     RunningProgram robot = new RunningProgram(measured("ur5e"));
-    assertEquals(
-        0.43e-3, meanAndSpread(robot, 1000, ControllerState::executionTimeS)[0], 0.01e-3);
+    assertEquals(0.43e-3, meanAndSpread(robot, 1000, ControllerState::executionTimeS)[0], 0.01e-3);
     robot.start("sleep(10)\n");
     robot.advance(2);
-    assertEquals(
-        0.82e-3, meanAndSpread(robot, 1000, ControllerState::executionTimeS)[0], 0.02e-3);
+    assertEquals(0.82e-3, meanAndSpread(robot, 1000, ControllerState::executionTimeS)[0], 0.02e-3);
   }
 
   @Test
@@ -105,18 +103,14 @@ class MeasuredReadingsTest {
     RunningProgram other = new RunningProgram(measured("ur5e").withSeed(2));
     one.advance(5);
     other.advance(5);
-    assertNotEquals(
-        one.state().arm().actualPositionRad(), other.state().arm().actualPositionRad());
+    assertNotEquals(one.state().arm().actualPositionRad(), other.state().arm().actualPositionRad());
   }
 
   @Test
   void anIdealArmHasExactReadings() {
-    RunningProgram robot =
-        new RunningProgram(
-            measured("ur5e").withArm(ArmChoice.IDEAL));
+    RunningProgram robot = new RunningProgram(measured("ur5e").withArm(ArmChoice.IDEAL));
     robot.advance(5);
-    assertEquals(
-        robot.state().arm().targetPositionRad(), robot.state().arm().actualPositionRad());
+    assertEquals(robot.state().arm().targetPositionRad(), robot.state().arm().actualPositionRad());
     assertEquals(48, robot.state().readings().voltages().boxV());
   }
 }

@@ -55,6 +55,10 @@ final class RecordingRingTest {
   private final ControllerState start = controller.state();
 
   private List<ControllerState> run(String text, int frames) {
+    return run(controller, text, frames);
+  }
+
+  private static List<ControllerState> run(Controller controller, String text, int frames) {
     var _ =
         controller.submit(
             new ProgramCommand.StartProgram(TestController.program(controller, text)));
@@ -169,6 +173,28 @@ final class RecordingRingTest {
     assertTrue(ring.bytes() - before < 1 << 20, ring.bytes() - before + " bytes in an hour");
     double kept = ring.recording().at(1e9).readings().toolTemperatureC();
     assertEquals(20 + hour * 1e-6, kept, 1e-6 * SnapshotEncoder.AMBIENT_FRAMES);
+  }
+
+  @Test
+  void noiseOfAnArmAtRestDoesNotPushOutWhatWasBefore() {
+    Controller noisy = new Controller(ControllerOptions.headless().withMeasuredNoise(true));
+    RecordingRing ring = new RecordingRing(noisy.state(), Optional::empty);
+    List<ControllerState> states = run(noisy, BUSY, 3000);
+    states.forEach(ring::take);
+    for (ControllerState each : states) {
+      if (!each.armRests()) {
+        SameState.assertSameButAmbient(each, ring.recording().atFrame(each.frame()));
+      }
+    }
+    assertTrue(states.stream().anyMatch(ControllerState::armRests), "nothing was tested");
+
+    long before = ring.bytes();
+    int fiveMinutes = 5 * 60 * 500;
+    for (int i = 0; i < fiveMinutes; i++) {
+      noisy.advance();
+      ring.take(noisy.state());
+    }
+    assertTrue(ring.bytes() - before < 1 << 20, ring.bytes() - before + " bytes in 5 min");
   }
 
   /** A later frame, in which nothing but a temperature is different. */

@@ -14,7 +14,8 @@ import org.pendant.script.variables.VariableSamples;
 /** Whether two snapshots say the same, with every bit. */
 final class SameState {
   /** What follows from others or is not kept, or never changes and has no equality. */
-  private static final Set<String> LEFT_OUT = Set.of("geometry", "kinematics", "behindS", "armRests");
+  private static final Set<String> LEFT_OUT =
+      Set.of("geometry", "kinematics", "behindS", "armRests");
 
   /** What never rests, and is kept once a second only while nothing else changes. */
   private static final Set<String> AMBIENT =

@@ -110,7 +110,7 @@ record RunOptions(
   private static final Option SEED =
       Option.text("--seed", "N", "start of random()")
           .standing("0")
-          .documented("N", "start of `random()` and of the encoders' noise; default 0");
+          .documented("N", "start of `random()` and of the noise of sensors; default 0");
 
   private static final List<String> SAFETY_INPUTS =
       Arrays.stream(SafetyInput.values()).map(SafetyInput::word).toList();

@@ -134,6 +134,7 @@ record ServeOptions(
     Path programs = PortOptions.programs(arguments);
     ControllerOptions controller =
         RunOptions.controller(arguments)
+            .withMeasuredNoise(SimulationOptions.measuredNoise(arguments, true))
             .withOperator(Operator.present())
             .withPower(ready)
             .withPowerTimes(powerTimes(arguments))

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -45,16 +46,27 @@ final class SimulationOptions {
                   + " where it should be, touches nothing and weighs nothing");
   private static final Option NOISE =
       Option.of(
+              "--noise",
+              new OptionArgument.Choice("measured", "none"),
+              "sensors err as on recorded arms, or not; default none, for serve measured")
+          .documented(
+              "measured",
+              "`measured`: readings of the arm's sensors and its supply have the noise and the"
+                  + " steps of recorded arms, see [simulated-arm.md](simulated-arm.md#noise);"
+                  + " `none`: they are exact. Default `none`, for `serve` and the window"
+                  + " `measured`");
+  private static final Option ENCODER_NOISE =
+      Option.of(
               "--encoder-noise",
               new OptionArgument.Real("RAD", 0, MAX_NOISE_RAD, false, "rad"),
-              "standard deviation of joint readings")
-          .standing("0")
+              "standard deviation of joint readings, in place of that of --noise")
           .documented(
               "RAD",
-              "standard deviation of each reading of a joint encoder, 0 (default) to 0.01 rad");
+              "standard deviation of each reading of a joint encoder, 0 to 0.01 rad; default as"
+                  + " `--noise` says");
 
   /** For the usage text. */
-  static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE);
+  static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE, ENCODER_NOISE);
 
   private SimulationOptions() {}
 
@@ -62,7 +74,11 @@ final class SimulationOptions {
   static ControllerOptions in(ControllerOptions options, Arguments arguments)
       throws UsageException {
     ControllerOptions chosen =
-        options.withArm(arm(arguments)).withEncoderNoise(arguments.number(NOISE).orElseThrow());
+        options.withArm(arm(arguments)).withMeasuredNoise(measuredNoise(arguments, false));
+    OptionalDouble encoderNoiseRad = arguments.number(ENCODER_NOISE);
+    if (encoderNoiseRad.isPresent()) {
+      chosen = chosen.withEncoderNoise(encoderNoiseRad.getAsDouble());
+    }
     Optional<String> scene = arguments.value(SCENE);
     if (scene.isPresent()) {
       chosen = chosen.withScene(scene(scene.get(), arguments.files()));
@@ -72,6 +88,15 @@ final class SimulationOptions {
       chosen = chosen.withSafety(safety(safety.get(), options.robotId(), arguments.files()));
     }
     return chosen;
+  }
+
+  /**
+   * Whether sensors err as those of recorded arms.
+   *
+   * @param otherwise when the command line does not say
+   */
+  static boolean measuredNoise(Arguments arguments, boolean otherwise) throws UsageException {
+    return arguments.word(NOISE).map(word -> word.equals("measured")).orElse(otherwise);
   }
 
   private static ArmChoice arm(Arguments arguments) throws UsageException {

@@ -211,7 +211,7 @@ public final class DynamicArm implements SimulatedArm {
 
   @Override
   public boolean rests() {
-    return unmoved && noise.settled();
+    return unmoved && noise.errs() && noise.settled();
   }
 
   @Override

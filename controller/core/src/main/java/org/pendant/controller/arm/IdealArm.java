@@ -40,7 +40,12 @@ public final class IdealArm implements SimulatedArm {
   public IdealArm(ArmDescription arm, Joints startRad) {
     this(
         new DynamicArm.Setup(
-            arm, startRad, new ArmDynamics(arm), new ContactWorld(Scene.EMPTY), ReadingNoise.NONE, 0));
+            arm,
+            startRad,
+            new ArmDynamics(arm),
+            new ContactWorld(Scene.EMPTY),
+            ReadingNoise.NONE,
+            0));
   }
 
   /** An arm at rest; model and world count when it yields, the noise never. */
@@ -126,7 +131,6 @@ public final class IdealArm implements SimulatedArm {
     return sensors;
   }
 
-  /** Never said: its readings have no noise that anybody had to leave out. */
   @Override
   public boolean rests() {
     return false;

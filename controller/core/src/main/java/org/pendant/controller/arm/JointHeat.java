@@ -44,7 +44,8 @@ final class JointHeat {
   void load(SimulatedSensors sensors, boolean powered) {
     for (int i = 0; i < N; i++) {
       double share = sensors.torqueNm[i] / arm.joints().get(i).maxTorqueNm();
-      leadsToC[i] = AMBIENT_C + (powered ? POWERED_RISE_K[i] : 0) + FULL_TORQUE_RISE_K * share * share;
+      leadsToC[i] =
+          AMBIENT_C + (powered ? POWERED_RISE_K[i] : 0) + FULL_TORQUE_RISE_K * share * share;
     }
     toolLeadsToC = AMBIENT_C + (powered ? TOOL_RISE_K : 0);
   }

@@ -129,7 +129,7 @@ final class SensorNoise {
       phaseRad[i] = Math.PI * bell.even();
     }
     Arrays.fill(stillFrames, SETTLING_FRAMES);
-    readings = noise.equals(ReadingNoise.NONE) ? exact : new SimulatedSensors();
+    readings = errs() ? new SimulatedSensors() : exact;
   }
 
   /** What the sensors read; the same object always. */
@@ -144,7 +144,7 @@ final class SensorNoise {
    * @param powered whether the motors have current: noise of brakes is none
    */
   void read(SimulatedSensors exact, boolean powered) {
-    if (readings == exact) {
+    if (!errs()) {
       return;
     }
     readings.set(exact);
@@ -161,8 +161,7 @@ final class SensorNoise {
       if (powered) {
         readCurrent(exact, i);
       }
-      readings.temperatureC[i] =
-          BellNoise.inSteps(exact.temperatureC[i], TEMPERATURE_STEP_K);
+      readings.temperatureC[i] = BellNoise.inSteps(exact.temperatureC[i], TEMPERATURE_STEP_K);
     }
     readings.toolTemperatureC = BellNoise.inSteps(exact.toolTemperatureC, TEMPERATURE_STEP_K);
     for (int axis = 0; axis < readings.toolAccelerationMPerS2.length; axis++) {
@@ -175,6 +174,11 @@ final class SensorNoise {
       double size = axis < 3 ? sizes.forceN() : sizes.torqueNm();
       readings.flangeNoise6[axis] = size * bell.next();
     }
+  }
+
+  /** Whether readings differ from what the sensors would say exactly. */
+  boolean errs() {
+    return !noise.equals(ReadingNoise.NONE);
   }
 
   /** Whether the speeds of an arm that rests read exactly 0. */

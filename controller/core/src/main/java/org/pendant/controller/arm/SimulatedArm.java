@@ -19,8 +19,8 @@ public interface SimulatedArm extends MeasuredArm {
   SimulatedSensors sensors();
 
   /**
-   * Whether the arm rests: since the frame before its readings have changed by their noise alone,
-   * and by the slow change of its temperatures.
+   * Whether an arm with noise rests: since the frame before its readings have changed by their
+   * noise alone, and by the slow change of its temperatures. Readings without noise never say so.
    */
   boolean rests();
 

@@ -43,6 +43,25 @@ public record ArmState(
     double speedScaling,
     Optional<MotionFailure> fault) {
 
+  /** The same with its joints read elsewhere. */
+  ArmState withActualPosition(Joints positionRad) {
+    return new ArmState(
+        targetPositionRad,
+        targetSpeedRadPerS,
+        targetAccelerationRadPerS2,
+        positionRad,
+        actualSpeedRadPerS,
+        tool,
+        description,
+        kinematics,
+        controlMode,
+        moving,
+        steady,
+        speedFraction,
+        speedScaling,
+        fault);
+  }
+
   /** Target pose of the TCP in the base frame. */
   public Pose targetTcpInBase() {
     return kinematics.tcpPose(targetPositionRad, tool.inFlange());

@@ -11,6 +11,7 @@ import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
+import org.pendant.models.arm.Joints;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.variables.TracedVariables;
 import org.pendant.script.variables.VariableSamples;
@@ -29,8 +30,8 @@ import org.pendant.script.vm.ProgramEvent;
  *     measured readings as long as a recorded control box does
  * @param behindS by how much robot time has fallen behind the wall clock since the controller was
  *     switched on, s: delays that the computer was too slow to catch up; not part of recordings
- * @param armRests whether readings of the arm differ from those of the frame before by their noise
- *     alone; a recording may say so of frames whose readings it has left out
+ * @param armRests whether readings of the arm differ from those of the frame before, and by their
+ *     noise alone; a recording may say so of frames whose readings it has left out
  * @param geometry what follows from the joints, worked out on demand
  * @param debug whether a debugger has paused the program, and where its threads are then; snapshots
  *     of a held frame repeat its number
@@ -85,6 +86,38 @@ public record ControllerState(
     newPopups = List.copyOf(newPopups);
     newQuestions = List.copyOf(newQuestions);
     newProgramEvents = List.copyOf(newProgramEvents);
+  }
+
+  /** The same with the arm read elsewhere, and all that follows from where it is. */
+  public ControllerState withActualPosition(Joints positionRad) {
+    ArmState read = arm.withActualPosition(positionRad);
+    return new ControllerState(
+        frame,
+        timeS,
+        executionTimeS,
+        behindS,
+        armRests,
+        read,
+        readings,
+        new ArmGeometry(read, readings),
+        safety,
+        program,
+        debug,
+        io,
+        signals,
+        modbus,
+        assemblies,
+        encoders,
+        freedrive,
+        variables,
+        traced,
+        openPopups,
+        openQuestions,
+        newLines,
+        newPopups,
+        newQuestions,
+        newProgramEvents,
+        newestEntry);
   }
 
   /**

@@ -141,8 +141,7 @@ class SensorNoiseTest {
     rig.repeat(3, Rig.hold(Rig.START));
     for (int i = 0; i < Joints.COUNT; i++) {
       double constant = rig.description.actuators().get(i).torqueConstantNmPerA();
-      assertEquals(
-          rig.arm.sensors().torqueNm[i], constant * rig.arm.sensors().currentA[i], 1e-9);
+      assertEquals(rig.arm.sensors().torqueNm[i], constant * rig.arm.sensors().currentA[i], 1e-9);
     }
   }
 

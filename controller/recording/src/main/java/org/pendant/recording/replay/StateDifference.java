@@ -14,7 +14,8 @@ public final class StateDifference {
 
   /**
    * The first difference between a snapshot and the same one of a rerun: of the joints bit for bit,
-   * but for the noise of an arm that rests, of the program and its variables, of the signals. Empty if there is none.
+   * but for the noise of an arm that rests, of the program and its variables, of the signals. Empty
+   * if there is none.
    */
   public static Optional<String> between(ControllerState was, ControllerState is) {
     if (was.frame() != is.frame()) {

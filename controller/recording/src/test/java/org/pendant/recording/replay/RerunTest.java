@@ -36,6 +36,7 @@ import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -43,6 +44,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
+import org.pendant.recording.RecordingRing;
 
 /** A rerun stands where the old run stood, bit for bit, and continues as that did. */
 @Tag("slow")
@@ -69,7 +71,7 @@ final class RerunTest {
   }
 
   private static Play threadsAndInputs() {
-    Play play = new Play(ControllerOptions.headless().withSeed(7).withEncoderNoise(1e-6));
+    Play play = new Play(ControllerOptions.headless().withSeed(7).withMeasuredNoise(true));
     return play.start(
             """
             def prog():
@@ -151,6 +153,7 @@ final class RerunTest {
             "table", new Vector3(0, 0, 0.3), new Vector3(0, 0, 1), Material.DEFAULT);
     return new Play(
             ControllerOptions.headless()
+                .withMeasuredNoise(true)
                 .withStart(new Joints(0, -1.5708, -1.5708, -1.5708, 1.5708, 0))
                 .withScene(new Scene(List.of(table), Optional.empty(), List.of())))
         .start(
@@ -338,6 +341,21 @@ final class RerunTest {
     disturbed.until(LAST);
     assertEquals(threadsAndInputs().until(LAST).frames, disturbed.frames);
     assertTrue(disturbed.journal.size() > 5);
+  }
+
+  @Test
+  void noiseOfRestThatTheRecordingHasLeftOutIsNoDifference() throws RerunRefused {
+    Play play = new Play(ControllerOptions.headless().withMeasuredNoise(true));
+    RecordingRing ring = new RecordingRing(play.controller().state(), Optional::empty);
+    for (int i = 0; i < 333; i++) {
+      play.controller().advance();
+      ring.take(play.controller().state());
+    }
+    ControllerState recorded = ring.recording().atFrame(333);
+    assertNotEquals(
+        play.controller().state().arm().actualPositionRad(), recorded.arm().actualPositionRad());
+    Controller branch = Rerun.to(recorded, play.journal).run(play.options).controller();
+    assertEquals(Play.facts(play.controller().state()), Play.facts(branch.state()));
   }
 
   @Test

@@ -142,6 +142,7 @@ public final class Desktop {
                 .get("robot.id")
                 .flatMap(ArmLibrary::find)
                 .orElse(ControllerOptions.DEFAULT_ROBOT))
+        .withMeasuredNoise(true)
         .withOperator(Operator.present())
         .withSystemTime(InstantSource.system())
         .withPower(settings.get("robot.power-at-start").map(Boolean::parseBoolean).orElse(true));

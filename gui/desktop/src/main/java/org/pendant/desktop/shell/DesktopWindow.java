@@ -18,6 +18,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.StillArm;
 import org.pendant.desktop.shell.chrome.Footer;
 import org.pendant.desktop.shell.chrome.Header;
 import org.pendant.desktop.shell.chrome.ProgramMenu;
@@ -68,6 +69,7 @@ final class DesktopWindow {
   private final StatusLine status = new StatusLine(text -> notices.tell(Notices.WHOLE, text));
   private final Header header;
   private final RobotChange robot;
+  private final StillArm stillArm = new StillArm();
   private final Footer footer;
   private final Timer refresh = Faults.timer(REFRESH_MS, this::refresh);
   private final Timer keep = Faults.timer(KEEP_MS, this::keep);
@@ -283,7 +285,7 @@ final class DesktopWindow {
   }
 
   private void refresh() {
-    ControllerState state = session.state();
+    ControllerState state = stillArm.shown(session.state());
     Faults.guard(() -> header.refresh(state));
     Faults.guard(() -> footer.refresh(state));
     Faults.guard(() -> status.refresh(session.lateness(), state.behindS(), state.debug().held()));

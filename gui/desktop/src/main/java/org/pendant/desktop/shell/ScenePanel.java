@@ -34,6 +34,7 @@ import org.pendant.desktop.scene.Touching;
 import org.pendant.desktop.scene.TraceRing;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.view.SceneView;
+import org.pendant.desktop.session.StillArm;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.export.SaveDialog;
@@ -61,6 +62,7 @@ final class ScenePanel implements View, GhostArm {
   private final Supplier<Optional<ControllerState>> past;
   private final SceneView picture = new SceneView();
   private final JPanel panel = new JPanel(new BorderLayout());
+  private final StillArm stillArm = new StillArm();
   private final TraceRing trace = new TraceRing(TRACE_POINTS);
   private final SceneShows shows;
   private final ArmPull pull;
@@ -220,7 +222,8 @@ final class ScenePanel implements View, GhostArm {
     }
   }
 
-  private void see(ControllerState state) {
+  private void see(ControllerState newest) {
+    ControllerState state = stillArm.shown(newest);
     Surroundings around = surroundings(state.arm().description().id());
     ArmState arm = state.arm();
     if (past.get().isEmpty()) {
