@@ -68,22 +68,6 @@ enum NumberGroup {
   private static final NumberGroup[] GROUPS = values();
   private static final int[] SIZES = Arrays.stream(GROUPS).mapToInt(each -> each.size).toArray();
 
-  /**
-   * What the sensors of an arm that rests say differently in each frame, because of their noise.
-   * While nothing else changes they are kept as seldom as {@link #AMBIENT}.
-   */
-  static final int NOISY =
-      AMBIENT.bit()
-          | ACTUAL_Q.bit()
-          | ACTUAL_QD.bit()
-          | TORQUE.bit()
-          | EXTERNAL_TORQUE.bit()
-          | CURRENT.bit()
-          | TOOL_ACCELERATION.bit()
-          | FLANGE_WRENCH.bit()
-          | RAW_WRENCH.bit()
-          | SUPPLY.bit();
-
   /** The quantities of all groups, one after the other. */
   private static final StateQuantity[] QUANTITIES =
       Arrays.stream(GROUPS)

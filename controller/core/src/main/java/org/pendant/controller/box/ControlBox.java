@@ -37,8 +37,7 @@ public final class ControlBox implements Host {
   public ControlBox(BoxSetup setup) {
     clock =
         new BoxClock(
-            setup.systemTime(),
-            new ExecutionTime(setup.readingNoise().measured(), setup.seed()));
+            setup.systemTime(), new ExecutionTime(setup.readingNoise().measured(), setup.seed()));
     arm = new RobotArm(setup);
     safety =
         new SafetySystem(
