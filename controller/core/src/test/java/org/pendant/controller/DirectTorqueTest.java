@@ -58,16 +58,17 @@ final class DirectTorqueTest {
     ArmDescription ur5e = ArmLibrary.load("ur5e");
     DMatrixRMaj mass = new DMatrixRMaj(Joints.COUNT, Joints.COUNT);
     new ArmDynamics(ur5e).mass(READY.toArray(), true, mass);
-    double coulomb = ur5e.actuators().get(5).coulombNm();
-    double viscous = ur5e.actuators().get(5).viscousNmSPerRad();
+    double coulomb = ur5e.actuators().get(5).dryNm(0);
+    double slow = ur5e.actuators().get(5).risingNmSPerRad(0);
+    double fast = ur5e.actuators().get(5).risingNmSPerRad(1.5);
     drive("[0, 0, 0, 0, 0, 3]", "False", 51);
     double speed = arm().actualSpeedRadPerS().q5();
     double inertia = mass.get(5, 5);
-    // I w' = torque - coulomb - viscous w, from rest for 50 to 52 frames
-    double most = (3 - coulomb) / viscous;
-    double early = most * (1 - Math.exp(-viscous / inertia * 0.098));
-    double late = most * (1 - Math.exp(-viscous / inertia * 0.106));
+    // I w' = torque - coulomb - c(w) w, c between that at rest and that at more than this speed
+    double early = (3 - coulomb) / slow * (1 - Math.exp(-slow / inertia * 0.098));
+    double late = (3 - coulomb) / fast * (1 - Math.exp(-fast / inertia * 0.106));
     assertTrue(speed > 0.97 * early && speed < 1.03 * late, early + " < " + speed + " < " + late);
+    assertTrue(late < 1.5 && late < 1.2 * early, early + " < " + late);
   }
 
   @Test

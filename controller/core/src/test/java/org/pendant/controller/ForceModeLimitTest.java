@@ -54,7 +54,7 @@ final class ForceModeLimitTest {
   void anArmThatIsPushedFartherThanItsLimitStopsAndSaysSo() {
     arm.start(floatZ("[0.1, 0.0012, 0.1, 0.17, 0.17, 0.17]") + "sleep(10)\n");
     arm.frames(100);
-    push(0, 60, 0, 0);
+    push(0, 100, 0, 0);
     arm.frames(100);
     assertEquals(SafetyMode.PROTECTIVE_STOP, mode());
     assertEquals(ProgramState.PAUSED, arm.running.programState());
@@ -139,7 +139,7 @@ final class ForceModeLimitTest {
   void unlockedItGoesOnWithItsLimits() {
     arm.start(floatZ("[0.1, 0.0012, 0.1, 0.17, 0.17, 0.17]") + "sleep(100)\n");
     arm.frames(100);
-    push(0, 60, 0, 0);
+    push(0, 100, 0, 0);
     arm.frames(2600);
     push(0, 0, 0, 0);
     arm.frames(500);
@@ -147,7 +147,7 @@ final class ForceModeLimitTest {
     arm.running.done(new ProgramCommand.ResumeProgram());
     arm.frames(500);
     keepsRunning();
-    push(0, 60, 0, 0);
+    push(0, 100, 0, 0);
     arm.frames(100);
     assertEquals(SafetyMode.PROTECTIVE_STOP, mode());
   }
@@ -159,7 +159,7 @@ final class ForceModeLimitTest {
             + "force_mode(get_actual_tcp_pose(), [0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 0, 0], 2,"
             + " [0.0012, 0.0012, 0.1, 0.17, 0.17, 0.17])\nsync()\nend\n");
     arm.frames(100);
-    push(0, 60, 0, 0);
+    push(0, 100, 0, 0);
     arm.frames(100);
     assertEquals(SafetyMode.PROTECTIVE_STOP, mode());
   }

@@ -182,6 +182,7 @@ final class StopsTest {
     double travelled = state().arm().targetPositionRad().get(0) - begin;
     assertTrue(travelled > 0.02 && travelled < 0.05, "stops within " + travelled + " rad");
     assertInstanceOf(Ending.Stopped.class, state().program().ending().orElseThrow());
+    frames(1); // the drives lag behind: the brakes take what is left
     Joints resting = state().arm().actualPositionRad();
     frames(100);
     assertEquals(resting, state().arm().actualPositionRad());

@@ -293,7 +293,7 @@ final class ToolpathProgramTest {
     }
     assertTrue(running());
     for (int i = 0; i < 1000 && running(); i++) {
-      double twistNm = 0.02 * i;
+      double twistNm = 0.05 * i;
       var _ = controller.submit(new WorldCommand.PushTool(new Wrench(0, 0, 0, 0, 0, twistNm)));
       advance();
     }

@@ -1,6 +1,8 @@
 package org.pendant.motion;
 
+import java.util.List;
 import java.util.Optional;
+import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -59,8 +61,7 @@ public final class TorquePathLimits {
   private final double[] maxSpeed = new double[N];
   private final double[] torqueLimit = new double[N];
   private final double[] rotor = new double[N];
-  private final double[] coulomb = new double[N];
-  private final double[] viscous = new double[N];
+  private final List<Actuator> drives;
 
   private final MotionSample sample = new MotionSample();
   private final boolean[] known = new boolean[POINTS];
@@ -87,12 +88,11 @@ public final class TorquePathLimits {
   /** Headroom of an arm without payload. */
   public TorquePathLimits(ArmDescription arm) {
     dynamics = new ArmDynamics(arm);
+    drives = arm.actuators();
     for (int i = 0; i < N; i++) {
       maxSpeed[i] = arm.joints().get(i).maxSpeedRadPerS();
       torqueLimit[i] = TORQUE_SHARE * arm.joints().get(i).maxTorqueNm();
       rotor[i] = arm.actuators().get(i).rotorInertiaKgM2();
-      coulomb[i] = arm.actuators().get(i).coulombNm();
-      viscous[i] = arm.actuators().get(i).viscousNmSPerRad();
     }
   }
 
@@ -360,9 +360,8 @@ public final class TorquePathLimits {
 
   /** The torque of joint i at point k for an even rate, whichever way it turns, Nm. */
   private double torqueAt(int k, int i, double rate) {
-    return Math.abs(holding[k][i] + perSquare[k][i] * rate * rate)
-        + coulomb[i]
-        + viscous[i] * perRate[k][i] * rate;
+    double load = Math.abs(holding[k][i] + perSquare[k][i] * rate * rate);
+    return load + drives.get(i).slidingNm(perRate[k][i] * rate, load);
   }
 
   /**

@@ -49,11 +49,9 @@ final class TorquePathLimitsTest {
       for (int i = 0; i < Joints.COUNT; i++) {
         JointLimits limit = chain.arm.joints().get(i);
         Actuator drive = chain.arm.actuators().get(i);
-        double needed =
-            torque[i]
-                + drive.rotorInertiaKgM2() * sample.acceleration[i]
-                + Math.signum(sample.speed[i]) * drive.coulombNm()
-                + drive.viscousNmSPerRad() * sample.speed[i];
+        double load = torque[i] + drive.rotorInertiaKgM2() * sample.acceleration[i];
+        double friction = drive.slidingNm(Math.abs(sample.speed[i]), load);
+        double needed = load + Math.signum(sample.speed[i]) * friction;
         most[0] = Math.max(most[0], Math.abs(sample.speed[i]) / limit.maxSpeedRadPerS());
         most[1] = Math.max(most[1], Math.abs(needed) / limit.maxTorqueNm());
       }

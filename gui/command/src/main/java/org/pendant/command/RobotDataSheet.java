@@ -2,6 +2,8 @@ package org.pendant.command;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.shape.ArmShape;
@@ -42,20 +44,40 @@ record RobotDataSheet(ArmDescription arm, ArmShape shape) {
   /** The groups of numbers and how far each can be trusted. */
   List<Trust> trust() {
     ArmDescription.Status status = arm.status();
-    return List.of(
-        new Trust("lengths", status.kinematics()),
-        new Trust("masses", status.masses()),
-        new Trust("inertias", status.inertias()),
-        new Trust("limits", status.jointLimits()),
-        new Trust("drives", status.actuators()),
-        new Trust("shape", shape.status()));
+    return Stream.of(
+            Stream.of(
+                new Trust("lengths", status.kinematics()),
+                new Trust("masses", status.masses()),
+                new Trust("inertias", status.inertias()),
+                new Trust("limits", status.jointLimits())),
+            driveTrust().stream(),
+            Stream.of(new Trust("shape", shape.status())))
+        .flatMap(each -> each)
+        .toList();
   }
 
-  /** The groups that were not taken from this very model, e.g. {@code limits, drives}. */
+  /** The same for the numbers of the drives. */
+  List<Trust> driveTrust() {
+    return List.of(
+        Trust.ofJoints("rotors", driveStatus().map(Actuator.Status::rotorInertia)),
+        Trust.ofJoints("torque constants", driveStatus().map(Actuator.Status::torqueConstant)),
+        Trust.ofJoints("friction", driveStatus().map(Actuator.Status::friction)));
+  }
+
+  private Stream<Actuator.Status> driveStatus() {
+    return arm.actuators().stream().map(Actuator::status);
+  }
+
+  /**
+   * The groups that were not all taken from this very model, e.g. {@code limits, drives}; the
+   * numbers of the drives count as one group.
+   */
   String uncertain() {
+    List<Trust> ofDrives = driveTrust();
     return trust().stream()
-        .filter(each -> !each.confidence().ofThisModel())
-        .map(Trust::group)
+        .filter(each -> !each.ofThisModel())
+        .map(each -> ofDrives.contains(each) ? "drives" : each.group())
+        .distinct()
         .collect(Collectors.joining(", "));
   }
 }

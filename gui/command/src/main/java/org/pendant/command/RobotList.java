@@ -15,7 +15,7 @@ final class RobotList {
             .right("payload")
             .right("reach")
             .left("joint speeds, deg/s")
-            .left("assumed or estimated");
+            .left("derived, assumed or estimated");
     for (RobotDataSheet robot : robots) {
       table.row(
           robot.arm().id(),

@@ -31,8 +31,8 @@ final class RobotSheet {
     lines.addAll(section(lengths, lengths().aligned()));
     String limits = "Limits of the joints: " + status.jointLimits().word();
     lines.addAll(section(limits, limits().aligned()));
-    String drives = "Drives, seen from the joint: " + status.actuators().word();
-    lines.addAll(section(drives, drives().aligned()));
+    lines.addAll(section("Drives, seen from the joint", drives().aligned()));
+    lines.addAll(section("Where the numbers of the drives come from", driveTrust().aligned()));
     String links = "Links: " + status.masses().word();
     lines.addAll(section(links, links().aligned()));
     lines.addAll(section("Where the numbers come from", trust().aligned()));
@@ -100,18 +100,38 @@ final class RobotSheet {
     Table table =
         new Table()
             .left("joint")
-            .right("rotor inertia, kg m\u00b2")
-            .right("Coulomb friction, Nm")
-            .right("viscous, Nm s/rad")
-            .right("torque, Nm/A");
+            .right("rotor, kg m\u00b2")
+            .right("Nm/A")
+            .right("Coulomb, A")
+            .right("curved, A")
+            .right("over, rad/s")
+            .right("viscous, A s/rad")
+            .right("load, A/Nm");
     for (int i = 0; i < JOINTS.size(); i++) {
       Actuator drive = arm.actuators().get(i);
       table.row(
           JOINTS.get(i),
-          Decimal.text(drive.rotorInertiaKgM2(), 3),
-          Decimal.text(drive.coulombNm(), 2),
-          Decimal.text(drive.viscousNmSPerRad(), 2),
-          Decimal.text(drive.torqueConstantNmPerA(), 2));
+          Decimal.text(drive.rotorInertiaKgM2(), 4),
+          Decimal.text(drive.torqueConstantNmPerA(), 3),
+          Decimal.text(drive.friction().coulombA(), 3),
+          Decimal.text(drive.friction().curvedA(), 3),
+          Decimal.text(drive.friction().curveSpeedRadPerS(), 3),
+          Decimal.text(drive.friction().viscousASPerRad(), 3),
+          Decimal.text(drive.friction().loadAPerNm(), 4));
+    }
+    return table;
+  }
+
+  private Table driveTrust() {
+    Table table =
+        new Table().left("joint").left("rotor inertia").left("torque constant").left("friction");
+    for (int i = 0; i < JOINTS.size(); i++) {
+      Actuator.Status status = arm.actuators().get(i).status();
+      table.row(
+          JOINTS.get(i),
+          status.rotorInertia().word(),
+          status.torqueConstant().word(),
+          status.friction().word());
     }
     return table;
   }
@@ -141,7 +161,7 @@ final class RobotSheet {
   private Table trust() {
     Table table = new Table().left("group").left("status").left("which means");
     for (Trust trust : robot.trust()) {
-      table.row(trust.group(), trust.confidence().word(), Trust.meaning(trust.confidence()));
+      table.row(trust.group(), trust.words(), trust.meanings());
     }
     return table;
   }

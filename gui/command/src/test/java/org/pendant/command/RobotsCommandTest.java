@@ -38,7 +38,7 @@ final class RobotsCommandTest {
         ArmLibrary.ids(), lines.stream().skip(1).map(line -> line.split(" ", 2)[0]).toList());
     assertEquals(
         "id       name      series     payload    reach  joint speeds, deg/s      "
-            + "assumed or estimated",
+            + "derived, assumed or estimated",
         lines.getFirst());
     assertTrue(
         lines.contains(
@@ -61,13 +61,15 @@ final class RobotsCommandTest {
             """,
             "Limits of the joints: assumed\n",
             "  elbow          -360      360           240         204\n",
-            "Drives, seen from the joint: estimated\n",
-            "  elbow                      0.1                  10.2               10.2",
+            "Drives, seen from the joint\n",
+            "  elbow              2.9  10.5        1.01      0.486         0.48             0.583  "
+                + "         0\n",
+            "  elbow     estimated      estimated        estimated\n",
             "Links: verified\n",
             "  upper arm   17.0738             0.565429  -0.000074    0.19542\n",
             "  together    39.9439\n",
-            "  lengths   verified   two independent public sources agree\n",
-            "  limits    assumed    taken over from a sister model\n",
+            "  lengths           verified   two independent public sources agree\n",
+            "  limits            assumed    taken over from a sister model\n",
             "Notes\n  - joint limits of the UR15, which has the same joints\n")) {
       assertTrue(sheet.contains(part), () -> "no " + part + " in\n" + sheet);
     }
@@ -115,8 +117,12 @@ final class RobotsCommandTest {
     }
     assertTrue(
         page.contains(
-            "| UR30 | verified | verified | estimated | verified | estimated | measured |"));
-    assertTrue(page.contains("| 330 | 0.1 | 16.5 | 16.5 | 15 |"));
+            "| UR30 | verified | verified | estimated | verified | estimated | estimated |"
+                + " estimated | measured |"));
+    assertTrue(
+        page.contains(
+            "| UR10e | 0 | 330 | 6.03 | 11.976 | 1.429 | 0.695 | 0.465 | 0.819 | 0 |"
+                + " measured, measured, measured |"));
   }
 
   @Test

@@ -3,37 +3,57 @@ package org.pendant.models.arm;
 /**
  * The drive of one joint: motor, gear and bearings, seen from the joint.
  *
- * <p>No manufacturer publishes these numbers; the descriptions carry estimates of ours.
- *
  * @param rotorInertiaKgM2 inertia of the motor behind the gear, kg m²
- * @param coulombNm friction that does not depend on the speed, Nm
- * @param viscousNmSPerRad friction that grows with the speed, Nm s/rad
  * @param torqueConstantNmPerA torque that one ampere gives, Nm/A
+ * @param friction what friction takes of the current
+ * @param status how far the numbers can be trusted
  */
 public record Actuator(
-    double rotorInertiaKgM2,
-    double coulombNm,
-    double viscousNmSPerRad,
-    double torqueConstantNmPerA) {
+    double rotorInertiaKgM2, double torqueConstantNmPerA, FrictionCurve friction, Status status) {
+  /**
+   * Trust in each number of a drive.
+   *
+   * @param rotorInertia of the rotor's inertia
+   * @param torqueConstant of the torque constant
+   * @param friction of the friction curve
+   */
+  public record Status(Confidence rotorInertia, Confidence torqueConstant, Confidence friction) {}
+
   /**
    * Checks the numbers.
    *
-   * @throws IllegalArgumentException if one is negative, or the torque constant not above 0
+   * @throws IllegalArgumentException if the inertia is negative or the torque constant not above 0
    */
   public Actuator {
-    if (!(rotorInertiaKgM2 >= 0) || !(coulombNm >= 0) || !(viscousNmSPerRad >= 0)) {
+    if (!(rotorInertiaKgM2 >= 0) || rotorInertiaKgM2 == Double.POSITIVE_INFINITY) {
       throw new IllegalArgumentException(
-          "actuator: rotor inertia is "
+          "actuator: rotorInertiaKgM2 is "
               + rotorInertiaKgM2
-              + " kg m\u00b2, Coulomb friction "
-              + coulombNm
-              + " Nm, viscous friction "
-              + viscousNmSPerRad
-              + " Nm s/rad, none may be negative");
+              + " kg m\u00b2, must not be negative");
     }
-    if (!(torqueConstantNmPerA > 0)) {
+    if (!(torqueConstantNmPerA > 0) || torqueConstantNmPerA == Double.POSITIVE_INFINITY) {
       throw new IllegalArgumentException(
-          "actuator: torque constant is " + torqueConstantNmPerA + " Nm/A, must be above 0");
+          "actuator: torqueConstantNmPerA is " + torqueConstantNmPerA + " Nm/A, must be above 0");
     }
+  }
+
+  /** Dry friction under a load (Nm), Nm. */
+  public double dryNm(double loadNm) {
+    return torqueConstantNmPerA * friction.dryA(loadNm);
+  }
+
+  /** Friction that grows with the speed, over the speed (rad/s), Nm s/rad. */
+  public double risingNmSPerRad(double speedRadPerS) {
+    return torqueConstantNmPerA * friction.risingASPerRad(speedRadPerS);
+  }
+
+  /** All friction of a joint that turns at a positive speed (rad/s) under a load (Nm), Nm. */
+  public double slidingNm(double speedRadPerS, double loadNm) {
+    return torqueConstantNmPerA * (friction.dryA(loadNm) + friction.risingA(speedRadPerS));
+  }
+
+  /** The same drive without friction. */
+  public Actuator frictionless() {
+    return new Actuator(rotorInertiaKgM2, torqueConstantNmPerA, FrictionCurve.NONE, status);
   }
 }

@@ -30,20 +30,16 @@ public record ArmDescription(
     Status status,
     List<String> notes) {
   /**
-   * Trust in each group of numbers.
+   * Trust in each group of numbers; that in the drives differs from joint to joint and is with
+   * {@link Actuator#status}.
    *
    * @param kinematics of the lengths
    * @param masses of masses and centres of mass
    * @param inertias of the links
    * @param jointLimits of ranges, speeds and torques
-   * @param actuators of friction, rotor inertia and torque constants
    */
   public record Status(
-      Confidence kinematics,
-      Confidence masses,
-      Confidence inertias,
-      Confidence jointLimits,
-      Confidence actuators) {}
+      Confidence kinematics, Confidence masses, Confidence inertias, Confidence jointLimits) {}
 
   /**
    * Checks the counts and copies the lists.

@@ -6,8 +6,10 @@ import java.util.Locale;
 public enum Confidence {
   /** Two independent public sources agree. */
   VERIFIED,
-  /** Measured by us on a public three-dimensional drawing of this very model; one source. */
+  /** Measured by us on a public drawing or recording of this very model; one source. */
   MEASURED,
+  /** Taken over from a measured part of the same size in another place or model. */
+  DERIVED,
   /** Taken over from a sister model. */
   ASSUMED,
   /** Estimated by us. */
@@ -27,7 +29,9 @@ public enum Confidence {
       }
     }
     throw new IllegalArgumentException(
-        "status is " + word + ", must be verified, measured, assumed, estimated or missing");
+        "status is "
+            + word
+            + ", must be verified, measured, derived, assumed, estimated or missing");
   }
 
   /** The name in lower case, as files and people write it. */

@@ -71,8 +71,7 @@ final class DescriptionReader {
         Confidence.named(status.text("kinematics").value()),
         Confidence.named(status.text("masses").value()),
         Confidence.named(status.text("inertias").value()),
-        Confidence.named(status.text("jointLimits").value()),
-        Confidence.named(status.text("actuators").value()));
+        Confidence.named(status.text("jointLimits").value()));
   }
 
   private static JointLimits limits(JsonFields joint) throws JsonException {
@@ -87,9 +86,25 @@ final class DescriptionReader {
   private static Actuator actuator(JsonFields joint) throws JsonException {
     return new Actuator(
         joint.number("rotorInertiaKgM2"),
-        joint.number("coulombNm"),
-        joint.number("viscousNmSPerRad"),
-        joint.number("torqueConstantNmPerA"));
+        joint.number("torqueConstantNmPerA"),
+        friction(joint.object("friction")),
+        driveStatus(joint.object("status")));
+  }
+
+  private static FrictionCurve friction(JsonFields friction) throws JsonException {
+    return new FrictionCurve(
+        friction.number("coulombA"),
+        friction.number("curvedA"),
+        friction.number("curveSpeedRadPerS"),
+        friction.number("viscousASPerRad"),
+        friction.number("loadAPerNm"));
+  }
+
+  private static Actuator.Status driveStatus(JsonFields status) throws JsonException {
+    return new Actuator.Status(
+        Confidence.named(status.text("rotorInertia").value()),
+        Confidence.named(status.text("torqueConstant").value()),
+        Confidence.named(status.text("friction").value()));
   }
 
   private static LinkMass link(JsonFields link) throws JsonException {

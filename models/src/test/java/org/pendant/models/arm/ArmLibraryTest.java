@@ -65,6 +65,42 @@ class ArmLibraryTest {
   }
 
   @Test
+  void drivesOfTheRecordedArmsAreMeasuredAndThoseOfTheirSistersDerived() {
+    Actuator base = ArmLibrary.load("ur10e").actuators().getFirst();
+    assertEquals(6.03, base.rotorInertiaKgM2());
+    assertEquals(11.976, base.torqueConstantNmPerA());
+    assertEquals(new FrictionCurve(1.429, 0.695, 0.465, 0.819, 0), base.friction());
+    Confidence measured = Confidence.MEASURED;
+    assertEquals(new Actuator.Status(measured, measured, measured), base.status());
+    for (Actuator drive : ArmLibrary.load("ur16e").actuators()) {
+      Confidence derived = Confidence.DERIVED;
+      assertEquals(new Actuator.Status(derived, derived, derived), drive.status());
+    }
+  }
+
+  @Test
+  void frictionOfEveryDriveIsAboutATwentiethOfItsLargestTorque() {
+    for (String id : ArmLibrary.ids()) {
+      ArmDescription arm = ArmLibrary.load(id);
+      for (int i = 0; i < Joints.COUNT; i++) {
+        double share = arm.actuators().get(i).dryNm(0) / arm.joints().get(i).maxTorqueNm();
+        assertTrue(share > 0.04 && share < 0.1, id + ", joint " + i + ": " + share);
+      }
+    }
+  }
+
+  @Test
+  void biggerJointsHaveHeavierRotors() {
+    for (String id : ArmLibrary.ids()) {
+      ArmDescription arm = ArmLibrary.load(id);
+      for (int i = 1; i < Joints.COUNT; i++) {
+        double before = arm.actuators().get(i - 1).rotorInertiaKgM2();
+        assertTrue(arm.actuators().get(i).rotorInertiaKgM2() <= before, id + ", joint " + i);
+      }
+    }
+  }
+
+  @Test
   void anUnknownModelIsRefusedWithTheNamesOfTheKnownOnes() {
     IllegalArgumentException refused =
         assertThrows(IllegalArgumentException.class, () -> ArmLibrary.load("ur6"));
@@ -107,7 +143,7 @@ class ArmLibraryTest {
     assertEquals(
         "series is UR, must be CB3, e-Series or UR-Series", refusal("\"e-Series\"", "\"UR\""));
     assertEquals(
-        "status is sure, must be verified, measured, assumed, estimated or missing",
+        "status is sure, must be verified, measured, derived, assumed, estimated or missing",
         refusal("\"kinematics\": \"verified\"", "\"kinematics\": \"sure\""));
   }
 

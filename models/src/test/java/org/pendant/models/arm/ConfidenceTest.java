@@ -19,7 +19,7 @@ class ConfidenceTest {
   @Test
   void otherWordsAreRefused() {
     assertEquals(
-        "status is VERIFIED, must be verified, measured, assumed, estimated or missing",
+        "status is VERIFIED, must be verified, measured, derived, assumed, estimated or missing",
         assertThrows(IllegalArgumentException.class, () -> Confidence.named("VERIFIED"))
             .getMessage());
   }

@@ -18,8 +18,8 @@ interface Drives {
   /** Takes note of what came out of a step: {@code body} and {@code step} are as at its end. */
   void stepped(double remainingS, double stepS, ArmBody body, JointStep step);
 
-  /** What the target of the frame needs at joint {@code joint} by the controller's model, Nm. */
-  double targetNm(int joint);
+  /** Writes what the target of the frame needs by the controller's model. */
+  void publishTarget(SimulatedSensors sensors);
 
   /** Whether nothing in the drives would change if the same frame came once more. */
   boolean settled();

@@ -1,8 +1,8 @@
 package org.pendant.controller.arm;
 
 import java.util.Arrays;
+import java.util.SplittableRandom;
 import org.pendant.controller.world.ContactWorld;
-import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -54,6 +54,7 @@ public final class DynamicArm implements SimulatedArm {
   private final ArmDynamics truth;
   private final ArmBody body;
   private final JointStep step = new JointStep();
+  private final JointFriction friction;
   private final JointServos servos;
   private final FreeMotors freeMotors;
   private final ExternalForces externalForces;
@@ -76,8 +77,10 @@ public final class DynamicArm implements SimulatedArm {
     ArmDescription arm = setup.arm();
     truth = new ArmDynamics(arm);
     body = new ArmBody(truth, setup.startRad());
-    servos = new JointServos(arm, setup.model());
-    freeMotors = new FreeMotors(arm, setup.model());
+    friction = new JointFriction(arm);
+    servos =
+        new JointServos(arm, setup.model(), friction, new SplittableRandom(setup.seed()).split());
+    freeMotors = new FreeMotors(arm, setup.model(), friction);
     externalForces = new ExternalForces(arm, setup.world());
     flange = new Flange(arm);
     heat = new JointHeat(arm, sensors, setup.noise().measured());
@@ -127,7 +130,7 @@ public final class DynamicArm implements SimulatedArm {
     flange.update(body.q, body.qd, body.qdd);
     Arrays.fill(sensors.torqueNm, 0);
     Arrays.fill(sensors.modelTorqueNm, 0);
-    Arrays.fill(sensors.targetTorqueNm, 0);
+    TargetLoad.publishNone(sensors);
     measureMotion();
     measureCurrents();
     heat.load(sensors, false);
@@ -136,6 +139,7 @@ public final class DynamicArm implements SimulatedArm {
 
   private void drive(Drives drives) {
     body.weigh(step);
+    friction.beginFrame(body.qd);
     externalForces.lookAhead(body);
     int steps = externalForces.inContact() ? CONTACT_STEPS : 1;
     double stepS = FrameTime.FRAME_S / steps;
@@ -170,21 +174,17 @@ public final class DynamicArm implements SimulatedArm {
   private void measureTorques(Drives drives, int steps) {
     setup.model().inverse(body.middleQ, body.middleQd, body.qdd, sensors.modelTorqueNm);
     for (int i = 0; i < N; i++) {
-      Actuator actuator = setup.arm().actuators().get(i);
+      double rotorKgM2 = setup.arm().actuators().get(i).rotorInertiaKgM2();
       sensors.torqueNm[i] = motorSum[i] / steps;
-      sensors.targetTorqueNm[i] = drives.targetNm(i);
-      sensors.modelTorqueNm[i] +=
-          actuator.rotorInertiaKgM2() * body.qdd[i]
-              + actuator.coulombNm() * Math.signum(body.middleQd[i])
-              + actuator.viscousNmSPerRad() * body.middleQd[i];
+      sensors.modelTorqueNm[i] += rotorKgM2 * body.qdd[i] + friction.slidingNm(i, body.middleQd[i]);
     }
+    drives.publishTarget(sensors);
   }
 
   private void measureCurrents() {
     for (int i = 0; i < N; i++) {
       double constant = setup.arm().actuators().get(i).torqueConstantNmPerA();
       sensors.currentA[i] = sensors.torqueNm[i] / constant;
-      sensors.targetCurrentA[i] = sensors.targetTorqueNm[i] / constant;
     }
   }
 

@@ -1,7 +1,5 @@
 package org.pendant.controller.arm;
 
-import java.util.List;
-import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -17,13 +15,16 @@ final class FreeMotors implements Drives {
 
   private final ArmDynamics model;
   private final ArmDescription arm;
+  private final JointFriction own;
   private final double[] weightNm = new double[N];
+  private final double[] overcomeNm = new double[N];
   private Joints torqueNm = Joints.ZERO;
   private Joints dampingNmSPerRad = Joints.ZERO;
   private FrictionShare friction = FrictionShare.NONE;
 
-  FreeMotors(ArmDescription arm, ArmDynamics model) {
+  FreeMotors(ArmDescription arm, ArmDynamics model, JointFriction own) {
     this.arm = arm;
+    this.own = own;
     this.model = model;
   }
 
@@ -44,30 +45,34 @@ final class FreeMotors implements Drives {
   @Override
   public void prepare(double remainingS, double stepS, ArmBody body, JointStep step) {
     model.gravity(body.middleQ, weightNm);
-    List<Actuator> actuators = arm.actuators();
+    own.underLoad(weightNm);
     for (int i = 0; i < N; i++) {
-      Actuator actuator = actuators.get(i);
       step.driveNm[i] = torqueNm.get(i) + weightNm[i];
       step.slopeNmSPerRad[i] = dampingNmSPerRad.get(i);
       step.limitNm[i] = arm.joints().get(i).maxTorqueNm();
-      step.coulombNm[i] = (1 - friction.coulomb().get(i)) * actuator.coulombNm();
-      step.viscousNmSPerRad[i] = (1 - friction.viscous().get(i)) * actuator.viscousNmSPerRad();
+      step.coulombNm[i] = (1 - friction.coulomb().get(i)) * own.dryNm[i];
+      step.viscousNmSPerRad[i] = (1 - friction.viscous().get(i)) * own.risingNmSPerRad[i];
     }
   }
 
   @Override
   public void stepped(double remainingS, double stepS, ArmBody body, JointStep step) {
     for (int i = 0; i < N; i++) {
-      Actuator actuator = arm.actuators().get(i);
-      step.motorNm[i] +=
-          friction.coulomb().get(i) * actuator.coulombNm() * Math.signum(body.qd[i])
-              + friction.viscous().get(i) * actuator.viscousNmSPerRad() * body.qd[i];
+      overcomeNm[i] =
+          friction.coulomb().get(i) * own.dryNm[i] * Math.signum(body.qd[i])
+              + friction.viscous().get(i) * own.risingNmSPerRad[i] * body.qd[i];
+      step.motorNm[i] += overcomeNm[i];
     }
   }
 
   @Override
-  public double targetNm(int joint) {
-    return torqueNm.get(joint) + weightNm[joint];
+  public void publishTarget(SimulatedSensors sensors) {
+    for (int i = 0; i < N; i++) {
+      double momentNm = torqueNm.get(i) + weightNm[i];
+      double constant = arm.actuators().get(i).torqueConstantNmPerA();
+      sensors.targetTorqueNm[i] = momentNm;
+      sensors.targetCurrentA[i] = (momentNm + overcomeNm[i]) / constant;
+    }
   }
 
   @Override

@@ -14,7 +14,8 @@ import org.pendant.models.pose.Wrench;
 /**
  * Ideal arm: simulated without mass, friction or delay, it is always exactly where it should be.
  * Its motors feel nothing, it touches nothing, and without a target it stays where it is, at once.
- * Only the flange feels something: the weight and inertia of the load in the target motion.
+ * Only the flange feels something: the weight and inertia of the load in the target motion; and the
+ * controller says what that motion would need, as with any arm.
  *
  * <p>Guided by hand, driven by torques or pushed in backdrive it has no target, and something must
  * yield: it then moves as the {@link DynamicArm} would.
@@ -22,6 +23,7 @@ import org.pendant.models.pose.Wrench;
 public final class IdealArm implements SimulatedArm {
   private final DynamicArm.Setup setup;
   private final Flange flange;
+  private final TargetLoad targetLoad;
   private final SimulatedSensors sensors = new SimulatedSensors();
   private Optional<DynamicArm> yielding = Optional.empty();
   private Payload load = Payload.NONE;
@@ -59,6 +61,7 @@ public final class IdealArm implements SimulatedArm {
             ReadingNoise.NONE,
             setup.seed());
     flange = new Flange(setup.arm());
+    targetLoad = new TargetLoad(setup.arm(), setup.model());
     Arrays.fill(sensors.temperatureC, JointHeat.AMBIENT_C);
     sensors.toolTemperatureC = JointHeat.AMBIENT_C;
     move(setup.startRad(), Joints.ZERO, Joints.ZERO);
@@ -82,7 +85,9 @@ public final class IdealArm implements SimulatedArm {
   private void obey(ArmCommand command) {
     if (command instanceof ArmCommand.Servo target) {
       move(target.positionRad(), target.speedRadPerS(), target.accelerationRadPerS2());
+      publish(target);
     } else {
+      TargetLoad.publishNone(sensors);
       move(positionRad, Joints.ZERO, Joints.ZERO);
     }
   }
@@ -95,6 +100,8 @@ public final class IdealArm implements SimulatedArm {
     }
     arm.step(command);
     SimulatedSensors felt = arm.sensors();
+    System.arraycopy(felt.targetTorqueNm, 0, sensors.targetTorqueNm, 0, Joints.COUNT);
+    System.arraycopy(felt.targetCurrentA, 0, sensors.targetCurrentA, 0, Joints.COUNT);
     if (!Arrays.equals(felt.positionRad, sensors.positionRad)
         || !Arrays.equals(felt.speedRadPerS, sensors.speedRadPerS)
         || !Arrays.equals(felt.accelerationRadPerS2, sensors.accelerationRadPerS2)) {
@@ -172,10 +179,17 @@ public final class IdealArm implements SimulatedArm {
     yielding.ifPresent(arm -> arm.setToolCentre(tcpInFlange));
   }
 
-  /** Counts when the arm yields; otherwise an ideal arm needs no model. */
   @Override
   public void modelChanged() {
     yielding.ifPresent(DynamicArm::modelChanged);
+    if (last instanceof ArmCommand.Servo target) {
+      publish(target);
+    }
+  }
+
+  private void publish(ArmCommand.Servo target) {
+    targetLoad.of(target);
+    targetLoad.publish(sensors);
   }
 
   @Override

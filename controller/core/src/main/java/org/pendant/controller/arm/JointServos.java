@@ -2,6 +2,7 @@ package org.pendant.controller.arm;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
@@ -15,6 +16,9 @@ import org.pendant.models.time.FrameTime;
  * model is fed forward; each joint corrects what is left by itself: its distance from the target
  * demands a speed, the error of the speed a torque, and what stays is integrated away. The servos
  * of a real arm run many times a frame, so they are taken to act on the state at the end of a step.
+ *
+ * <p>What they follow is the target as it was half a millisecond before: that is how far real
+ * drives lag.
  *
  * <p>Gains are laid out, as on a real arm, for the largest inertia that a joint has to turn: the
  * arm stretched out, with its rated payload.
@@ -30,13 +34,25 @@ final class JointServos implements Drives {
   private static final double INTEGRATION_RATE_PER_S = 8;
 
   /** Nothing is integrated nearer than this to the target, rad: ends the hunt for the last bit. */
-  private static final double CLOSE_ENOUGH_RAD = 5e-5;
+  private static final double CLOSE_ENOUGH_RAD = 3e-5;
+
+  /** How far the drives lag behind the target, s. */
+  private static final double LAG_S = 0.00049;
+
+  /** What the lag is of a frame. */
+  private static final double LAG_SHARE = LAG_S / FrameTime.FRAME_S;
+
+  /** Share of this frame's target, against the last one's, in the middle of what is followed. */
+  private static final double MIDDLE_SHARE = 0.5 - LAG_SHARE;
+
+  /**
+   * Up to this difference from the mean of the target's accelerations the load is interpolated,
+   * rad/s²: less than a joint could feel.
+   */
+  private static final double EVEN_RAD_PER_S2 = 0.02;
 
   /** How far the demanded speed may exceed a joint's largest one, as a factor. */
   private static final double SPEED_MARGIN = 1.1;
-
-  /** Friction is fed forward in full above this target speed, rad/s. */
-  private static final double SLIDING_RAD_PER_S = 1e-4;
 
   /**
    * The least dry friction, Nm: too little to be noticed, enough for a drive without friction to
@@ -48,16 +64,26 @@ final class JointServos implements Drives {
 
   private final ArmDynamics model;
   private final List<Actuator> actuators;
-  private final double[] frictionNm = new double[N];
-  private final double[] viscousNmSPerRad = new double[N];
+  private final JointFriction own;
+  private final HeldFriction held;
+  private final TargetLoad load;
   private final double[] damping = new double[N];
   private final double[] fastest = new double[N];
   private final double[] limitNm = new double[N];
 
-  /** Feed-forward, Nm: the torque that the target needs in the middle of the frame. */
-  private final double[] targetNm = new double[N];
+  /** Feed-forward, Nm: the torque that what is followed needs in the middle of the frame. */
+  private final double[] feedNm = new double[N];
 
+  private final double[] lastMomentNm = new double[N];
+  private final double[] lastRisingNm = new double[N];
+  private final double[] lastQdd = new double[N];
+  private final double[] givenQ = new double[N];
+  private final double[] givenQd = new double[N];
+  private final double[] lastQd = new double[N];
+
+  /** Where what is followed is when the frame begins, rad; after that, where when it ends. */
   private final double[] fromQ = new double[N];
+
   private final double[] fromQd = new double[N];
   private final double[] toQ = new double[N];
   private final double[] toQd = new double[N];
@@ -69,14 +95,20 @@ final class JointServos implements Drives {
   private boolean following;
   private boolean settled;
 
-  JointServos(ArmDescription arm, ArmDynamics model) {
+  /**
+   * Servos that follow nothing yet.
+   *
+   * @param own friction of the true joints
+   * @param random draws what dry friction holds back at each stop
+   */
+  JointServos(ArmDescription arm, ArmDynamics model, JointFriction own, SplittableRandom random) {
     this.model = model;
+    this.own = own;
+    held = new HeldFriction(random);
+    load = new TargetLoad(arm, model);
     actuators = arm.actuators();
     DMatrixRMaj heaviest = heaviest(arm);
     for (int i = 0; i < N; i++) {
-      Actuator actuator = actuators.get(i);
-      frictionNm[i] = Math.max(MIN_FRICTION_NM, actuator.coulombNm());
-      viscousNmSPerRad[i] = actuator.viscousNmSPerRad();
       damping[i] = SPEED_RATE_PER_S * heaviest.get(i, i);
       fastest[i] = SPEED_MARGIN * arm.joints().get(i).maxSpeedRadPerS();
       limitNm[i] = arm.joints().get(i).maxTorqueNm();
@@ -99,43 +131,73 @@ final class JointServos implements Drives {
 
   /** Takes the target of a frame. */
   void follow(ArmCommand.Servo target) {
-    if (following) {
-      System.arraycopy(toQ, 0, fromQ, 0, N);
-      System.arraycopy(toQd, 0, fromQd, 0, N);
+    System.arraycopy(toQ, 0, fromQ, 0, N);
+    System.arraycopy(toQd, 0, fromQd, 0, N);
+    System.arraycopy(givenQd, 0, lastQd, 0, N);
+    System.arraycopy(load.momentNm, 0, lastMomentNm, 0, N);
+    System.arraycopy(load.risingNm, 0, lastRisingNm, 0, N);
+    System.arraycopy(load.qdd, 0, lastQdd, 0, N);
+    target.positionRad().copyTo(givenQ);
+    target.speedRadPerS().copyTo(givenQd);
+    load.of(target);
+    own.underLoad(load.momentNm);
+    boolean begins = !following;
+    if (begins) {
+      begin();
     }
-    target.positionRad().copyTo(toQ);
-    target.speedRadPerS().copyTo(toQd);
-    if (!following) {
-      begin(target.accelerationRadPerS2());
+    for (int i = 0; i < N; i++) {
+      toQd[i] = givenQd[i] - LAG_SHARE * (givenQd[i] - lastQd[i]);
+      toQ[i] = givenQ[i] - LAG_S * (toQd[i] + givenQd[i]) / 2;
     }
-    settled = Arrays.equals(fromQ, toQ) && Arrays.equals(fromQd, toQd);
-    feedForward();
+    settled =
+        Arrays.equals(fromQ, toQ)
+            && Arrays.equals(fromQd, toQd)
+            && Arrays.equals(lastMomentNm, load.momentNm);
+    feedForward(begins);
   }
 
   /** Takes the target to have moved evenly so far. */
-  private void begin(Joints accelerationRadPerS2) {
+  private void begin() {
     for (int i = 0; i < N; i++) {
-      fromQd[i] = toQd[i] - FrameTime.FRAME_S * accelerationRadPerS2.get(i);
-      fromQ[i] = toQ[i] - FrameTime.FRAME_S * (fromQd[i] + toQd[i]) / 2;
+      double beforeS = FrameTime.FRAME_S + LAG_S;
+      lastQd[i] = givenQd[i] - FrameTime.FRAME_S * load.qdd[i];
+      fromQd[i] = givenQd[i] - beforeS * load.qdd[i];
+      fromQ[i] = givenQ[i] - beforeS * (fromQd[i] + givenQd[i]) / 2;
     }
     Arrays.fill(integralNm, 0);
+    held.release();
     following = true;
   }
 
-  private void feedForward() {
+  private void feedForward(boolean begins) {
+    boolean even = !begins;
     for (int i = 0; i < N; i++) {
       middleQ[i] = (fromQ[i] + toQ[i]) / 2;
       middleQd[i] = (fromQd[i] + toQd[i]) / 2;
       meanQdd[i] = (toQd[i] - fromQd[i]) / FrameTime.FRAME_S;
+      double expected = between(lastQdd[i], load.qdd[i]);
+      even &= Math.abs(meanQdd[i] - expected) <= EVEN_RAD_PER_S2;
     }
-    model.inverse(middleQ, middleQd, meanQdd, targetNm);
+    if (!even) {
+      model.inverse(middleQ, middleQd, meanQdd, feedNm);
+    }
     for (int i = 0; i < N; i++) {
-      double sliding = Math.max(-1, Math.min(1, middleQd[i] / SLIDING_RAD_PER_S));
-      targetNm[i] +=
-          actuators.get(i).rotorInertiaKgM2() * meanQdd[i]
-              + actuators.get(i).coulombNm() * sliding
-              + viscousNmSPerRad[i] * middleQd[i];
+      Actuator actuator = actuators.get(i);
+      double risingNm;
+      if (even) {
+        feedNm[i] = between(lastMomentNm[i], load.momentNm[i]);
+        risingNm = between(lastRisingNm[i], load.risingNm[i]);
+      } else {
+        feedNm[i] += actuator.rotorInertiaKgM2() * meanQdd[i];
+        risingNm = actuator.risingNmSPerRad(middleQd[i]) * middleQd[i];
+      }
+      feedNm[i] += own.dryNm[i] * held.share(i, middleQd[i]) + risingNm;
     }
+  }
+
+  /** The value in the middle of what is followed in this frame. */
+  private static double between(double last, double now) {
+    return last + MIDDLE_SHARE * (now - last);
   }
 
   @Override
@@ -147,12 +209,12 @@ final class JointServos implements Drives {
           targetQd(i, remainingS) + POSITION_RATE_PER_S * (targetQ(i, remainingS) - ownShare);
       double allowed = Math.max(-fastest[i], Math.min(fastest[i], demand));
       atFullSpeed[i] = allowed != demand;
-      step.driveNm[i] = targetNm[i] + integralNm[i] + damping[i] * allowed;
+      step.driveNm[i] = feedNm[i] + integralNm[i] + damping[i] * allowed;
       step.slopeNmSPerRad[i] =
           atFullSpeed[i] ? damping[i] : damping[i] * (1 + POSITION_RATE_PER_S * half);
       step.limitNm[i] = limitNm[i];
-      step.coulombNm[i] = frictionNm[i];
-      step.viscousNmSPerRad[i] = viscousNmSPerRad[i];
+      step.coulombNm[i] = Math.max(MIN_FRICTION_NM, own.dryNm[i]);
+      step.viscousNmSPerRad[i] = own.risingNmSPerRad[i];
     }
   }
 
@@ -178,8 +240,8 @@ final class JointServos implements Drives {
   }
 
   @Override
-  public double targetNm(int joint) {
-    return targetNm[joint];
+  public void publishTarget(SimulatedSensors sensors) {
+    load.publish(sensors);
   }
 
   @Override

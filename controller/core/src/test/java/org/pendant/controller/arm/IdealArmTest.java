@@ -32,6 +32,23 @@ class IdealArmTest {
   }
 
   @Test
+  void tellsWhatItsTargetWouldNeedByTheControllersModel() {
+    DynamicArm dynamic = new Rig("ur5e").arm;
+    Joints speed = new Joints(1, 0, 0, 0, 0, 0);
+    ArmCommand target = new ArmCommand.Servo(Rig.START, speed, new Joints(0, 2, 0, 0, 0, 0));
+
+    arm.step(target);
+    dynamic.step(target);
+
+    assertTrue(arm.sensors().targetTorqueNm().q1() > 20);
+    assertEquals(dynamic.sensors().targetTorqueNm(), arm.sensors().targetTorqueNm());
+    assertEquals(dynamic.sensors().targetCurrentA(), arm.sensors().targetCurrentA());
+    arm.step(ArmCommand.BRAKES_ON);
+    assertEquals(Joints.ZERO, arm.sensors().targetTorqueNm());
+    assertEquals(Joints.ZERO, arm.sensors().targetCurrentA());
+  }
+
+  @Test
   void withoutATargetItStopsAtOnceAndStays() {
     arm.step(new ArmCommand.Servo(Rig.ELSEWHERE, new Joints(1, 1, 1, 1, 1, 1), Joints.ZERO));
 
