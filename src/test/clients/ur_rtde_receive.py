@@ -93,7 +93,7 @@ def reads_everything(receive):
     assert receive.getRobotStatus() & 1, receive.getRobotStatus()
     assert receive.getRuntimeState() == 1, receive.getRuntimeState()
     assert receive.getJointMode() == [253] * JOINTS, receive.getJointMode()
-    assert receive.getSpeedScaling() == 1, receive.getSpeedScaling()
+    assert receive.getSpeedScaling() == 0, "no program runs whose speed would be scaled"
     assert 40 < receive.getActualMainVoltage() < 56, receive.getActualMainVoltage()
     assert not receive.isProtectiveStopped()
     assert not receive.isEmergencyStopped()
