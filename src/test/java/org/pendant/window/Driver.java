@@ -40,7 +40,10 @@ final class Driver {
     RepaintManager.setCurrentManager(driver.guard);
     Desktop desktop =
         Desktop.open(
-            Stream.of(arguments).map(Path::of).toList(), Optional.empty(), Optional.empty());
+            Stream.of(arguments).map(Path::of).toList(),
+            Optional.empty(),
+            Optional.empty(),
+            Optional.empty());
     Thread.ofPlatform().name("end").daemon().start(() -> endWith(desktop));
     BufferedReader requests =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));

@@ -24,15 +24,19 @@ final class DesktopStart {
    * @param files programs to open in it
    * @param ports where others reach the controller from the start; empty for nowhere
    * @param installation how the controller is set up from the start; empty for not at all
+   * @param measuredNoise whether sensors err as on recorded arms; empty for as last time
    */
   ExitCode run(
-      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
+      List<Path> files,
+      Optional<PortWishes> ports,
+      Optional<StartInstallation> installation,
+      Optional<Boolean> measuredNoise) {
     Optional<DesktopLauncher> launcher = services.launcher().get();
     if (launcher.isEmpty()) {
       return refused("it is not on the class path");
     }
     try {
-      launcher.get().open(files, ports, installation);
+      launcher.get().open(files, ports, installation, measuredNoise);
       return ExitCode.DONE;
     } catch (DesktopUnavailable e) {
       return refused(e.getMessage());

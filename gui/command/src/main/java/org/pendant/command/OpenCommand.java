@@ -20,7 +20,10 @@ final class OpenCommand implements Subcommand {
                   + " A port that cannot be had is told in the window");
 
   private static final List<Option> OPTIONS =
-      Stream.concat(Stream.of(InstallationOption.OPTION, PORTS), PortOptions.ALL.stream()).toList();
+      Stream.concat(
+              Stream.of(InstallationOption.OPTION, SimulationOptions.NOISE, PORTS),
+              PortOptions.ALL.stream())
+          .toList();
 
   private final DesktopServices services;
 
@@ -71,7 +74,8 @@ final class OpenCommand implements Subcommand {
     }
     Optional<StartInstallation> installation = installation(arguments);
     InstallationOption.tell(arguments, console);
-    return new DesktopStart(services, console).run(files, ports(arguments), installation);
+    return new DesktopStart(services, console)
+        .run(files, ports(arguments), installation, measuredNoise(arguments));
   }
 
   private static Optional<StartInstallation> installation(Arguments arguments)
@@ -80,6 +84,13 @@ final class OpenCommand implements Subcommand {
     Optional<String> file = arguments.value(InstallationOption.OPTION);
     return read.isPresent() && file.isPresent()
         ? Optional.of(new StartInstallation(Path.of(file.get()).toAbsolutePath(), read.get()))
+        : Optional.empty();
+  }
+
+  /** What the user says of it; without that the window remembers. */
+  private static Optional<Boolean> measuredNoise(Arguments arguments) throws UsageException {
+    return arguments.has(SimulationOptions.NOISE)
+        ? Optional.of(SimulationOptions.measuredNoise(arguments, true))
         : Optional.empty();
   }
 

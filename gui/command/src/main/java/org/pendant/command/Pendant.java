@@ -70,7 +70,8 @@ public final class Pendant {
     String first = words.isEmpty() ? "" : words.getFirst();
     return switch (first) {
       case "" ->
-          new DesktopStart(services, console).run(List.of(), Optional.empty(), Optional.empty());
+          new DesktopStart(services, console)
+              .run(List.of(), Optional.empty(), Optional.empty(), Optional.empty());
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;

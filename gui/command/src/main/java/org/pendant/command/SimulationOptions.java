@@ -44,7 +44,7 @@ final class SimulationOptions {
               "`dynamic` (default): an arm with masses, friction and drives, see"
                   + " [simulated-arm.md](simulated-arm.md); `ideal`: one that is always exactly"
                   + " where it should be, touches nothing and weighs nothing");
-  private static final Option NOISE =
+  static final Option NOISE =
       Option.of(
               "--noise",
               new OptionArgument.Choice("measured", "none"),

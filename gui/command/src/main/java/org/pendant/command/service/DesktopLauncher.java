@@ -13,9 +13,14 @@ public interface DesktopLauncher {
    * @param files programs and recordings to open in it
    * @param ports where others reach the controller from the start; empty for nowhere
    * @param installation how the controller is set up from the start; empty for not at all
+   * @param measuredNoise whether sensors err as on recorded arms; empty for as last time
    * @throws DesktopUnavailable if there is no display, or it cannot be used
    * @throws InterruptedException if the waiting thread is interrupted
    */
-  void open(List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation)
+  void open(
+      List<Path> files,
+      Optional<PortWishes> ports,
+      Optional<StartInstallation> installation,
+      Optional<Boolean> measuredNoise)
       throws DesktopUnavailable, InterruptedException;
 }

@@ -55,7 +55,7 @@ public final class Desktop {
 
   /** As the other one, with the programs and the installation of last time, and closed ports. */
   public static Desktop open() {
-    return open(List.of(), Optional.empty(), Optional.empty());
+    return open(List.of(), Optional.empty(), Optional.empty(), Optional.empty());
   }
 
   /**
@@ -67,12 +67,17 @@ public final class Desktop {
    * @param installation how the controller is set up from the start, empty for as last time; with
    *     one that is for another arm than that of last time there is that arm, and with one that
    *     cannot be used the window tells why
+   * @param measuredNoise whether sensors err as on recorded arms, empty for as last time
    * @throws java.awt.HeadlessException if there is no display
    * @throws java.awt.AWTError if the display cannot be used
    */
   public static Desktop open(
-      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation) {
+      List<Path> files,
+      Optional<PortWishes> ports,
+      Optional<StartInstallation> installation,
+      Optional<Boolean> measuredNoise) {
     Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
+    measuredNoise.ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
     // The arm's files are read while the look is set up.
     CompletableFuture<RobotSession> session =
         CompletableFuture.supplyAsync(
@@ -142,7 +147,7 @@ public final class Desktop {
                 .get("robot.id")
                 .flatMap(ArmLibrary::find)
                 .orElse(ControllerOptions.DEFAULT_ROBOT))
-        .withMeasuredNoise(true)
+        .withMeasuredNoise(RobotChange.measuredNoise(settings))
         .withOperator(Operator.present())
         .withSystemTime(InstantSource.system())
         .withPower(settings.get("robot.power-at-start").map(Boolean::parseBoolean).orElse(true));

@@ -161,6 +161,8 @@ final class DesktopWindow {
         Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));
     actions.add(Action.of("file.quit", "Quit", "control Q", closeDialog::ask));
     actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
+    actions.add(
+        Action.of("robot.noise", "Switch the noise of sensors on or off", "", robot::switchNoise));
     actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
     programActions.addSpeed();
     WindowActions windowActions = new WindowActions(actions);

@@ -11,6 +11,7 @@ import org.pendant.kit.settings.Settings;
 /** Robot change: switches the controller off and on, perhaps with another robot. */
 final class RobotChange {
   private static final String ROBOT = "robot.id";
+  private static final String NOISE = "robot.measured-noise";
 
   private final RobotSession session;
   private final Settings settings;
@@ -36,10 +37,20 @@ final class RobotChange {
     this.showRobot = showRobot;
   }
 
+  /** Whether sensors err as on recorded arms, as the user has chosen last; they do at first. */
+  static boolean measuredNoise(Settings settings) {
+    return settings.get(NOISE).map(Boolean::parseBoolean).orElse(true);
+  }
+
+  /** The user has chosen whether sensors err. */
+  static void rememberNoise(Settings settings, boolean on) {
+    settings.put(NOISE, Boolean.toString(on));
+  }
+
   /** Another robot; nothing happens if it is there already. */
   void choose(String id) {
     if (!id.equals(session.options().robotId())) {
-      ask("Another robot ends the program that runs.", "Change robot", id);
+      ask("Another robot ends the program that runs.", "Change robot", () -> change(id));
     }
   }
 
@@ -48,19 +59,41 @@ final class RobotChange {
     ask(
         "Switching the controller off ends the program that runs.",
         "Switch off and on",
-        session.options().robotId());
+        () -> change(session.options().robotId()));
   }
 
-  private void ask(String question, String yes, String id) {
+  /** The same robot again, with sensors that err if they did not, or with exact ones. */
+  void switchNoise() {
+    ask(
+        "Changing the noise of sensors switches the controller off and on, which ends the program"
+            + " that runs.",
+        "Switch off and on",
+        () -> setNoise(!session.options().noise().measured()));
+  }
+
+  private void setNoise(boolean on) {
+    Background.run(
+        () -> {
+          session.restart(session.options().withMeasuredNoise(on));
+          return on;
+        },
+        done -> {
+          rememberNoise(settings, on);
+          tell.accept(on ? "Sensors err as on recorded arms" : "Readings of the sensors are exact");
+        },
+        failed -> tell.accept(failed.getMessage()));
+  }
+
+  private void ask(String question, String yes, Runnable change) {
     if (!ProgramControls.of(session.state()).canStop()) {
-      change(id);
+      change.run();
       return;
     }
     notices.ask(
         "robot-change",
         question,
         List.of(
-            new Choice(yes, () -> change(id)),
+            new Choice(yes, change),
             new Choice("Keep", () -> showRobot.accept(session.options().robotId()), true)));
     notices.focus();
   }

@@ -16,7 +16,10 @@ public final class WindowLauncher implements DesktopLauncher {
 
   @Override
   public void open(
-      List<Path> files, Optional<PortWishes> ports, Optional<StartInstallation> installation)
+      List<Path> files,
+      Optional<PortWishes> ports,
+      Optional<StartInstallation> installation,
+      Optional<Boolean> measuredNoise)
       throws DesktopUnavailable, InterruptedException {
     try {
       if (GraphicsEnvironment.isHeadless()) {
@@ -24,7 +27,7 @@ public final class WindowLauncher implements DesktopLauncher {
       }
       // Says at once whether the display can be used.
       GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-      Desktop.open(files, ports, installation).awaitClosed();
+      Desktop.open(files, ports, installation, measuredNoise).awaitClosed();
     } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
       throw new DesktopUnavailable(e.getMessage(), e);
     }
