@@ -37,6 +37,7 @@ public final class ControllerOptions {
   public static final int SHARE_OF_HEAP = 3;
 
   private String robotId = DEFAULT_ROBOT;
+  private Optional<ArmDescription> ownArm = Optional.empty();
   private Joints startRad = BoxSetup.START_RAD;
   private long seed;
   private Operator operator = Operator.headless(List.of());
@@ -68,6 +69,7 @@ public final class ControllerOptions {
   private ControllerOptions changed(Consumer<ControllerOptions> change) {
     ControllerOptions copy = new ControllerOptions();
     copy.robotId = robotId;
+    copy.ownArm = ownArm;
     copy.startRad = startRad;
     copy.seed = seed;
     copy.operator = operator;
@@ -91,7 +93,20 @@ public final class ControllerOptions {
 
   /** With another arm, an id of {@link ArmLibrary}. */
   public ControllerOptions withRobot(String id) {
-    return changed(copy -> copy.robotId = id);
+    return changed(
+        copy -> {
+          copy.robotId = id;
+          copy.ownArm = Optional.empty();
+        });
+  }
+
+  /** With an arm whose numbers are its own; its id says which model it is one of. */
+  public ControllerOptions withRobot(ArmDescription arm) {
+    return changed(
+        copy -> {
+          copy.robotId = arm.id();
+          copy.ownArm = Optional.of(arm);
+        });
   }
 
   /**
@@ -224,6 +239,11 @@ public final class ControllerOptions {
     return changed(copy -> copy.outside = connectors);
   }
 
+  /** The arm. */
+  public ArmDescription robot() {
+    return ownArm.orElseGet(() -> ArmLibrary.load(robotId));
+  }
+
   /** Id of the arm. */
   public String robotId() {
     return robotId;
@@ -233,7 +253,7 @@ public final class ControllerOptions {
   public SafetyConfiguration safety() {
     return safety.orElseGet(
         () -> {
-          ArmDescription arm = ArmLibrary.load(robotId);
+          ArmDescription arm = robot();
           return installation
               .flatMap(Installation::safety)
               .map(wanted -> FittedSafety.of(wanted, arm).configuration())
@@ -269,7 +289,7 @@ public final class ControllerOptions {
   }
 
   BoxSetup boxSetup() {
-    ArmDescription arm = ArmLibrary.load(robotId);
+    ArmDescription arm = robot();
     return new BoxSetup(
         arm,
         startRad,

@@ -13,7 +13,6 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
-import org.pendant.models.arm.ArmLibrary;
 import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.installation.file.LoadedInstallation;
@@ -120,7 +119,7 @@ final class InstallationOption {
   static ControllerOptions in(ControllerOptions options, Installation installation)
       throws UsageException {
     Optional<InstallationProblem> refusal =
-        InstallationCheck.refusal(installation, ArmLibrary.load(options.robotId()));
+        InstallationCheck.refusal(installation, options.robot());
     if (refusal.isPresent()) {
       throw new UsageException("the installation cannot be used: " + refusal.get());
     }

@@ -1,12 +1,18 @@
 package org.pendant.command;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.language.check.Nearest;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmFile;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.json.JsonException;
 
-/** Robot name: the arm that a word of the command line means. */
+/** Robot name: the arm that a word of the command line means, by name or by a file. */
 final class RobotName {
   private RobotName() {}
 
@@ -30,6 +36,26 @@ final class RobotName {
             + likely(word.toLowerCase(Locale.ROOT))
                 .map(n -> "; did you mean " + n + "?")
                 .orElse(""));
+  }
+
+  /** Whether {@code word} is the name of an arm file and of no model. */
+  static boolean isFile(String word) {
+    return word.toLowerCase(Locale.ROOT).endsWith(".json");
+  }
+
+  /**
+   * Reads an arm file.
+   *
+   * @throws UsageException if it cannot be read or is none; the message says where and why
+   */
+  static ArmDescription read(String name, SourceFiles files) throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the arm file", name))) {
+      return ArmFile.read(name, in);
+    } catch (JsonException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw SimulationOptions.unreadable(name, e);
+    }
   }
 
   /** The only id that continues where the word ends ({@code ur16}), or else the nearest. */

@@ -18,6 +18,9 @@ final class RobotPage {
 
       The arms that Pendant knows. `pendant run --robot NAME` takes the id or the name, in capitals or
       not; without it a program runs on a UR5e. `pendant robots NAME` prints every number of one arm.
+      `--robot my-arm.json` takes a file with the numbers of one arm instead: its layout is that of the
+      files in models/src/main/resources/org/pendant/models/arm, all keys are needed, and its `id` is the
+      model that the arm is one of, whose shape it has. Recordings keep that id, not the numbers.
       This page is generated: `./pendant robots --markdown > docs/robots.md`.
 
       """;

@@ -55,13 +55,14 @@ record RunOptions(
   private static final Option ROBOT =
       Option.of(
               "--robot",
-              new OptionArgument.Text("NAME", ArmLibrary.ids()),
-              "the arm, default ur5e; pendant robots lists them")
+              new OptionArgument.Text("NAME|FILE", ArmLibrary.ids()),
+              "the arm, default ur5e; pendant robots lists them; or an arm file, FILE.json")
           .documented(
               "ur5e",
               "which arm, by id or name (`ur8long`, `\"UR8 Long\"`), in capitals or not; default"
                   + " the one that a `.urp` was made on, else `ur5e`. [robots.md](robots.md) has"
-                  + " them all");
+                  + " them all. A name that ends in `.json` is a file with the numbers of your own"
+                  + " arm");
   private static final Option SPEED =
       Option.of(
               "--speed",
@@ -190,8 +191,7 @@ record RunOptions(
       throws UsageException {
     Optional<Installation> installation = InstallationOption.of(arguments).or(() -> ofProgram);
     ControllerOptions controller =
-        ControllerOptions.headless()
-            .withRobot(robot(arguments, installation, armOfProgram))
+        robot(arguments, installation, armOfProgram)
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))
@@ -206,19 +206,23 @@ record RunOptions(
     return speedFactor.isPresent() ? new WallClock(speedFactor.get()) : new VirtualClock();
   }
 
-  /** What the command line says, or else the installation, or else the program. */
-  private static String robot(
+  /** With the arm of the command line, or else the installation's, or else the program's. */
+  private static ControllerOptions robot(
       Arguments arguments, Optional<Installation> installation, Optional<String> armOfProgram)
       throws UsageException {
+    ControllerOptions options = ControllerOptions.headless();
     Optional<String> name = arguments.value(ROBOT);
     if (name.isPresent()) {
-      return RobotName.idOf(ROBOT.name(), name.get());
+      return RobotName.isFile(name.get())
+          ? options.withRobot(RobotName.read(name.get(), arguments.files()))
+          : options.withRobot(RobotName.idOf(ROBOT.name(), name.get()));
     }
     Optional<String> installed =
         installation.map(Installation::robot).filter(robot -> !robot.isEmpty());
-    return installed.isPresent()
-        ? RobotName.idOf("robot of the installation", installed.get())
-        : armOfProgram.orElse(ControllerOptions.DEFAULT_ROBOT);
+    return options.withRobot(
+        installed.isPresent()
+            ? RobotName.idOf("robot of the installation", installed.get())
+            : armOfProgram.orElse(ControllerOptions.DEFAULT_ROBOT));
   }
 
   private static long seed(Arguments arguments) throws UsageException {

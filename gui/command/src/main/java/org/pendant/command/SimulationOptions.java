@@ -14,7 +14,7 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyConfigurationReader;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
-import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.json.JsonException;
 
 /** Simulation options: say which arm simulation is used, what is around it and what limits it. */
@@ -85,7 +85,7 @@ final class SimulationOptions {
     }
     Optional<String> safety = arguments.value(SAFETY);
     if (safety.isPresent()) {
-      chosen = chosen.withSafety(safety(safety.get(), options.robotId(), arguments.files()));
+      chosen = chosen.withSafety(safety(safety.get(), options.robot(), arguments.files()));
     }
     return chosen;
   }
@@ -113,10 +113,10 @@ final class SimulationOptions {
     }
   }
 
-  private static SafetyConfiguration safety(String name, String robotId, SourceFiles files)
+  private static SafetyConfiguration safety(String name, ArmDescription robot, SourceFiles files)
       throws UsageException {
     try (InputStream in = Files.newInputStream(files.path("the safety file", name))) {
-      return SafetyConfigurationReader.read(name, in, ArmLibrary.load(robotId));
+      return SafetyConfigurationReader.read(name, in, robot);
     } catch (JsonException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
@@ -124,7 +124,7 @@ final class SimulationOptions {
     }
   }
 
-  private static UsageException unreadable(String name, IOException e) {
+  static UsageException unreadable(String name, IOException e) {
     return switch (e) {
       case NoSuchFileException none -> new UsageException(name + ": no such file");
       case AccessDeniedException denied -> new UsageException(name + ": no permission to read it");

@@ -31,6 +31,12 @@ final class RobotNameTest {
   }
 
   @Test
+  void aNameThatEndsInJsonIsAFile() {
+    assertTrue(RobotName.isFile("my-arm.json") && RobotName.isFile("arms/UR5E.JSON"));
+    assertFalse(RobotName.isFile("ur5e"));
+  }
+
+  @Test
   void unknownNameGetsTheWholeList() {
     assertEquals(
         "--robot is nosuch, must be one of " + String.join(", ", ArmLibrary.ids()),

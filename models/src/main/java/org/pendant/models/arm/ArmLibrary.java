@@ -59,7 +59,7 @@ public final class ArmLibrary {
     try {
       Json root = JsonFile.ofResource(ArmLibrary.class, file);
       return DescriptionReader.read(new JsonFields(root, "an arm"));
-    } catch (JsonException | IllegalArgumentException e) {
+    } catch (JsonException e) {
       throw new IllegalStateException(file + " is no arm: " + e.getMessage(), e);
     }
   }

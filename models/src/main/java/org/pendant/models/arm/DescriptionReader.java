@@ -2,8 +2,10 @@ package org.pendant.models.arm;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.Range;
 
 /**
  * Arm description reader: reads one from JSON. Every start of the program comes through here: no
@@ -13,13 +15,15 @@ import org.pendant.models.json.JsonFields;
  * inertia as arrays {@code [x, y, z]} and {@code [xx, xy, xz, yy, yz, zz]}.
  */
 final class DescriptionReader {
+  /** No number of an arm is larger: one that is would only upset what is computed with it. */
+  private static final Range ANY = new Range(-1e4, 1e4, "");
+
   private DescriptionReader() {}
 
   /**
    * Reads a whole file.
    *
-   * @throws JsonException if a member is missing or of the wrong type
-   * @throws IllegalArgumentException if there is no such arm
+   * @throws JsonException if a member is missing, of the wrong type or a number that no arm has
    */
   static ArmDescription read(JsonFields root) throws JsonException {
     List<JointLimits> joints = new ArrayList<>();
@@ -32,95 +36,137 @@ final class DescriptionReader {
     for (JsonFields link : root.objects("links")) {
       links.add(link(link));
     }
-    return new ArmDescription(
-        root.text("id").value(),
-        root.text("displayName").value(),
-        series(root.text("series").value()),
-        lengths(root.object("dh")),
-        joints,
-        actuators,
-        links,
-        root.number("payloadKg"),
-        root.number("reachM"),
-        status(root.object("status")),
-        root.texts("notes"));
+    try {
+      return new ArmDescription(
+          root.text("id").value(),
+          root.text("displayName").value(),
+          series(root.text("series")),
+          lengths(root.object("dh")),
+          joints,
+          actuators,
+          links,
+          root.number("payloadKg", ANY),
+          root.number("reachM", ANY),
+          status(root.object("status")),
+          root.texts("notes"));
+    } catch (IllegalArgumentException e) {
+      throw root.place().refusal(e.getMessage());
+    }
   }
 
-  private static Series series(String name) {
+  private static Series series(Json.Text name) throws JsonException {
     for (Series each : Series.values()) {
-      if (each.displayName().equals(name)) {
+      if (each.displayName().equals(name.value())) {
         return each;
       }
     }
-    throw new IllegalArgumentException(
-        "series is " + name + ", must be CB3, e-Series or UR-Series");
+    throw name.place()
+        .refusal("series is " + name.value() + ", must be CB3, e-Series or UR-Series");
   }
 
   private static DhLengths lengths(JsonFields dh) throws JsonException {
-    return new DhLengths(
-        dh.number("d1"),
-        dh.number("a2"),
-        dh.number("a3"),
-        dh.number("d4"),
-        dh.number("d5"),
-        dh.number("d6"));
+    try {
+      return new DhLengths(
+          dh.number("d1", ANY),
+          dh.number("a2", ANY),
+          dh.number("a3", ANY),
+          dh.number("d4", ANY),
+          dh.number("d5", ANY),
+          dh.number("d6", ANY));
+    } catch (IllegalArgumentException e) {
+      throw dh.place().refusal(e.getMessage());
+    }
   }
 
   private static ArmDescription.Status status(JsonFields status) throws JsonException {
     return new ArmDescription.Status(
-        Confidence.named(status.text("kinematics").value()),
-        Confidence.named(status.text("masses").value()),
-        Confidence.named(status.text("inertias").value()),
-        Confidence.named(status.text("jointLimits").value()));
+        confidence(status, "kinematics"),
+        confidence(status, "masses"),
+        confidence(status, "inertias"),
+        confidence(status, "jointLimits"));
   }
 
   private static JointLimits limits(JsonFields joint) throws JsonException {
     boolean unlimited = joint.flag("unlimited");
-    return new JointLimits(
-        unlimited ? Double.NEGATIVE_INFINITY : joint.number("minRad"),
-        unlimited ? Double.POSITIVE_INFINITY : joint.number("maxRad"),
-        joint.number("maxSpeedRadPerS"),
-        joint.number("maxTorqueNm"));
+    try {
+      return new JointLimits(
+          unlimited ? Double.NEGATIVE_INFINITY : joint.number("minRad", ANY),
+          unlimited ? Double.POSITIVE_INFINITY : joint.number("maxRad", ANY),
+          joint.number("maxSpeedRadPerS", ANY),
+          joint.number("maxTorqueNm", ANY));
+    } catch (IllegalArgumentException e) {
+      throw joint.place().refusal(e.getMessage());
+    }
   }
 
   private static Actuator actuator(JsonFields joint) throws JsonException {
-    return new Actuator(
-        joint.number("rotorInertiaKgM2"),
-        joint.number("torqueConstantNmPerA"),
-        friction(joint.object("friction")),
-        driveStatus(joint.object("status")));
+    try {
+      return new Actuator(
+          joint.number("rotorInertiaKgM2", ANY),
+          joint.number("torqueConstantNmPerA", ANY),
+          friction(joint.object("friction")),
+          driveStatus(joint.object("status")));
+    } catch (IllegalArgumentException e) {
+      throw joint.place().refusal(e.getMessage());
+    }
   }
 
   private static FrictionCurve friction(JsonFields friction) throws JsonException {
-    return new FrictionCurve(
-        friction.number("coulombA"),
-        friction.number("curvedA"),
-        friction.number("curveSpeedRadPerS"),
-        friction.number("viscousASPerRad"),
-        friction.number("loadAPerNm"));
+    try {
+      return new FrictionCurve(
+          friction.number("coulombA", ANY),
+          friction.number("curvedA", ANY),
+          friction.number("curveSpeedRadPerS", ANY),
+          friction.number("viscousASPerRad", ANY),
+          friction.number("loadAPerNm", ANY));
+    } catch (IllegalArgumentException e) {
+      throw friction.place().refusal(e.getMessage());
+    }
   }
 
   private static Actuator.Status driveStatus(JsonFields status) throws JsonException {
     return new Actuator.Status(
-        Confidence.named(status.text("rotorInertia").value()),
-        Confidence.named(status.text("torqueConstant").value()),
-        Confidence.named(status.text("friction").value()));
+        confidence(status, "rotorInertia"),
+        confidence(status, "torqueConstant"),
+        confidence(status, "friction"));
   }
 
   private static LinkMass link(JsonFields link) throws JsonException {
-    double[] com = link.vector("comM", 3);
-    double[] inertia = link.vector("inertiaKgM2", 6);
-    return new LinkMass(
-        link.text("name").value(),
-        link.number("massKg"),
-        com[0],
-        com[1],
-        com[2],
-        inertia[0],
-        inertia[1],
-        inertia[2],
-        inertia[3],
-        inertia[4],
-        inertia[5]);
+    double[] com = numbers(link, "comM", 3);
+    double[] inertia = numbers(link, "inertiaKgM2", 6);
+    try {
+      return new LinkMass(
+          link.text("name").value(),
+          link.number("massKg", ANY),
+          com[0],
+          com[1],
+          com[2],
+          inertia[0],
+          inertia[1],
+          inertia[2],
+          inertia[3],
+          inertia[4],
+          inertia[5]);
+    } catch (IllegalArgumentException e) {
+      throw link.place().refusal(e.getMessage());
+    }
+  }
+
+  private static Confidence confidence(JsonFields status, String key) throws JsonException {
+    Json.Text word = status.text(key);
+    try {
+      return Confidence.named(word.value());
+    } catch (IllegalArgumentException e) {
+      throw word.place().refusal(e.getMessage());
+    }
+  }
+
+  private static double[] numbers(JsonFields fields, String key, int count) throws JsonException {
+    List<Json> values = fields.numbers(key, count);
+    double[] numbers = new double[count];
+    for (int i = 0; i < count; i++) {
+      numbers[i] = JsonFields.number(key, values.get(i), ANY);
+    }
+    return numbers;
   }
 }

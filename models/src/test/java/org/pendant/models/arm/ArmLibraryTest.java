@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.JsonFile;
 
@@ -138,13 +139,44 @@ class ArmLibraryTest {
   @Test
   void numbersThatNoArmHasAreRefusedWithTheName() {
     assertEquals(
-        "dh: a2 is 0.0 m and a3 is -0.3922 m, neither may be zero",
+        "test.json:7:9: dh: a2 is 0.0 m and a3 is -0.3922 m, neither may be zero",
         refusal("\"a2\": -0.425", "\"a2\": 0"));
     assertEquals(
-        "series is UR, must be CB3, e-Series or UR-Series", refusal("\"e-Series\"", "\"UR\""));
+        "test.json:4:13: series is UR, must be CB3, e-Series or UR-Series",
+        refusal("\"e-Series\"", "\"UR\""));
     assertEquals(
-        "status is sure, must be verified, measured, derived, assumed, estimated or missing",
+        "test.json:5:28: status is sure, must be verified, measured, derived, assumed, estimated or"
+            + " missing",
         refusal("\"kinematics\": \"verified\"", "\"kinematics\": \"sure\""));
+  }
+
+  @Test
+  void numbersBeyondAnyArmAreRefusedWithTheirPlace() {
+    assertEquals(
+        "test.json:12:26: rotorInertiaKgM2 is 1.0E300, must be -10000 to 10000",
+        refusal("\"rotorInertiaKgM2\": 1.92", "\"rotorInertiaKgM2\": 1e300"));
+    assertTrue(
+        refusal("\"coulombA\": 0.581", "\"coulombA\": -1")
+            .startsWith("test.json:13:18: friction: coulombA is -1.0 A, "));
+  }
+
+  @Test
+  void anArmFileIsReadAndItsIdMustBeAModel() throws IOException, JsonException {
+    byte[] file;
+    try (InputStream in = ArmLibrary.class.getResourceAsStream("ur5e.json")) {
+      file = in.readAllBytes();
+    }
+    assertEquals(
+        ArmLibrary.load("ur5e"), ArmFile.read("mine.json", new ByteArrayInputStream(file)));
+    String other = new String(file, StandardCharsets.UTF_8).replace("\"ur5e\"", "\"mine\"");
+    byte[] bad = other.getBytes(StandardCharsets.UTF_8);
+    JsonException refused =
+        assertThrows(
+            JsonException.class, () -> ArmFile.read("mine.json", new ByteArrayInputStream(bad)));
+    assertEquals(
+        "mine.json:2:9: id is \"mine\", must be the model that the arm is one of: "
+            + String.join(", ", ArmLibrary.ids()),
+        refused.getMessage());
   }
 
   @Test

@@ -56,7 +56,7 @@ public final class InstallationView implements View {
    */
   public InstallationView(Workbench workbench, ActiveInstallation active) {
     this.workbench = workbench;
-    arm = ArmLibrary.load(workbench.session().options().robotId());
+    arm = workbench.session().options().robot();
     editing = new Editing(active, this::arm);
     makePages();
     pages = groups.values().stream().flatMap(List::stream).toList();

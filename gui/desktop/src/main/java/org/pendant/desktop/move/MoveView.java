@@ -24,7 +24,6 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.layout.CardSheet;
-import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
@@ -68,7 +67,7 @@ public final class MoveView implements View {
             workbench.session()::submit,
             EventQueue::invokeLater,
             workbench.settings(),
-            ArmLibrary.load(robotId),
+            workbench.session().options().robot(),
             workbench.session().options().safety(),
             ghost);
     Consumer<String> copy = text -> copy(workbench, text);
@@ -261,7 +260,8 @@ public final class MoveView implements View {
     String now = workbench.session().options().robotId();
     if (!now.equals(robotId)) {
       robotId = now;
-      presenter.setArm(ArmLibrary.load(robotId), workbench.session().options().safety());
+      presenter.setArm(
+          workbench.session().options().robot(), workbench.session().options().safety());
     }
   }
 }

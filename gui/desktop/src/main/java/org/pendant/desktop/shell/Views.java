@@ -47,7 +47,6 @@ import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.dock.Side;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.icon.Glyph;
-import org.pendant.models.arm.ArmLibrary;
 
 /** Views: everything that is in the window: a line for each view. */
 final class Views {
@@ -164,11 +163,7 @@ final class Views {
                     .findFirst()
                     .orElse(""),
             (signal, name) ->
-                SignalNames.rename(
-                        installation.current(),
-                        ArmLibrary.load(session.options().robotId()),
-                        signal,
-                        name)
+                SignalNames.rename(installation.current(), session.options().robot(), signal, name)
                     .ifPresentOrElse(
                         installation::set,
                         () -> tell.accept(name + " is the name of another signal too")));

@@ -1,0 +1,35 @@
+package org.pendant.models.arm;
+
+import java.io.InputStream;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.JsonFile;
+
+/**
+ * Arm file: the description of one arm in a file of people's own, in the layout of the library's.
+ * Its id names the model that the arm is one of.
+ */
+public final class ArmFile {
+  private ArmFile() {}
+
+  /**
+   * Reads a description.
+   *
+   * @param name of the file, for messages
+   * @throws JsonException if it is none; the message says where and why
+   */
+  public static ArmDescription read(String name, InputStream in) throws JsonException {
+    JsonFields root = new JsonFields(JsonFile.read(name, in), "an arm");
+    Json.Text id = root.text("id");
+    if (!ArmLibrary.ids().contains(id.value())) {
+      throw id.place()
+          .refusal(
+              "id is "
+                  + Json.quoted(id.value())
+                  + ", must be the model that the arm is one of: "
+                  + String.join(", ", ArmLibrary.ids()));
+    }
+    return DescriptionReader.read(root);
+  }
+}
