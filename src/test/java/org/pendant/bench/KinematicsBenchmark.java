@@ -54,9 +54,9 @@ public class KinematicsBenchmark {
   @Setup
   public void draw() {
     ArmDescription arm = ArmLibrary.load("ur5e");
-    forward = new ForwardKinematics(arm.dh());
+    forward = new ForwardKinematics(arm);
     inverse = new InverseKinematics(arm);
-    jacobian = new Jacobian(arm.dh());
+    jacobian = new Jacobian(arm);
     Random random = new Random(1);
     for (int state = 0; state < STATES; state++) {
       for (int i = 0; i < Joints.COUNT; i++) {

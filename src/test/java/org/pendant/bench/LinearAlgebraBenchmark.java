@@ -21,8 +21,8 @@ import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
-import org.pendant.models.arm.DhLengths;
 import org.pendant.models.kinematics.Jacobian;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
@@ -41,9 +41,9 @@ public class LinearAlgebraBenchmark {
   /** A power of two: the next state is found by a mask. */
   private static final int STATES = 64;
 
-  private static final DhLengths DH = ArmLibrary.load("ur5e").dh();
+  private static final ArmDescription ARM = ArmLibrary.load("ur5e");
 
-  private final Jacobian jacobian = new Jacobian(DH);
+  private final Jacobian jacobian = new Jacobian(ARM);
   private final double[][] matrices = new double[STATES][Jacobian.SIZE];
   private final double[][] vectors = new double[STATES][6];
   private final double[][] transforms = new double[STATES][Transforms.SIZE];

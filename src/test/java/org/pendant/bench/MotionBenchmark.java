@@ -52,7 +52,7 @@ public class MotionBenchmark {
   int version;
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final List<Move> moves = new ArrayList<>();
   private final MotionControl control = new MotionControl(arm, READY);
   private MotionTicket ticket;

@@ -58,7 +58,7 @@ public class MovePlanningBenchmark {
   @Setup
   public void prepare() {
     arm = ArmLibrary.load("ur5e");
-    forward = new ForwardKinematics(arm.dh());
+    forward = new ForwardKinematics(arm);
     PathLimits all = new TorquePathLimits(arm).share(1, 1, Double.POSITIVE_INFINITY);
     Pose home = forward.tcpPose(READY, TCP);
     ArcRoute arc =

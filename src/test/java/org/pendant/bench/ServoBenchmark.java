@@ -57,7 +57,7 @@ public class ServoBenchmark {
   public void begin() throws PlanningException {
     control = new MotionControl(arm, READY);
     servoing = new Servoing(arm, control);
-    start = new ForwardKinematics(arm.dh()).tcpPose(READY, TCP);
+    start = new ForwardKinematics(arm).tcpPose(READY, TCP);
     if (!does.equals("torque")) {
       ticket = control.continueWith(next());
     }

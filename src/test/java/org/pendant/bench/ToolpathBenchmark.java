@@ -49,7 +49,7 @@ public class ToolpathBenchmark {
   /** Queues the lines: circles in the plane of the tool. */
   @Setup(Level.Trial)
   public void prepare() throws PlanningException {
-    Pose flange = new ForwardKinematics(arm.dh()).flangePose(START_RAD);
+    Pose flange = new ForwardKinematics(arm).flangePose(START_RAD);
     boolean remote = kind.equals("remote");
     Pose tool = new Pose(0, 0, 0.1, 0, 0, 0);
     ToolConfiguration toolConfiguration =

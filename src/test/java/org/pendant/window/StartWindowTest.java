@@ -50,7 +50,7 @@ final class StartWindowTest {
 
   /** Opens a program whose main part runs once. */
   private void open(String name, ProgramNode... nodes) throws IOException {
-    Pose tcp = new ForwardKinematics(ArmLibrary.load("ur5e").dh()).flangePose(PLACE);
+    Pose tcp = new ForwardKinematics(ArmLibrary.load("ur5e")).flangePose(PLACE);
     ProgramTree tree =
         new ProgramTree(
                 "",

@@ -52,7 +52,7 @@ final class PressingArm {
   }
 
   static Pose tcpAtStart(String robot) {
-    return new ForwardKinematics(ArmLibrary.load(robot).dh())
+    return new ForwardKinematics(ArmLibrary.load(robot))
         .tcpPose(START, new Pose(0, 0, 0.15, 0, 0, 0));
   }
 

@@ -65,7 +65,7 @@ final class JointLine implements MotionPath {
       PathLimits pathLimits) {
     this.pathLimits = pathLimits;
     this.arm = arm;
-    forward = new ForwardKinematics(arm.dh());
+    forward = new ForwardKinematics(arm);
     this.from = from;
     this.goal = goal;
     this.waypoint = waypoint;

@@ -40,7 +40,7 @@ final class OffsetTarget {
 
   OffsetTarget(ArmDescription arm, JointSpeedCheck jointSpeeds) {
     this.jointSpeeds = jointSpeeds;
-    forward = new ForwardKinematics(arm.dh());
+    forward = new ForwardKinematics(arm);
     inverse = new InverseKinematics(arm);
     setTool(Pose.ZERO);
   }

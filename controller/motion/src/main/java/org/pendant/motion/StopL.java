@@ -42,13 +42,13 @@ public final class StopL implements Motion {
       double angularDecelerationRadPerS2) {
     double[] jacobian = new double[Jacobian.SIZE];
     double[] twist = new double[Joints.COUNT];
-    new Jacobian(arm.dh()).at(positionRad.toArray(), tcpInFlange, jacobian);
+    new Jacobian(arm).at(positionRad.toArray(), tcpInFlange, jacobian);
     Jacobian.twist(jacobian, speedRadPerS.toArray(), twist);
     double speed = length(twist[0], twist[1], twist[2]);
     double turning = length(twist[3], twist[4], twist[5]);
     durationS = Math.max(speed / decelerationMPerS2, turning / angularDecelerationRadPerS2);
     lineS = Math.min(0.5 * durationS, LINE_ANGLE_RAD / turning);
-    Pose start = new ForwardKinematics(arm.dh()).tcpPose(positionRad, tcpInFlange);
+    Pose start = new ForwardKinematics(arm).tcpPose(positionRad, tcpInFlange);
     Pose advance =
         new Pose(
             twist[0] * lineS,

@@ -53,7 +53,7 @@ public final class ToolPathFollower {
     this.curve = curve;
     this.tcpInFlange = tcpInFlange;
     inverse = new InverseKinematics(arm);
-    solver = new Jacobian(arm.dh());
+    solver = new Jacobian(arm);
     double[] offset = new double[Transforms.SIZE];
     Transforms.of(tcpInFlange, offset);
     Transforms.invert(offset, flangeInTcp);

@@ -19,7 +19,7 @@ final class ArcPathTest {
   private static final Pose TCP = new Pose(0, 0, 0.1, 0, 0, 0);
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final Pose home = forward.tcpPose(READY, TCP);
 
   private Pose shifted(double x, double y, double z) {

@@ -38,9 +38,9 @@ final class BlendLimitsTest {
   private static final double ROUNDING = 1.01;
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final InverseKinematics inverse = new InverseKinematics(arm);
-  private final Jacobian jacobian = new Jacobian(arm.dh());
+  private final Jacobian jacobian = new Jacobian(arm);
   private final Pose home = forward.tcpPose(READY, TCP);
 
   /** Moves of one kind in a chain, the joint positions in which it ends, and how to name it. */

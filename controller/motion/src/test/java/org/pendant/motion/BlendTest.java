@@ -26,7 +26,7 @@ final class BlendTest {
   private static final Pose TCP = new Pose(0, 0, 0.1, 0, 0, 0);
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final InverseKinematics inverse = new InverseKinematics(arm);
   private final Pose home = forward.tcpPose(READY, TCP);
 

@@ -30,7 +30,7 @@ final class MotionControlTest {
   private static final int CASES = 200;
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final SplittableRandom random = new SplittableRandom(2);
 
   /** What a motion did, frame by frame; the first entry is the rest before it. */

@@ -26,8 +26,8 @@ final class MoveChain {
 
   final ArmDescription arm = ArmLibrary.load("ur5e");
   final TorquePathLimits headroom = new TorquePathLimits(arm);
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
-  private final Jacobian jacobian = new Jacobian(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
+  private final Jacobian jacobian = new Jacobian(arm);
   private final double[] matrix = new double[Jacobian.SIZE];
   private final double[] twist = new double[Pose.SIZE];
   private final Pose home = forward.tcpPose(READY, TCP);

@@ -26,7 +26,7 @@ final class MoveDurationTest {
   private static final Pose TCP = new Pose(0.01, -0.02, 0.12, 0.1, -0.3, 0.2);
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final SplittableRandom random = new SplittableRandom(11);
 
   /** Even acceleration: up, even speed, down. */

@@ -31,7 +31,7 @@ final class OddBlendTest {
   private static final double MAX_RAD_PER_S2 = 25;
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final Pose home = forward.tcpPose(READY, TCP);
   private final MotionControl control = new MotionControl(arm, READY);
   private int frames;

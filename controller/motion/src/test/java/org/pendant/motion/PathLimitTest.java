@@ -18,7 +18,7 @@ final class PathLimitTest {
       new Joints(0, -Math.PI / 2, -Math.PI / 2, -Math.PI / 2, Math.PI / 2, 0);
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
 
   /** At most so fast, rad/s, whatever the plan says. */
   private static PathLimiter fastestJoint(double speedRadPerS) {

@@ -143,7 +143,7 @@ public final class RecordingFile {
             Optional.of(
                 file.getFileName() + " is cut off: it ends at " + Recording.timeS(last) + " s");
       }
-      Snapshots snapshots = new Snapshots(arm, new ForwardKinematics(arm.dh()));
+      Snapshots snapshots = new Snapshots(arm, new ForwardKinematics(arm));
       return new Opened(new Recording(stretches, lastCount, last, texts, snapshots), warning);
     }
   }

@@ -91,7 +91,7 @@ import org.pendant.script.vm.ThreadSnapshot;
 /** Snapshots in which anything can stand, each with some parts of the one before. */
 final class RandomStates {
   private static final ArmDescription ARM = ArmLibrary.load("ur10e");
-  private static final ForwardKinematics KINEMATICS = new ForwardKinematics(ARM.dh());
+  private static final ForwardKinematics KINEMATICS = new ForwardKinematics(ARM);
 
   private final Random random;
   private Optional<ControllerState> last = Optional.empty();

@@ -8,7 +8,8 @@ import java.util.List;
  * @param id the word that selects it, such as {@code ur5e}
  * @param displayName the name for people
  * @param series its generation
- * @param dh lengths of the kinematic chain
+ * @param dh lengths of the kinematic chain of the model
+ * @param calibration how one arm of the model differs from that
  * @param joints limits of the six joints, base first
  * @param actuators drives of the six joints
  * @param links masses of the six moving links, shoulder first
@@ -22,6 +23,7 @@ public record ArmDescription(
     String displayName,
     Series series,
     DhLengths dh,
+    Calibration calibration,
     List<JointLimits> joints,
     List<Actuator> actuators,
     List<LinkMass> links,
@@ -71,13 +73,52 @@ public record ArmDescription(
   /** The same arm with other joint limits. */
   public ArmDescription withJoints(List<JointLimits> limits) {
     return new ArmDescription(
-        id, displayName, series, dh, limits, actuators, links, payloadKg, reachM, status, notes);
+        id,
+        displayName,
+        series,
+        dh,
+        calibration,
+        limits,
+        actuators,
+        links,
+        payloadKg,
+        reachM,
+        status,
+        notes);
   }
 
   /** The same arm with other drives. */
   public ArmDescription withActuators(List<Actuator> drives) {
     return new ArmDescription(
-        id, displayName, series, dh, joints, drives, links, payloadKg, reachM, status, notes);
+        id,
+        displayName,
+        series,
+        dh,
+        calibration,
+        joints,
+        drives,
+        links,
+        payloadKg,
+        reachM,
+        status,
+        notes);
+  }
+
+  /** One arm of this model, as its calibration tells. */
+  public ArmDescription withCalibration(Calibration ofArm) {
+    return new ArmDescription(
+        id,
+        displayName,
+        series,
+        dh,
+        ofArm,
+        joints,
+        actuators,
+        links,
+        payloadKg,
+        reachM,
+        status,
+        notes);
   }
 
   /** True if every joint position (rad) lies within its range. */

@@ -42,6 +42,7 @@ final class DescriptionReader {
           root.text("displayName").value(),
           series(root.text("series")),
           lengths(root.object("dh")),
+          Calibration.NONE,
           joints,
           actuators,
           links,

@@ -5,16 +5,17 @@ package org.pendant.models.arm;
  * of its model, joint by joint: {@code T_i = Rz(q_i + thetaRad_i) Tz(d_i + dM_i) Tx(a_i + aM_i)
  * Rx(alpha_i + alphaRad_i)}, in the convention of {@link DhLengths}.
  *
- * <p>The angles are small, and so are most lengths. Along the parallel axes 2 and 3 a calibration
- * may shift the links by metres one way and back again: what tells these shifts apart is the tiny
- * angle between the axes alone.
+ * <p>Most are small. The axes of joints 2, 3 and 4 are all but parallel, so that their common
+ * normals lie anywhere: calibrations shift links 2 and 3 by kilometres along these axes and back
+ * again, with angles theta to match.
  *
  * @param thetaRad added to the joint positions, rad
  * @param aM added to the lengths along the x axes, m
  * @param dM added to the lengths along the joints' axes, m
  * @param alphaRad added to the angles between the joints' axes, rad
  */
-public record DhDeltas(Joints thetaRad, Joints aM, Joints dM, Joints alphaRad) {
+public record DhDeltas(Joints thetaRad, Joints aM, Joints dM, Joints alphaRad)
+    implements LinkGeometry {
   /** An arm exactly as its model says. */
   public static final DhDeltas NONE =
       new DhDeltas(Joints.ZERO, Joints.ZERO, Joints.ZERO, Joints.ZERO);
@@ -29,6 +30,21 @@ public record DhDeltas(Joints thetaRad, Joints aM, Joints dM, Joints alphaRad) {
     requireFinite("a", aM, "m");
     requireFinite("d", dM, "m");
     requireFinite("alpha", alphaRad, "rad");
+  }
+
+  /** The parameters of an arm with these deltas and the lengths of its model. */
+  public DhParameters on(DhLengths dh) {
+    DhParameters nominal = dh.parameters();
+    return new DhParameters(
+        thetaRad, sum(nominal.aM(), aM), sum(nominal.dM(), dM), sum(nominal.alphaRad(), alphaRad));
+  }
+
+  private static Joints sum(Joints a, Joints b) {
+    double[] sum = a.toArray();
+    for (int i = 0; i < sum.length; i++) {
+      sum[i] += b.get(i);
+    }
+    return Joints.of(sum);
   }
 
   private static void requireFinite(String name, Joints deltas, String unit) {

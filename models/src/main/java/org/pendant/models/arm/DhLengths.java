@@ -33,6 +33,16 @@ public record DhLengths(double d1, double a2, double a3, double d4, double d5, d
     }
   }
 
+  /** All parameters of the model, joint by joint. */
+  public DhParameters parameters() {
+    double quarter = Math.PI / 2;
+    return new DhParameters(
+        Joints.ZERO,
+        new Joints(0, a2, a3, 0, 0, 0),
+        new Joints(d1, 0, 0, d4, d5, d6),
+        new Joints(quarter, 0, 0, quarter, -quarter, 0));
+  }
+
   private static void requireFinite(String name, double value) {
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException("dh: " + name + " is " + value + " m, must be finite");

@@ -1,7 +1,6 @@
 package org.pendant.models.kinematics;
 
-import org.pendant.models.arm.DhDeltas;
-import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -21,8 +20,8 @@ final class CalibratedSearch {
   private final Refinement refinement;
   private final double[] start = new double[Joints.COUNT];
 
-  CalibratedSearch(DhLengths dh, DhDeltas deltas) {
-    refinement = new Refinement(dh, deltas);
+  CalibratedSearch(ArmDescription arm) {
+    refinement = new Refinement(arm);
   }
 
   /** Looks next to the joints that solutions are to be near to. */

@@ -1,6 +1,7 @@
 package org.pendant.models.kinematics;
 
-import org.pendant.models.arm.DhDeltas;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Calibration;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -17,7 +18,7 @@ import org.pendant.models.pose.Transforms;
  * parallel axes, each link adds one vector. (B. Siciliano et al., "Robotics: Modelling, Planning
  * and Control", chapter 2.8, for the convention.)
  *
- * <p>An arm with calibration deltas has no such plane; for it the matrices are multiplied out.
+ * <p>A calibrated arm has no such plane; for it the matrices are multiplied out.
  *
  * <p>Immutable; transformations are laid out as {@link Transforms} says.
  */
@@ -26,16 +27,20 @@ public final class ForwardKinematics {
   private final boolean nominal;
   private final CalibratedChain chain;
 
-  /** Kinematics of an arm with these lengths. */
-  public ForwardKinematics(DhLengths dh) {
-    this(dh, DhDeltas.NONE);
+  /** Kinematics of an arm, its calibration included. */
+  public ForwardKinematics(ArmDescription arm) {
+    this(arm.dh(), arm.calibration());
   }
 
-  /** Kinematics of one arm with these lengths and its own calibration. */
-  public ForwardKinematics(DhLengths dh, DhDeltas deltas) {
+  /** Kinematics of a model's nominal arm with these lengths. */
+  ForwardKinematics(DhLengths dh) {
+    this(dh, Calibration.NONE);
+  }
+
+  private ForwardKinematics(DhLengths dh, Calibration calibration) {
     this.dh = dh;
-    nominal = deltas.equals(DhDeltas.NONE);
-    chain = new CalibratedChain(dh, deltas);
+    nominal = calibration.isNominal();
+    chain = new CalibratedChain(dh, calibration.geometry());
   }
 
   /** Pose of the flange in the base frame. */
@@ -113,6 +118,7 @@ public final class ForwardKinematics {
 
   /**
    * Transformations of Denavit-Hartenberg frames 1 to 6 in the base frame; the sixth is the flange.
+   * Those of a calibrated arm lie on the axes of its joints, as near to the model's as these allow.
    *
    * @param q six joint positions, rad
    * @param frames six rows of twelve numbers, overwritten

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.DhDeltas;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -34,15 +33,15 @@ import org.pendant.models.pose.Transforms;
  *       length that folds back onto the shoulder.
  * </ul>
  *
- * <p>An arm with calibration deltas has no closed form. Newton's method then leads from each
- * solution of the nominal arm, and from the position to be near to, to one of the calibrated arm;
- * those that meet are given once, and the {@value #MAX_SOLUTIONS} closest if there are more. What
- * is certain: every solution given has been checked with the calibrated forward kinematics, and
- * joints that reach the pose are found when asked for near to themselves, singular or not. What
- * tests bear out: with every delta up to 1 mm or 1 mrad, and links shifted by 5 m along axes 2 and
- * 3 and back, none is missed whose measures of {@link Singularity} all exceed 0.05 (0.2 if the
- * shifts are 2 m and the axes tilted by 10 mrad). Closer to a singularity, solutions far from the
- * position to be near to may be missing, and no joint counts as free.
+ * <p>A calibrated arm has no closed form. Newton's method then leads from each solution of the
+ * nominal arm, and from the position to be near to, to one of the calibrated arm; those that meet
+ * are given once, and the {@value #MAX_SOLUTIONS} closest if there are more. What is certain: every
+ * solution given has been checked with the calibrated forward kinematics, and joints that reach the
+ * pose are found when asked for near to themselves, singular or not. What tests bear out: with
+ * every delta up to 1 mm or 1 mrad, and links shifted by 5 m along axes 2 and 3 and back, none is
+ * missed whose measures of {@link Singularity} all exceed 0.05 (0.2 if the shifts are 2 m and the
+ * axes tilted by 10 mrad). Closer to a singularity, solutions far from the position to be near to
+ * may be missing, and no joint counts as free.
  *
  * <p>An object keeps scratch space between calls: it must not be used by two threads at once.
  */
@@ -60,15 +59,10 @@ public final class InverseKinematics {
   private final double[] reached = new double[Transforms.SIZE];
   private final double[] near = new double[Joints.COUNT];
 
-  /** Inverse kinematics of a model's nominal arm, its joint ranges included. */
+  /** Inverse kinematics of an arm, its joint ranges and its calibration included. */
   public InverseKinematics(ArmDescription arm) {
-    this(arm, DhDeltas.NONE);
-  }
-
-  /** Inverse kinematics of one arm of a model, with its own calibration. */
-  public InverseKinematics(ArmDescription arm, DhDeltas deltas) {
-    forward = new ForwardKinematics(arm.dh(), deltas);
-    search = new SolutionSearch(arm, deltas);
+    forward = new ForwardKinematics(arm);
+    search = new SolutionSearch(arm);
   }
 
   /**

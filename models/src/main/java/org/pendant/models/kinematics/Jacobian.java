@@ -1,7 +1,6 @@
 package org.pendant.models.kinematics;
 
-import org.pendant.models.arm.DhDeltas;
-import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
@@ -30,14 +29,9 @@ public final class Jacobian {
   private final double[] tcp = new double[3];
   private final SpeedSolver solver = new SpeedSolver();
 
-  /** The Jacobian of an arm with these lengths. */
-  public Jacobian(DhLengths dh) {
-    this(dh, DhDeltas.NONE);
-  }
-
-  /** The Jacobian of one arm with these lengths and its own calibration. */
-  public Jacobian(DhLengths dh, DhDeltas deltas) {
-    forward = new ForwardKinematics(dh, deltas);
+  /** The Jacobian of an arm, its calibration included. */
+  public Jacobian(ArmDescription arm) {
+    forward = new ForwardKinematics(arm);
   }
 
   /**

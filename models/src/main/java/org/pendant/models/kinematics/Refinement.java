@@ -1,7 +1,6 @@
 package org.pendant.models.kinematics;
 
-import org.pendant.models.arm.DhDeltas;
-import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Rotations;
@@ -15,7 +14,7 @@ import org.pendant.models.pose.Transforms;
  * estimation of nonlinear parameters", 1963), so the error never grows.
  */
 final class Refinement {
-  /** Well below the errors allowed, well above rounding with links metres apart. */
+  /** Well below the errors allowed, well above rounding. */
   private static final double GOAL = 1e-13;
 
   private static final int MAX_STEPS = 40;
@@ -34,9 +33,9 @@ final class Refinement {
   private final double[] step = new double[Joints.COUNT];
   private final double[] trial = new double[Joints.COUNT];
 
-  Refinement(DhLengths dh, DhDeltas deltas) {
-    forward = new ForwardKinematics(dh, deltas);
-    jacobian = new Jacobian(dh, deltas);
+  Refinement(ArmDescription arm) {
+    forward = new ForwardKinematics(arm);
+    jacobian = new Jacobian(arm);
   }
 
   /**

@@ -1,7 +1,6 @@
 package org.pendant.models.kinematics;
 
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.DhDeltas;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -32,12 +31,12 @@ final class SolutionSearch {
   /** The side of the shoulder that was nearer the last time, +1 or -1. */
   private int lastShoulder = 1;
 
-  SolutionSearch(ArmDescription arm, DhDeltas deltas) {
+  SolutionSearch(ArmDescription arm) {
     form = new ClosedForm(arm.dh());
     ranges = new JointRanges(arm.joints());
     candidates = new Candidates(ranges);
-    nominal = deltas.equals(DhDeltas.NONE);
-    calibrated = new CalibratedSearch(arm.dh(), deltas);
+    nominal = arm.calibration().isNominal();
+    calibrated = new CalibratedSearch(arm);
   }
 
   /** The joint positions within their ranges, whether they reach or come as near as they can. */

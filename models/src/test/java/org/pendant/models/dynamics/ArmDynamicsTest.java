@@ -166,7 +166,7 @@ final class ArmDynamicsTest {
 
   @Test
   void theFlangeFeelsTheAccelerationOfItsJoints() {
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     double step = 1e-4;
     double[] before = new double[12];
     double[] now = new double[12];
@@ -201,8 +201,8 @@ final class ArmDynamicsTest {
 
   @Test
   void aPayloadLoadsTheFlangeWithWhatItAddsToTheTorques() {
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
-    Jacobian jacobian = new Jacobian(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
+    Jacobian jacobian = new Jacobian(arm);
     double[] load = new double[6];
     double[] flange = new double[12];
     double[] columns = new double[Jacobian.SIZE];
@@ -282,6 +282,7 @@ final class ArmDynamicsTest {
         arm.displayName(),
         arm.series(),
         arm.dh(),
+        arm.calibration(),
         arm.joints(),
         arm.actuators(),
         links,

@@ -103,7 +103,7 @@ final class DynamicsReferenceTest {
       double[] qd = state.numbers("qd", 6);
       dynamics.linearMomentum(q, qd, momentum);
       assertClose(state.numbers("momentum", 3), momentum, "momentum");
-      new ForwardKinematics(ArmLibrary.load(armId).dh()).frames(q, frames);
+      new ForwardKinematics(ArmLibrary.load(armId)).frames(q, frames);
       dynamics.linearMomentum(frames, qd, momentum);
       assertClose(state.numbers("momentum", 3), momentum, "momentum by frames");
       double energy = state.number("kinetic_energy");

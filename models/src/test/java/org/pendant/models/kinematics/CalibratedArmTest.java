@@ -12,8 +12,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
 import org.pendant.models.arm.DhDeltas;
-import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -30,37 +30,61 @@ class CalibratedArmTest {
   @Test
   void withoutDeltasTheArmIsTheNominalOneToTheLastBit() {
     Random random = new Random(81);
-    DhLengths dh = Arms.UR5E.dh();
     DhDeltas zero = new DhDeltas(Joints.ZERO, Joints.ZERO, Joints.ZERO, Joints.ZERO);
     for (int n = 0; n < CASES; n++) {
       Joints q = Arms.joints(random);
-      Pose flange = new ForwardKinematics(dh).flangePose(q);
-      assertEquals(flange, new ForwardKinematics(dh, zero).flangePose(q));
+      Pose flange = new ForwardKinematics(Arms.UR5E).flangePose(q);
+      assertEquals(flange, new ForwardKinematics(with(Arms.UR5E, zero)).flangePose(q));
       assertEquals(
           new InverseKinematics(Arms.UR5E).all(flange, q),
-          new InverseKinematics(Arms.UR5E, zero).all(flange, q));
+          new InverseKinematics(with(Arms.UR5E, zero)).all(flange, q));
     }
   }
 
   @Test
-  void framesAreTheProductsOfDenavitHartenbergMatrices() {
+  void theFlangeIsTheProductOfDenavitHartenbergMatrices() {
     Random random = new Random(82);
     double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
     double[] flange = new double[Transforms.SIZE];
     for (int n = 0; n < CASES; n++) {
       DhDeltas deltas = shifted(random);
-      ForwardKinematics forward = new ForwardKinematics(Arms.UR5E.dh(), deltas);
+      ForwardKinematics forward = new ForwardKinematics(with(Arms.UR5E, deltas));
       Joints q = Arms.joints(random);
       forward.frames(q.toArray(), frames);
       forward.flange(q.toArray(), flange);
       assertArrayEquals(frames[5], flange);
+      SimpleMatrix expected = Arms.chain(Arms.UR5E.dh(), deltas, q, Joints.COUNT);
+      for (int row = 0; row < 3; row++) {
+        assertEquals(expected.get(row, 0), flange[3 * row], 2e-14, q::toString);
+        assertEquals(expected.get(row, 1), flange[3 * row + 1], 2e-14, q::toString);
+        assertEquals(expected.get(row, 2), flange[3 * row + 2], 2e-14, q::toString);
+        assertEquals(expected.get(row, 3), flange[9 + row], 2e-14, q::toString);
+      }
+    }
+  }
+
+  @Test
+  void linkFramesLieOnTheAxesOfTheJointsNearThoseOfTheModel() {
+    Random random = new Random(90);
+    ForwardKinematics model = new ForwardKinematics(Arms.UR5E);
+    double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
+    double[][] nominal = new double[Joints.COUNT][Transforms.SIZE];
+    for (int n = 0; n < CASES; n++) {
+      DhDeltas deltas = shifted(random);
+      Joints q = Arms.joints(random);
+      new ForwardKinematics(with(Arms.UR5E, deltas)).frames(q.toArray(), frames);
+      model.frames(q.toArray(), nominal);
       for (int i = 0; i < Joints.COUNT; i++) {
         SimpleMatrix expected = Arms.chain(Arms.UR5E.dh(), deltas, q, i + 1);
+        SimpleMatrix axis = expected.extractMatrix(0, 3, 2, 3);
+        SimpleMatrix point =
+            new SimpleMatrix(3, 1, true, frames[i][9], frames[i][10], frames[i][11]);
+        SimpleMatrix off = point.minus(expected.extractMatrix(0, 3, 3, 4));
+        double along = off.dot(axis);
+        assertEquals(0, off.minus(axis.scale(along)).normF(), 2e-14, q::toString);
         for (int row = 0; row < 3; row++) {
-          assertEquals(expected.get(row, 0), frames[i][3 * row], 2e-14, q::toString);
-          assertEquals(expected.get(row, 1), frames[i][3 * row + 1], 2e-14, q::toString);
-          assertEquals(expected.get(row, 2), frames[i][3 * row + 2], 2e-14, q::toString);
-          assertEquals(expected.get(row, 3), frames[i][9 + row], 2e-14, q::toString);
+          assertEquals(axis.get(row), frames[i][3 * row + 2], 2e-14, q::toString);
+          assertEquals(nominal[i][9 + row], frames[i][9 + row], 0.03, q::toString);
         }
       }
     }
@@ -76,8 +100,8 @@ class CalibratedArmTest {
     double[] derivative = new double[Jacobian.SIZE];
     for (int n = 0; n < CASES; n++) {
       DhDeltas deltas = shifted(random);
-      ForwardKinematics forward = new ForwardKinematics(Arms.UR5E.dh(), deltas);
-      Jacobian jacobian = new Jacobian(Arms.UR5E.dh(), deltas);
+      ForwardKinematics forward = new ForwardKinematics(with(Arms.UR5E, deltas));
+      Jacobian jacobian = new Jacobian(with(Arms.UR5E, deltas));
       Joints q = Arms.joints(random);
       Pose offset = Arms.tcp(random);
       jacobian.at(q.toArray(), offset, j);
@@ -115,13 +139,13 @@ class CalibratedArmTest {
     requireAllSolutions(new Random(89), CalibratedArmTest::tilted, 0.2);
   }
 
-  private static void requireAllSolutions(Random random, Calibration calibration, double bound) {
+  private static void requireAllSolutions(Random random, Draw calibration, double bound) {
     for (ArmDescription arm : SEVERAL) {
       for (int n = 0; n < CASES; n++) {
         DhDeltas deltas = calibration.draw(random);
-        InverseKinematics inverse = new InverseKinematics(arm, deltas);
+        InverseKinematics inverse = new InverseKinematics(with(arm, deltas));
         Joints q = Arms.regularJoints(arm.dh(), bound, random);
-        Pose flange = new ForwardKinematics(arm.dh(), deltas).flangePose(q);
+        Pose flange = new ForwardKinematics(with(arm, deltas)).flangePose(q);
         List<Joints> solutions = inverse.all(flange, Arms.joints(random));
         String input = arm.id() + " at " + q + " with " + deltas + " gave " + solutions;
         assertTrue(Arms.contain(solutions, q, 1e-7), input);
@@ -150,8 +174,8 @@ class CalibratedArmTest {
               case 1 -> Arms.joints(random).with(4, 0);
               default -> Arms.overTheShoulder(arm.dh(), random);
             };
-        Pose flange = new ForwardKinematics(arm.dh(), deltas).flangePose(q);
-        Joints found = new InverseKinematics(arm, deltas).closest(flange, q).orElseThrow();
+        Pose flange = new ForwardKinematics(with(arm, deltas)).flangePose(q);
+        Joints found = new InverseKinematics(with(arm, deltas)).closest(flange, q).orElseThrow();
         assertEquals(0, found.maxAbsDifference(q), 1e-9, () -> arm.id() + " with " + deltas);
       }
     }
@@ -163,9 +187,9 @@ class CalibratedArmTest {
     double[] transform = new double[Transforms.SIZE];
     for (int n = 0; n < 20; n++) {
       DhDeltas deltas = shifted(random);
-      InverseKinematics inverse = new InverseKinematics(Arms.UR5E, deltas);
+      InverseKinematics inverse = new InverseKinematics(with(Arms.UR5E, deltas));
       Joints start = new Joints(0.1, -1.5, 1.2, -1, -1.4, 0.3);
-      Pose from = new ForwardKinematics(Arms.UR5E.dh(), deltas).flangePose(start);
+      Pose from = new ForwardKinematics(with(Arms.UR5E, deltas)).flangePose(start);
       Pose to = Poses.interpolate(from, Poses.trans(from, Arms.tcp(random)), 0.2);
       StraightLine line = new StraightLine(from, to);
       double[] q = start.toArray();
@@ -183,15 +207,19 @@ class CalibratedArmTest {
 
   @Test
   void aPoseOutOfReachIsRefusedWithItsCause() {
-    InverseKinematics inverse = new InverseKinematics(Arms.UR5E, usual(new Random(88)));
+    InverseKinematics inverse = new InverseKinematics(with(Arms.UR5E, usual(new Random(88))));
     InverseResult result = inverse.find(Pose.of(2, 0, 0.3, 0, 3.14, 0), Joints.ZERO, 1e-10, 1e-10);
     InverseResult.Unreachable none = assertInstanceOf(InverseResult.Unreachable.class, result);
     assertEquals(InverseResult.Cause.TOO_FAR, none.cause());
     assertTrue(none.leastError().positionM() > 0.5, none::toString);
   }
 
-  private interface Calibration {
+  private interface Draw {
     DhDeltas draw(Random random);
+  }
+
+  private static ArmDescription with(ArmDescription arm, DhDeltas deltas) {
+    return arm.withCalibration(Calibration.of(deltas));
   }
 
   /** Every parameter within 1 mm or 1 mrad. */

@@ -8,7 +8,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.DhDeltas;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
@@ -28,7 +27,7 @@ class CompletenessTest {
   @MethodSource("arms")
   void solutionsAreExactAndAmongThemIsWhatMadeThePose(ArmDescription arm) {
     Random random = new Random(91);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
     for (int n = 0; n < POSES; n++) {
       Joints q = Arms.joints(random);
@@ -47,9 +46,9 @@ class CompletenessTest {
   @MethodSource("arms")
   void aNumericalSearchFindsNoOther(ArmDescription arm) {
     Random random = new Random(92);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
-    Refinement newton = new Refinement(arm.dh(), DhDeltas.NONE);
+    Refinement newton = new Refinement(arm);
     double[] target = new double[Transforms.SIZE];
     int found = 0;
     for (int n = 0; n < SEARCHED_POSES; n++) {

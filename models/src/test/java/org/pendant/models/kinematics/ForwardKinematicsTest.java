@@ -12,7 +12,7 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.pose.Transforms;
 
 class ForwardKinematicsTest {
-  private final ForwardKinematics forward = new ForwardKinematics(Arms.UR5E.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(Arms.UR5E);
 
   @Test
   void ur5eStretchedOutHasItsFlangeWherePublished() {

@@ -23,7 +23,7 @@ import org.pendant.models.pose.Transforms;
 class InverseKinematicsTest {
   private static final int CASES = 1000;
 
-  private final ForwardKinematics forward = new ForwardKinematics(Arms.UR5E.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(Arms.UR5E);
   private final InverseKinematics inverse = new InverseKinematics(Arms.UR5E);
 
   @Test

@@ -18,8 +18,8 @@ class JacobianTest {
   private static final int CASES = 1000;
 
   private final DhLengths dh = Arms.UR5E.dh();
-  private final ForwardKinematics forward = new ForwardKinematics(dh);
-  private final Jacobian jacobian = new Jacobian(dh);
+  private final ForwardKinematics forward = new ForwardKinematics(Arms.UR5E);
+  private final Jacobian jacobian = new Jacobian(Arms.UR5E);
 
   @Test
   void columnsAreTheFiniteDifferencesOfTheTcpPose() {
@@ -128,7 +128,7 @@ class JacobianTest {
       for (int k = 0; k < 3; k++) {
         double[] twist = Arms.joints(random).toArray();
         jacobian.solve(twist, qd);
-        assertTrue(new Jacobian(dh).solve(j, twist, alone));
+        assertTrue(new Jacobian(Arms.UR5E).solve(j, twist, alone));
         assertArrayEquals(alone, qd);
       }
     }

@@ -36,7 +36,7 @@ final class KinematicsReferenceTest {
 
   @Test
   void flange() {
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     double[] transform = new double[Transforms.SIZE];
     for (ReferenceStates.State state : states) {
       forward.flange(state.numbers("q", 6), transform);
@@ -46,7 +46,7 @@ final class KinematicsReferenceTest {
 
   @Test
   void tcp() {
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     for (ReferenceStates.State state : states) {
       Pose tcp = forward.tcpPose(Joints.of(state.numbers("q", 6)), tcpInFlange(state));
       double[] position = {tcp.x(), tcp.y(), tcp.z()};
@@ -56,7 +56,7 @@ final class KinematicsReferenceTest {
 
   @Test
   void jacobian() {
-    Jacobian jacobian = new Jacobian(arm.dh());
+    Jacobian jacobian = new Jacobian(arm);
     double[] matrix = new double[Jacobian.SIZE];
     for (ReferenceStates.State state : states) {
       jacobian.at(state.numbers("q", 6), tcpInFlange(state), matrix);
@@ -66,7 +66,7 @@ final class KinematicsReferenceTest {
 
   @Test
   void jacobianTimeDerivative() {
-    Jacobian jacobian = new Jacobian(arm.dh());
+    Jacobian jacobian = new Jacobian(arm);
     double[] matrix = new double[Jacobian.SIZE];
     for (ReferenceStates.State state : states) {
       jacobian.derivative(

@@ -32,7 +32,7 @@ class SingularPosesTest {
   @MethodSource("arms")
   void atTheWristWrist3StaysAndTheResultSaysSo(ArmDescription arm) {
     Random random = new Random(101);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
     for (int n = 0; n < CASES; n++) {
       double q5 = new double[] {0, Math.PI, -Math.PI}[n % 3];
@@ -48,7 +48,7 @@ class SingularPosesTest {
   @MethodSource("arms")
   void atTheElbowTheTwoSolutionsMeet(ArmDescription arm) {
     Random random = new Random(102);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
     for (int n = 0; n < CASES; n++) {
       double q3 = new double[] {0, Math.PI, -Math.PI}[n % 3];
@@ -64,7 +64,7 @@ class SingularPosesTest {
   @MethodSource("arms")
   void atTheShoulderTheTwoSolutionsMeet(ArmDescription arm) {
     Random random = new Random(103);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
     for (int n = 0; n < CASES; n++) {
       Joints q = Arms.overTheShoulder(arm.dh(), random);
@@ -78,7 +78,7 @@ class SingularPosesTest {
   @MethodSource("arms")
   void besideTwoSingularitiesAtOnceThereAreSolutionsAndTheyAreExact(ArmDescription arm) {
     Random random = new Random(106);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
     for (int n = 0; n < 10 * CASES; n++) {
       // stretched or folded, and the axes of joints 4 and 6 parallel, nearly or as far as rounding
@@ -100,7 +100,7 @@ class SingularPosesTest {
   void trackingGoesOnAtEachSingularity(ArmDescription arm) {
     Random random = new Random(104);
     InverseKinematics inverse = new InverseKinematics(arm);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     double[] transform = new double[Transforms.SIZE];
     for (int n = 0; n < CASES; n++) {
       Joints q =
@@ -120,7 +120,7 @@ class SingularPosesTest {
   @MethodSource("arms")
   void aJointIsTurnedAsNearAsItsRangeLetsIt(ArmDescription arm) {
     Random random = new Random(105);
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
     for (int n = 0; n < CASES; n++) {
       Joints q = Arms.regularJoints(arm.dh(), 0.05, random);
@@ -141,7 +141,7 @@ class SingularPosesTest {
     for (String id : List.of("ur3", "ur3e")) {
       ArmDescription arm = ArmLibrary.load(id);
       assertTrue(arm.joints().get(5).unlimited(), id);
-      ForwardKinematics forward = new ForwardKinematics(arm.dh());
+      ForwardKinematics forward = new ForwardKinematics(arm);
       InverseKinematics inverse = new InverseKinematics(arm);
       for (double turns : new double[] {-1000, -7, 0, 3, 1000}) {
         Joints q = new Joints(0.1, -1.5, 1.2, -1, -1.4, 0.3 + turns * TURN);
@@ -159,7 +159,7 @@ class SingularPosesTest {
   @Test
   void aFreeWrist3KeepsToItsRange() {
     Joints q = new Joints(0.1, -1.5, 1.2, -1, 0, 0.3);
-    Pose flange = new ForwardKinematics(Arms.UR5E.dh()).flangePose(q);
+    Pose flange = new ForwardKinematics(Arms.UR5E).flangePose(q);
     for (double width : new double[] {0.2, 5}) {
       List<JointLimits> limits = new ArrayList<>(Arms.UR5E.joints());
       double beyond = Math.toRadians(3);
@@ -184,7 +184,7 @@ class SingularPosesTest {
   @Test
   void theEndsOfARangeBelongToIt() {
     Joints q = new Joints(TURN, -1.5, 1.2, -1, -1.4, -TURN);
-    ForwardKinematics forward = new ForwardKinematics(Arms.UR5E.dh());
+    ForwardKinematics forward = new ForwardKinematics(Arms.UR5E);
     InverseKinematics inverse = new InverseKinematics(Arms.UR5E);
     Joints found = reached(inverse, forward.flangePose(q), q).q();
     assertEquals(0, found.maxAbsDifference(q), 1e-12);
@@ -195,7 +195,7 @@ class SingularPosesTest {
   void rangesOfHalfATurnAreKept() {
     JointLimits narrow = new JointLimits(-Math.PI, 0, 1, 1);
     ArmDescription arm = Arms.UR5E.withJoints(Collections.nCopies(Joints.COUNT, narrow));
-    ForwardKinematics forward = new ForwardKinematics(arm.dh());
+    ForwardKinematics forward = new ForwardKinematics(arm);
     InverseKinematics inverse = new InverseKinematics(arm);
     Joints q = new Joints(-0.1, -1.5, -1.2, -1, -1.4, -0.3);
     for (Joints near : List.of(q, Joints.ZERO, q.with(5, 5))) {

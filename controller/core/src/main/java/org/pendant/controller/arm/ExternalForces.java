@@ -37,8 +37,8 @@ final class ExternalForces {
 
   ExternalForces(ArmDescription arm, ContactWorld world) {
     this.world = world;
-    forward = new ForwardKinematics(arm.dh());
-    jacobian = new Jacobian(arm.dh());
+    forward = new ForwardKinematics(arm);
+    jacobian = new Jacobian(arm);
     grip = new HandForces(world.grip(), arm, forward);
     applied = world.applied();
     gripChange = world.grip().changes();

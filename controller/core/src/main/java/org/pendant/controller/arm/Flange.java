@@ -19,7 +19,7 @@ final class Flange {
 
   /** The flange of an arm that stands upright. */
   Flange(ArmDescription arm) {
-    forward = new ForwardKinematics(arm.dh());
+    forward = new ForwardKinematics(arm);
     dynamics = new ArmDynamics(arm);
   }
 

@@ -25,9 +25,9 @@ public final class ArmKinematics {
    * @param drive has their actual positions
    */
   ArmKinematics(ArmDescription arm, ToolFlange flange, MotionControl motion, ArmDrive drive) {
-    forward = new ForwardKinematics(arm.dh());
+    forward = new ForwardKinematics(arm);
     inverse = new InverseKinematics(arm);
-    jacobian = new Jacobian(arm.dh());
+    jacobian = new Jacobian(arm);
     this.flange = flange;
     this.motion = motion;
     this.drive = drive;

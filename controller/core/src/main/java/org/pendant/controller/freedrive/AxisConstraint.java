@@ -88,8 +88,8 @@ final class AxisConstraint {
 
   AxisConstraint(ArmDescription arm, ArmDynamics model) {
     this.model = model;
-    forward = new ForwardKinematics(arm.dh());
-    jacobian = new Jacobian(arm.dh());
+    forward = new ForwardKinematics(arm);
+    jacobian = new Jacobian(arm);
   }
 
   /**

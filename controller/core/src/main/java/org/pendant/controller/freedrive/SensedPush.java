@@ -22,7 +22,7 @@ final class SensedPush {
    * @param felt at the flange's origin, along the axes of the base
    */
   SensedPush(ArmDescription arm, Supplier<Wrench> felt) {
-    jacobian = new Jacobian(arm.dh());
+    jacobian = new Jacobian(arm);
     this.felt = felt;
   }
 

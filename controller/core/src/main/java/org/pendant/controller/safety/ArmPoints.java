@@ -25,7 +25,7 @@ final class ArmPoints {
   private final double[] toolAxis = new double[3];
 
   ArmPoints(ArmDescription arm) {
-    forward = new ForwardKinematics(arm.dh());
+    forward = new ForwardKinematics(arm);
   }
 
   /**

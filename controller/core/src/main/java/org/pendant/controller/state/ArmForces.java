@@ -24,7 +24,7 @@ final class ArmForces {
     if (surplusNm.equals(Joints.ZERO)) {
       return Wrench.ZERO;
     }
-    Jacobian jacobian = new Jacobian(arm.description().dh());
+    Jacobian jacobian = new Jacobian(arm.description());
     double[] matrix = new double[Jacobian.SIZE];
     jacobian.at(arm.actualPositionRad().toArray(), Pose.ZERO, matrix);
     double[] transposed = new double[Jacobian.SIZE];

@@ -88,7 +88,7 @@ class ContactTest {
 
   private static Rig above(String id, Material material) {
     ArmDescription description = ArmLibrary.load(id);
-    double flangeZ = new ForwardKinematics(description.dh()).flangePose(Rig.START).z();
+    double flangeZ = new ForwardKinematics(description).flangePose(Rig.START).z();
     Scene scene =
         new Scene(
             List.of(
@@ -101,7 +101,7 @@ class ContactTest {
 
   /** Moves the target straight down; returns its joint positions. */
   private static Joints lower(Rig rig, double depthM, double speedMPerS) {
-    ForwardKinematics forward = new ForwardKinematics(rig.description.dh());
+    ForwardKinematics forward = new ForwardKinematics(rig.description);
     InverseKinematics inverse = new InverseKinematics(rig.description);
     Pose start = forward.flangePose(Rig.START);
     double[] flange = new double[Transforms.SIZE];

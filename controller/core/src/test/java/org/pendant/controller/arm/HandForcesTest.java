@@ -23,7 +23,7 @@ class HandForcesTest {
   private static final Vector3 FORCE = new Vector3(7, -11, 13);
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
   private final HandGrip grip = new HandGrip();
   private final HandForces load = new HandForces(grip, arm, forward);
   private final double[] q = Rig.ELSEWHERE.toArray();
@@ -77,7 +77,7 @@ class HandForcesTest {
     add();
     double[] expected = new double[Joints.COUNT];
     double[] jacobian = new double[Jacobian.SIZE];
-    new Jacobian(arm.dh()).at(q, Pose.ZERO, jacobian);
+    new Jacobian(arm).at(q, Pose.ZERO, jacobian);
     Jacobian.transposed(jacobian, wrench, expected);
     assertArrayEquals(expected, torque, 1e-9);
     assertEquals(FORCE.x(), wrench[0]);

@@ -16,7 +16,7 @@ final class BorderTest {
   private static final double RANGE = 2 * Math.PI + Math.toRadians(3);
 
   private static Pose flange(SafetyBench bench) {
-    return new ForwardKinematics(bench.arm.dh()).flangePose(SafetyBench.START);
+    return new ForwardKinematics(bench.arm).flangePose(SafetyBench.START);
   }
 
   /** Keeps the tool above a height. */

@@ -62,7 +62,7 @@ final class ModeTest {
   }
 
   private static double heightM(Joints q) {
-    return new ForwardKinematics(SafetyBench.standard().arm.dh()).flangePose(q).z();
+    return new ForwardKinematics(SafetyBench.standard().arm).flangePose(q).z();
   }
 
   @Test

@@ -29,7 +29,7 @@ final class SpeedCapsTest {
       ArmDescription arm, ArmDynamics dynamics, SafetyLimits limits, double[] q, double[] qd) {
     double[] jacobian = new double[Jacobian.SIZE];
     double[] twist = new double[6];
-    new Jacobian(arm.dh()).at(q, TOOL, jacobian);
+    new Jacobian(arm).at(q, TOOL, jacobian);
     Jacobian.twist(jacobian, qd, twist);
     double tool = Math.sqrt(twist[0] * twist[0] + twist[1] * twist[1] + twist[2] * twist[2]);
     double elbow = Math.abs(arm.dh().a2()) * Math.hypot(Math.cos(q[1]) * qd[0], qd[1]);
@@ -151,7 +151,7 @@ final class SpeedCapsTest {
   @Test
   void armIsSlowBeforeItPassesATriggerPlane() {
     double height =
-        new ForwardKinematics(SafetyBench.standard().arm.dh()).flangePose(SafetyBench.START).z();
+        new ForwardKinematics(SafetyBench.standard().arm).flangePose(SafetyBench.START).z();
     double before = Double.NEGATIVE_INFINITY;
     for (double aboveM = 0.019; aboveM < 0.3; aboveM += 0.01) {
       SafetyPlane plane =

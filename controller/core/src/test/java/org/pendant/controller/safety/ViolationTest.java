@@ -181,7 +181,7 @@ final class ViolationTest {
   private void balanceWrenchAtFlange(Wrench load, Joints position) {
     double[] jacobian = new double[Jacobian.SIZE];
     double[] torque = new double[Joints.COUNT];
-    new Jacobian(bench.arm.dh()).at(position.toArray(), Pose.ZERO, jacobian);
+    new Jacobian(bench.arm).at(position.toArray(), Pose.ZERO, jacobian);
     double[] six = {load.fx(), load.fy(), load.fz(), load.mx(), load.my(), load.mz()};
     Jacobian.transposed(jacobian, six, torque);
     for (int i = 0; i < Joints.COUNT; i++) {

@@ -27,7 +27,7 @@ class ArmForcesTest {
   private static final Mounting FLOOR = new Mounting(0, 0, 9.82, 0, 0, 0);
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
-  private final ForwardKinematics kinematics = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics kinematics = new ForwardKinematics(arm);
   private final ArmDynamics dynamics = new ArmDynamics(arm);
   private final SplittableRandom random = new SplittableRandom(SEED);
 
@@ -119,7 +119,7 @@ class ArmForcesTest {
   void aPushOnTheFlangeIsFoundFromTheTorquesThatHoldAgainstIt() {
     Joints q = new Joints(0.3, -1.2, 1.4, -0.7, -1.1, 0.4);
     double[] matrix = new double[Jacobian.SIZE];
-    new Jacobian(arm.dh()).at(q.toArray(), Pose.ZERO, matrix);
+    new Jacobian(arm).at(q.toArray(), Pose.ZERO, matrix);
     double[] torqueNm = new double[N];
     Jacobian.transposed(matrix, new double[] {10, -20, 5, 1, 0.5, -2}, torqueNm);
     double[] held = new double[N];

@@ -19,7 +19,7 @@ class ToolMotionTest {
   private static final int N = Joints.COUNT;
 
   private final ArmDescription arm = ArmLibrary.load("ur10e");
-  private final ForwardKinematics kinematics = new ForwardKinematics(arm.dh());
+  private final ForwardKinematics kinematics = new ForwardKinematics(arm);
   private final SplittableRandom random = new SplittableRandom(SEED);
 
   private Joints random(double most) {
@@ -42,7 +42,7 @@ class ToolMotionTest {
 
   @Test
   void speedAndAccelerationOfTheTcpAreThoseOfTheJacobian() {
-    Jacobian jacobian = new Jacobian(arm.dh());
+    Jacobian jacobian = new Jacobian(arm);
     double[] matrix = new double[Jacobian.SIZE];
     double[] derivative = new double[Jacobian.SIZE];
     double[] speed = new double[N];

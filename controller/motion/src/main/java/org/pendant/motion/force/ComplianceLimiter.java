@@ -86,8 +86,8 @@ final class ComplianceLimiter {
     this.measured = measured;
     this.speeds = speeds;
     this.limits = limits;
-    forward = new ForwardKinematics(dh);
-    jacobian = new Jacobian(dh);
+    forward = new ForwardKinematics(arm);
+    jacobian = new Jacobian(arm);
   }
 
   /**

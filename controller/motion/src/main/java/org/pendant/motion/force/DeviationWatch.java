@@ -47,7 +47,7 @@ final class DeviationWatch {
 
   DeviationWatch(ArmDescription arm) {
     dh = arm.dh();
-    forward = new ForwardKinematics(dh);
+    forward = new ForwardKinematics(arm);
     setTool(Pose.ZERO);
   }
 

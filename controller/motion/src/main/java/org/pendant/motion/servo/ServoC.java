@@ -143,9 +143,9 @@ final class ServoC implements Motion {
 
     Begin(ArmDescription arm, Joints from, Joints speed, Pose tcpInFlange) {
       double[] jacobian = new double[Jacobian.SIZE];
-      new Jacobian(arm.dh()).at(from.toArray(), tcpInFlange, jacobian);
+      new Jacobian(arm).at(from.toArray(), tcpInFlange, jacobian);
       Jacobian.twist(jacobian, speed.toArray(), twist);
-      Transforms.of(new ForwardKinematics(arm.dh()).tcpPose(from, tcpInFlange), tcp);
+      Transforms.of(new ForwardKinematics(arm).tcpPose(from, tcpInFlange), tcp);
     }
 
     /** The way to a goal; empty if the tool has to stop before. */

@@ -35,8 +35,8 @@ final class ToolSpeeds {
 
   ToolSpeeds(ArmDescription arm) {
     this.arm = arm;
-    forward = new ForwardKinematics(arm.dh());
-    jacobian = new Jacobian(arm.dh());
+    forward = new ForwardKinematics(arm);
+    jacobian = new Jacobian(arm);
     follower = new ToolPathFollower(arm, ramp, followedTool, Joints.ZERO);
     Transforms.of(followedTool, offset);
   }

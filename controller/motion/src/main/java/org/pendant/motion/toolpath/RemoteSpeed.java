@@ -17,7 +17,7 @@ final class RemoteSpeed {
     Joints q = motion.pathPositionRad();
     double[] jacobian = new double[Jacobian.SIZE];
     double[] twist = new double[Pose.SIZE];
-    new Jacobian(arm.dh()).at(q.toArray(), Pose.ZERO, jacobian);
+    new Jacobian(arm).at(q.toArray(), Pose.ZERO, jacobian);
     Jacobian.twist(jacobian, motion.pathSpeedRadPerS().toArray(), twist);
     Pose flange = forward.flangePose(q);
     double x = toolInBase.x() - flange.x();

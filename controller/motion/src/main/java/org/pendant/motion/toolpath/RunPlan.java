@@ -89,7 +89,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
   static RunPlan of(Task task) throws PlanningException {
     ArmDescription arm = task.arm();
     ToolConfiguration toolConfiguration = task.toolConfiguration();
-    Pose flange = new ForwardKinematics(arm.dh()).flangePose(task.from());
+    Pose flange = new ForwardKinematics(arm).flangePose(task.from());
     Route route = new Route(toolConfiguration.toolAt(flange), task.turnFree());
     for (int i = 0; i < task.orders().size(); i++) {
       route.add(task.orders().get(i), task.firstId() + i);
@@ -110,7 +110,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
             task.from());
     Joints last = look(arm, chain, follower, task.from());
     follower.restart(task.from());
-    Pose end = new ForwardKinematics(arm.dh()).flangePose(last);
+    Pose end = new ForwardKinematics(arm).flangePose(last);
     Motion motion =
         new ToolpathMotion(
             chain,

@@ -291,7 +291,7 @@ public final class Toolpaths {
   }
 
   private void refuseElsewhere(ToolConfiguration holder, Joints from) throws PlanningException {
-    Pose now = holder.toolAt(new ForwardKinematics(arm.dh()).flangePose(from));
+    Pose now = holder.toolAt(new ForwardKinematics(arm).flangePose(from));
     if (leftAt.isPresent() && Poses.pointDistance(leftAt.get(), now) > DIVERGENCE_M) {
       throw new PlanningException(
           "path-divergence",

@@ -23,7 +23,7 @@ final class DeviationWatchTest {
   private final ArmDescription arm = ArmLibrary.load("ur5e");
   private final DeviationWatch watch = new DeviationWatch(arm);
   private final TaskAxes axes = new TaskAxes();
-  private final Pose tcp = new ForwardKinematics(arm.dh()).tcpPose(TARGET, TOOL);
+  private final Pose tcp = new ForwardKinematics(arm).tcpPose(TARGET, TOOL);
 
   /** Gives way along axis {@code compliant} only; all others may be this far aside. */
   private void begin(FrameKind kind, Pose frame, int compliant, double metres, double radians) {

@@ -25,8 +25,8 @@ final class Rig {
   final ArmDescription arm = ArmLibrary.load("ur5e");
   final MotionControl control;
   final Servoing servoing;
-  private final ForwardKinematics forward = new ForwardKinematics(arm.dh());
-  private final Jacobian jacobian = new Jacobian(arm.dh());
+  private final ForwardKinematics forward = new ForwardKinematics(arm);
+  private final Jacobian jacobian = new Jacobian(arm);
   private Joints before;
   private Joints speedBefore = Joints.ZERO;
   double largestAcceleration;

@@ -22,7 +22,7 @@ import org.pendant.motion.toolpath.nc.NcPoint;
 
 class RunPlanTest {
   private static final ArmDescription ARM = ArmLibrary.load("ur5e");
-  private static final ForwardKinematics FORWARD = new ForwardKinematics(ARM.dh());
+  private static final ForwardKinematics FORWARD = new ForwardKinematics(ARM);
   private static final double FRAME_S = 0.002;
   private static final double A = 1.2;
 

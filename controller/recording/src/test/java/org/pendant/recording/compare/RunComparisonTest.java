@@ -15,7 +15,7 @@ class RunComparisonTest {
   private static final double ACCELERATION_RAD_PER_S2 = 2.1;
   private static final double MOVE_RAD = 1.2;
   private static final ForwardKinematics KINEMATICS =
-      new ForwardKinematics(ArmLibrary.load("ur3e").dh());
+      new ForwardKinematics(ArmLibrary.load("ur3e"));
   private static final List<StateQuantity> QUANTITIES =
       List.of(
           SampledQuantity.TARGET_Q,

@@ -48,7 +48,7 @@ final class GoalPresenter {
   void setArm(ArmDescription other) {
     arm = other;
     inverse = new InverseKinematics(other);
-    forward = new ForwardKinematics(other.dh());
+    forward = new ForwardKinematics(other);
     joints.reset();
     pose.reset();
   }

@@ -51,7 +51,7 @@ public record SceneModel(
   public static SceneModel of(ArmDescription arm, Joints positionRad) {
     return new SceneModel(
         arm,
-        new ForwardKinematics(arm.dh()),
+        new ForwardKinematics(arm),
         positionRad,
         Optional.empty(),
         Pose.ZERO,

@@ -18,7 +18,7 @@ final class LinkPlacesTest {
   private static final ArmDescription ARM = ArmLibrary.load("ur5e");
 
   private static LinkPlaces places(Joints q) {
-    return new LinkPlaces(new ForwardKinematics(ARM.dh()), ARM.dh(), q);
+    return new LinkPlaces(new ForwardKinematics(ARM), ARM.dh(), q);
   }
 
   private static Vector3f point(LinkPlaces places, Link link, double x, double y, double z) {
@@ -33,7 +33,7 @@ final class LinkPlacesTest {
   @Test
   void theLastBodyIsTheFlange() {
     Joints q = random(new Random(1));
-    Pose flange = new ForwardKinematics(ARM.dh()).flangePose(q);
+    Pose flange = new ForwardKinematics(ARM).flangePose(q);
 
     Vector3f origin = point(places(q), Link.WRIST_3, 0, 0, 0);
 

@@ -4,8 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
 import org.pendant.models.arm.DhDeltas;
-import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.DhParameters;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
@@ -18,10 +19,9 @@ import org.pendant.project.polyscope.xml.XmlElement;
  */
 final class Arms {
   private static final String USUAL = "ur5e";
-  private static final double QUARTER = Math.PI / 2;
 
-  /** Files round the angles of an arm without calibration. */
-  private static final double ROUNDING_RAD = 1e-8;
+  /** Files round the lengths and angles of an arm without calibration, in m and rad. */
+  private static final double ROUNDING = 1e-8;
 
   /** How far the flange of a calibrated arm is at most from that of its model, m. */
   private static final double MAX_M = 0.01;
@@ -44,7 +44,8 @@ final class Arms {
    *
    * @param expected counts where several models have the same lengths
    */
-  static Optional<String> model(ForwardKinematics arm, ArmDescription expected) {
+  static Optional<String> model(ArmDescription described, ArmDescription expected) {
+    ForwardKinematics arm = new ForwardKinematics(described);
     double leastM = apartM(arm, expected);
     if (leastM < SAME_M) {
       return Optional.of(expected.id());
@@ -61,7 +62,7 @@ final class Arms {
   }
 
   private static double apartM(ForwardKinematics arm, ArmDescription of) {
-    ForwardKinematics model = new ForwardKinematics(of.dh());
+    ForwardKinematics model = new ForwardKinematics(of);
     return PROBES.stream()
         .mapToDouble(
             joints ->
@@ -76,11 +77,12 @@ final class Arms {
   }
 
   /**
-   * Forward kinematics of the arm that is described in an element.
+   * The arm that is described in an element.
    *
+   * @param like of which everything but the calibration is taken
    * @return empty if it describes none
    */
-  static Optional<ForwardKinematics> described(XmlElement kinematics) {
+  static Optional<ArmDescription> described(XmlElement kinematics, ArmDescription like) {
     double[] theta = row(kinematics, "deltaTheta");
     double[] a = row(kinematics, "a");
     double[] d = row(kinematics, "d");
@@ -93,27 +95,23 @@ final class Arms {
     if (!whole || a[1] == 0 || a[2] == 0) {
       return Optional.empty();
     }
-    Joints alphas =
-        new Joints(
-            apart(alpha[0], QUARTER),
-            apart(alpha[1], 0),
-            apart(alpha[2], 0),
-            apart(alpha[3], QUARTER),
-            apart(alpha[4], -QUARTER),
-            apart(alpha[5], 0));
+    DhParameters nominal = like.dh().parameters();
     DhDeltas deltas =
         new DhDeltas(
             Joints.of(theta),
-            new Joints(a[0], 0, 0, a[3], a[4], a[5]),
-            new Joints(0, d[1], d[2], 0, 0, 0),
-            alphas);
-    return Optional.of(
-        new ForwardKinematics(new DhLengths(d[0], a[1], a[2], d[3], d[4], d[5]), deltas));
+            apart(a, nominal.aM()),
+            apart(d, nominal.dM()),
+            apart(alpha, nominal.alphaRad()));
+    return Optional.of(like.withCalibration(Calibration.of(deltas)));
   }
 
-  private static double apart(double value, double nominal) {
-    double difference = value - nominal;
-    return Math.abs(difference) < ROUNDING_RAD ? 0 : difference;
+  private static Joints apart(double[] values, Joints nominal) {
+    double[] apart = new double[values.length];
+    for (int i = 0; i < values.length; i++) {
+      double difference = values[i] - nominal.get(i);
+      apart[i] = Math.abs(difference) < ROUNDING ? 0 : difference;
+    }
+    return Joints.of(apart);
   }
 
   private static double[] row(XmlElement kinematics, String name) {

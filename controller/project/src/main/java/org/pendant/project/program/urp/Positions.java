@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeatureKind;
 import org.pendant.controller.installation.NamedTool;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
@@ -29,14 +30,14 @@ final class Positions {
   private final Map<String, Feature> features = new LinkedHashMap<>();
   private final Map<String, NamedTool> tools = new LinkedHashMap<>();
   private final Optional<XmlElement> programArm;
-  private final ForwardKinematics usualArm;
+  private final ArmDescription usualArm;
   private final Remarks remarks;
 
   /**
    * @param programArm the arm that the program as a whole names
    * @param usualArm taken where nothing else is known
    */
-  Positions(Optional<XmlElement> programArm, ForwardKinematics usualArm, Remarks remarks) {
+  Positions(Optional<XmlElement> programArm, ArmDescription usualArm, Remarks remarks) {
     this.programArm = programArm;
     this.usualArm = usualArm;
     this.remarks = remarks;
@@ -140,7 +141,9 @@ final class Positions {
     waypoint.child("outputFlangePose").ifPresent(XmlElement::seeAll);
     Optional<Pose> inFeature =
         waypoint.child("poseInFeatureCoordinates").flatMap(each -> pose(each, "pose"));
-    Pose inBase = pose(position, "pose").orElseGet(() -> arm(position).tcpPose(jointsRad, tool));
+    Pose inBase =
+        pose(position, "pose")
+            .orElseGet(() -> new ForwardKinematics(arm(position)).tcpPose(jointsRad, tool));
     // What is taught while the tool's own frame is chosen is a place all the same.
     String frame = feature.equals(WaypointPosition.TOOL) ? WaypointPosition.BASE : feature;
     if (frame.equals(WaypointPosition.BASE)) {
@@ -157,11 +160,11 @@ final class Positions {
     return new WaypointPosition(inBase, WaypointPosition.BASE, jointsRad, tool);
   }
 
-  private ForwardKinematics arm(XmlElement position) {
+  private ArmDescription arm(XmlElement position) {
     return position
         .child("Kinematics")
-        .flatMap(Arms::described)
-        .or(() -> programArm.flatMap(Arms::described))
+        .flatMap(each -> Arms.described(each, usualArm))
+        .or(() -> programArm.flatMap(each -> Arms.described(each, usualArm)))
         .orElseGet(
             () -> {
               remarks.add(position, "the file does not describe the arm; a UR5e is taken");

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.installation.Installation;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 import org.pendant.project.program.ProgramNode;
@@ -71,8 +70,7 @@ final class UrpProgramReader {
     expected = Arms.of(installation.robot());
     UrpSignals signals = new UrpSignals(installation, remarks);
     expressions = new ExpressionReader(signals, remarks);
-    positions =
-        new Positions(root.child("kinematics"), new ForwardKinematics(expected.dh()), remarks);
+    positions = new Positions(root.child("kinematics"), expected, remarks);
     motion = new MotionReader(expressions, signals, positions, remarks);
     action = new ActionReader(expressions, signals);
     flow = new FlowReader(expressions);
@@ -118,7 +116,8 @@ final class UrpProgramReader {
 
   /** The arm that the program was made on; told where another one is expected. */
   private Optional<String> robot() {
-    Optional<ForwardKinematics> arm = root.child("kinematics").flatMap(Arms::described);
+    Optional<ArmDescription> arm =
+        root.child("kinematics").flatMap(each -> Arms.described(each, expected));
     Optional<String> model = arm.flatMap(each -> Arms.model(each, expected));
     if (arm.isPresent() && model.isEmpty()) {
       remarks.add(root, "the arm that it was made on is none of those that are known");

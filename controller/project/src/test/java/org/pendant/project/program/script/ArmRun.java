@@ -43,8 +43,7 @@ final class ArmRun {
 
   /** Where the TCP is at first. */
   static final Pose HERE =
-      new ForwardKinematics(ArmLibrary.load(ControllerOptions.DEFAULT_ROBOT).dh())
-          .tcpPose(START, TOOL);
+      new ForwardKinematics(ArmLibrary.load(ControllerOptions.DEFAULT_ROBOT)).tcpPose(START, TOOL);
 
   private static final int MAX_FRAMES = 60_000;
 

@@ -33,7 +33,7 @@ final class TestTrees {
   static final Joints START = Joints.of(0, -1.5, -1.6, -1.6, 1.5, 0);
 
   private static final ArmDescription ARM = ArmLibrary.load("ur5e");
-  private static final ForwardKinematics KINEMATICS = new ForwardKinematics(ARM.dh());
+  private static final ForwardKinematics KINEMATICS = new ForwardKinematics(ARM);
 
   private TestTrees() {}
 

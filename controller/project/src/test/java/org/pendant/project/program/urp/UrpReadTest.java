@@ -170,8 +170,7 @@ class UrpReadTest {
     Pose tool = new Pose(0, 0, 0.12, 0, 0, 0);
     assertEquals(JOINTS, place.jointsRad());
     assertEquals(tool, place.toolInFlange());
-    assertPose(
-        new ForwardKinematics(ArmLibrary.load("ur5e").dh()).tcpPose(JOINTS, tool), place.tcp());
+    assertPose(new ForwardKinematics(ArmLibrary.load("ur5e")).tcpPose(JOINTS, tool), place.tcp());
     assertEquals(List.of(), program.remarks());
   }
 
@@ -205,7 +204,7 @@ class UrpReadTest {
     WaypointPosition place = tree.waypoints().get("P");
     assertEquals("Table", place.feature());
     Pose inBase =
-        new ForwardKinematics(ArmLibrary.load("ur5e").dh()).tcpPose(JOINTS, place.toolInFlange());
+        new ForwardKinematics(ArmLibrary.load("ur5e")).tcpPose(JOINTS, place.toolInFlange());
     assertPose(inBase, Poses.trans(new Pose(0.5, -0.2, 0.1, 0, 0, 1), place.tcp()));
   }
 

@@ -66,7 +66,7 @@ public final class Taught {
   /** The position with other joint positions, and the pose that comes of them. */
   static WaypointPosition withJoints(
       WaypointPosition was, Joints jointsRad, ArmDescription arm, Installation installation) {
-    Pose tcp = new ForwardKinematics(arm.dh()).tcpPose(jointsRad, was.toolInFlange());
+    Pose tcp = new ForwardKinematics(arm).tcpPose(jointsRad, was.toolInFlange());
     Pose frame = frame(installation, was.feature()).orElse(Pose.ZERO);
     return new WaypointPosition(inFrame(tcp, frame), was.feature(), jointsRad, was.toolInFlange());
   }

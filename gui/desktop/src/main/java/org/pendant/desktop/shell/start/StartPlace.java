@@ -55,7 +55,7 @@ public record StartPlace(
   /** Whether the arm stands there: within 1 mm, 0.5 degrees, and 0.5 degrees of each joint. */
   public boolean reached(ControllerState state) {
     Joints now = state.arm().actualPositionRad();
-    Pose tcp = new ForwardKinematics(state.arm().description().dh()).tcpPose(now, toolInFlange);
+    Pose tcp = new ForwardKinematics(state.arm().description()).tcpPose(now, toolInFlange);
     return Poses.pointDistance(tcp, tcpInBase) <= CLOSE_M
         && Poses.rotationAngle(tcp, tcpInBase) <= CLOSE_RAD
         && jointsRad.filter(wanted -> largest(now, wanted) <= CLOSE_RAD).isPresent();
@@ -64,7 +64,7 @@ public record StartPlace(
   /** How far the TCP is from there, m. */
   double distanceM(ControllerState state) {
     Pose tcp =
-        new ForwardKinematics(state.arm().description().dh())
+        new ForwardKinematics(state.arm().description())
             .tcpPose(state.arm().actualPositionRad(), toolInFlange);
     return Poses.pointDistance(tcp, tcpInBase);
   }

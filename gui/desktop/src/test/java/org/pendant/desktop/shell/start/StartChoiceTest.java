@@ -95,7 +95,7 @@ final class StartChoiceTest {
   }
 
   private static StartPlace pick() {
-    return place(new ForwardKinematics(ARM.dh()).flangePose(PLACE), PLACE);
+    return place(new ForwardKinematics(ARM).flangePose(PLACE), PLACE);
   }
 
   private void begin(StartPlace first, ControllerState state) {
@@ -194,7 +194,7 @@ final class StartChoiceTest {
   void aJointThatIsTurnedRoundIsAway() {
     StartPlace turned =
         place(
-            new ForwardKinematics(ARM.dh()).flangePose(PLACE),
+            new ForwardKinematics(ARM).flangePose(PLACE),
             Joints.of(0.1, -1.4, -1.5, -1.6, 1.5, 0.2 + 2 * Math.PI));
     assertFalse(turned.reached(THERE));
     assertTrue(pick().reached(THERE));
