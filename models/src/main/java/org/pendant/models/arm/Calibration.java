@@ -18,11 +18,22 @@ public record Calibration(LinkGeometry geometry, List<Integer> jointChecksums, S
   public static final Calibration NONE =
       new Calibration(DhDeltas.NONE, Collections.nCopies(Joints.COUNT, -1), Status.NOT_INITIALISED);
 
-  /** What a controller has done with a calibration; their order is that of its numbers. */
+  /** What a controller has done with a calibration. */
   public enum Status {
-    NOT_INITIALISED,
-    NOT_LINEARISED,
-    LINEARISED
+    NOT_INITIALISED(0),
+    NOT_LINEARISED(1),
+    LINEARISED(2);
+
+    private final int number;
+
+    Status(int number) {
+      this.number = number;
+    }
+
+    /** The number that controllers have for it. */
+    public int number() {
+      return number;
+    }
   }
 
   /**

@@ -32,17 +32,30 @@ public record DhDeltas(Joints thetaRad, Joints aM, Joints dM, Joints alphaRad)
     requireFinite("alpha", alphaRad, "rad");
   }
 
+  /** What the parameters of an arm add to the lengths of its model. */
+  public static DhDeltas between(DhLengths dh, DhParameters ofArm) {
+    DhParameters nominal = dh.parameters();
+    return new DhDeltas(
+        ofArm.thetaRad(),
+        sum(ofArm.aM(), -1, nominal.aM()),
+        sum(ofArm.dM(), -1, nominal.dM()),
+        sum(ofArm.alphaRad(), -1, nominal.alphaRad()));
+  }
+
   /** The parameters of an arm with these deltas and the lengths of its model. */
   public DhParameters on(DhLengths dh) {
     DhParameters nominal = dh.parameters();
     return new DhParameters(
-        thetaRad, sum(nominal.aM(), aM), sum(nominal.dM(), dM), sum(nominal.alphaRad(), alphaRad));
+        thetaRad,
+        sum(nominal.aM(), 1, aM),
+        sum(nominal.dM(), 1, dM),
+        sum(nominal.alphaRad(), 1, alphaRad));
   }
 
-  private static Joints sum(Joints a, Joints b) {
+  private static Joints sum(Joints a, int sign, Joints b) {
     double[] sum = a.toArray();
     for (int i = 0; i < sum.length; i++) {
-      sum[i] += b.get(i);
+      sum[i] += sign * b.get(i);
     }
     return Joints.of(sum);
   }

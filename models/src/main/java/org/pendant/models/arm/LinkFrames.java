@@ -36,6 +36,19 @@ public record LinkFrames(List<LinkFrame> frames) implements LinkGeometry {
     requireZero("pitch", shoulder.pitchRad(), "rad");
   }
 
+  /** Frames of a model without a calibration, as ROS chooses them. */
+  public static LinkFrames of(DhLengths dh) {
+    double quarter = Math.PI / 2;
+    return new LinkFrames(
+        List.of(
+            new LinkFrame(0, 0, dh.d1(), 0, 0, 0),
+            new LinkFrame(0, 0, 0, quarter, 0, 0),
+            new LinkFrame(dh.a2(), 0, 0, 0, 0, 0),
+            new LinkFrame(dh.a3(), 0, dh.d4(), 0, 0, 0),
+            new LinkFrame(0, -dh.d5(), 0, quarter, 0, 0),
+            new LinkFrame(0, dh.d6(), 0, quarter, Math.PI, Math.PI)));
+  }
+
   private static void requireZero(String name, double value, String unit) {
     if (value != 0) {
       throw new IllegalArgumentException(

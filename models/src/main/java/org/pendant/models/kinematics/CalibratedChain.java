@@ -13,7 +13,12 @@ final class CalibratedChain {
   private final double[][] links;
 
   CalibratedChain(DhLengths dh, LinkGeometry geometry) {
-    links = LinkTransforms.of(dh, geometry);
+    this(LinkTransforms.of(dh, geometry));
+  }
+
+  /** The product of links as {@link LinkTransforms} has them; they are kept. */
+  CalibratedChain(double[][] links) {
+    this.links = links;
   }
 
   /** Frames 1 to 6 in the base frame, six transformations, overwritten. */

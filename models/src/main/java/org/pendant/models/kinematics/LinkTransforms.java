@@ -30,15 +30,12 @@ final class LinkTransforms {
 
   /** Six transformations of an arm, each frame as near to the model's as its axis allows. */
   static double[][] of(DhLengths dh, LinkGeometry geometry) {
-    return ofModel(dh, asGiven(dh, geometry));
-  }
-
-  /** Six transformations of an arm, its frames where the calibration has them. */
-  static double[][] asGiven(DhLengths dh, LinkGeometry geometry) {
-    return switch (geometry) {
-      case DhDeltas deltas -> ofDeltas(dh, deltas);
-      case LinkFrames frames -> ofFrames(frames);
-    };
+    return ofModel(
+        dh,
+        switch (geometry) {
+          case DhDeltas deltas -> ofDeltas(dh, deltas);
+          case LinkFrames frames -> ofFrames(frames);
+        });
   }
 
   private static double[][] ofDeltas(DhLengths dh, DhDeltas deltas) {
@@ -73,25 +70,28 @@ final class LinkTransforms {
   }
 
   /** The first frame turns with the first joint, so it joins the second one behind it. */
-  private static double[][] ofFrames(LinkFrames frames) {
+  private static double[][] ofFrames(LinkFrames geometry) {
+    double[][] frames = frames(geometry);
     double[][] links = new double[Joints.COUNT][Transforms.SIZE];
-    double[] next = new double[Transforms.SIZE];
-    double[] shoulder = new double[Transforms.SIZE];
-    of(frames.frames().get(0), shoulder);
-    of(frames.frames().get(1), next);
-    Transforms.multiply(shoulder, next, links[0]);
+    Transforms.multiply(frames[0], frames[1], links[0]);
     for (int i = 1; i < Joints.COUNT - 1; i++) {
-      of(frames.frames().get(i + 1), links[i]);
+      links[i] = frames[i + 1];
     }
     slide(0, 0, links[Joints.COUNT - 1]);
     return links;
   }
 
-  private static void of(LinkFrame frame, double[] transform) {
-    Rotations.rpyToMatrix(frame.rollRad(), frame.pitchRad(), frame.yawRad(), transform);
-    transform[9] = frame.xM();
-    transform[10] = frame.yM();
-    transform[11] = frame.zM();
+  /** Transformations of the frames, what stands before each joint's turn. */
+  static double[][] frames(LinkFrames geometry) {
+    double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
+    for (int i = 0; i < Joints.COUNT; i++) {
+      LinkFrame frame = geometry.frames().get(i);
+      Rotations.rpyToMatrix(frame.rollRad(), frame.pitchRad(), frame.yawRad(), frames[i]);
+      frames[i][9] = frame.xM();
+      frames[i][10] = frame.yM();
+      frames[i][11] = frame.zM();
+    }
+    return frames;
   }
 
   /** Moves each frame along and about the axis of the joint that follows, but not the flange. */
@@ -119,7 +119,7 @@ final class LinkTransforms {
   }
 
   /** {@code Rz(turn) Tz(z)}. */
-  private static void slide(double turn, double z, double[] transform) {
+  static void slide(double turn, double z, double[] transform) {
     double c = Math.cos(turn);
     double s = Math.sin(turn);
     double[] slide = {c, -s, 0, s, c, 0, 0, 0, 1, 0, 0, z};

@@ -1,0 +1,58 @@
+package org.pendant.models.calibration;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import org.pendant.models.arm.Calibration;
+import org.pendant.models.arm.DhDeltas;
+
+/**
+ * Calibration file: the link frames that ROS keeps ({@code .yaml}, written by {@code
+ * ur_calibration}), or the Denavit-Hartenberg deltas of a controller ({@code calibration.conf}).
+ */
+public final class CalibrationFile {
+  /** A larger file is no calibration. */
+  public static final int MAX_BYTES = 1 << 18;
+
+  private CalibrationFile() {}
+
+  /** True if the name is that of a file for {@link #read}. */
+  public static boolean understands(String name) {
+    return isYaml(name) || isConf(name);
+  }
+
+  /**
+   * Reads a calibration.
+   *
+   * @param name of the file, by whose ending its form is known
+   * @throws CalibrationTrouble if it is none
+   */
+  public static Calibration read(String name, byte[] bytes) throws CalibrationTrouble {
+    if (bytes.length > MAX_BYTES) {
+      throw new CalibrationTrouble(
+          name + ": has more than " + MAX_BYTES + " bytes, no calibration is that large");
+    }
+    String text = new String(bytes, StandardCharsets.UTF_8);
+    if (isYaml(name)) {
+      return YamlCalibration.read(name, text);
+    }
+    if (isConf(name)) {
+      return ConfCalibration.read(name, text);
+    }
+    throw new CalibrationTrouble(name + ": must end in .yaml, .yml or .conf");
+  }
+
+  /** The text of a {@code calibration.conf} with these deltas. */
+  public static String conf(DhDeltas deltas) {
+    Calibration calibration = Calibration.of(deltas);
+    return ConfCalibration.text(deltas, calibration.jointChecksums(), calibration.status());
+  }
+
+  private static boolean isYaml(String name) {
+    String lower = name.toLowerCase(Locale.ROOT);
+    return lower.endsWith(".yaml") || lower.endsWith(".yml");
+  }
+
+  private static boolean isConf(String name) {
+    return name.toLowerCase(Locale.ROOT).endsWith(".conf");
+  }
+}
