@@ -20,6 +20,7 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -38,6 +39,7 @@ public final class ControllerOptions {
 
   private String robotId = DEFAULT_ROBOT;
   private Optional<ArmDescription> ownArm = Optional.empty();
+  private Calibration calibration = Calibration.NONE;
   private Joints startRad = BoxSetup.START_RAD;
   private long seed;
   private Operator operator = Operator.headless(List.of());
@@ -70,6 +72,7 @@ public final class ControllerOptions {
     ControllerOptions copy = new ControllerOptions();
     copy.robotId = robotId;
     copy.ownArm = ownArm;
+    copy.calibration = calibration;
     copy.startRad = startRad;
     copy.seed = seed;
     copy.operator = operator;
@@ -91,12 +94,13 @@ public final class ControllerOptions {
     return copy;
   }
 
-  /** With another arm, an id of {@link ArmLibrary}. */
+  /** With another arm, an id of {@link ArmLibrary}; it is exactly as its model says. */
   public ControllerOptions withRobot(String id) {
     return changed(
         copy -> {
           copy.robotId = id;
           copy.ownArm = Optional.empty();
+          copy.calibration = Calibration.NONE;
         });
   }
 
@@ -106,7 +110,16 @@ public final class ControllerOptions {
         copy -> {
           copy.robotId = arm.id();
           copy.ownArm = Optional.of(arm);
+          copy.calibration = Calibration.NONE;
         });
+  }
+
+  /**
+   * With one arm of the model: what the controller believes about its kinematics, and what the arm
+   * is.
+   */
+  public ControllerOptions withCalibration(Calibration ofArm) {
+    return changed(copy -> copy.calibration = ofArm);
   }
 
   /**
@@ -239,21 +252,21 @@ public final class ControllerOptions {
     return changed(copy -> copy.outside = connectors);
   }
 
-  /** The arm. */
-  public ArmDescription robot() {
-    return ownArm.orElseGet(() -> ArmLibrary.load(robotId));
-  }
-
   /** Id of the arm. */
   public String robotId() {
     return robotId;
+  }
+
+  /** The arm, its calibration included. */
+  public ArmDescription arm() {
+    return ownArm.orElseGet(() -> ArmLibrary.load(robotId)).withCalibration(calibration);
   }
 
   /** Limits and planes. */
   public SafetyConfiguration safety() {
     return safety.orElseGet(
         () -> {
-          ArmDescription arm = robot();
+          ArmDescription arm = arm();
           return installation
               .flatMap(Installation::safety)
               .map(wanted -> FittedSafety.of(wanted, arm).configuration())
@@ -289,9 +302,8 @@ public final class ControllerOptions {
   }
 
   BoxSetup boxSetup() {
-    ArmDescription arm = robot();
     return new BoxSetup(
-        arm,
+        arm(),
         startRad,
         seed,
         operator,

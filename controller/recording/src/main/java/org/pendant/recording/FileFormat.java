@@ -2,7 +2,11 @@ package org.pendant.recording;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
+import org.pendant.models.calibration.CalibrationFile;
+import org.pendant.models.calibration.CalibrationTrouble;
 import org.pendant.models.time.FrameTime;
 
 /**
@@ -39,9 +43,12 @@ final class FileFormat {
 
   private FileFormat() {}
 
-  /** Robot, frames per second, and the columns with the count of their numbers. */
-  static void writeHeader(String robotId, ByteSink out) {
-    out.text(robotId);
+  /**
+   * Robot, frames per second, and the columns with the count of their numbers; then the calibration
+   * of the arm, if it has one.
+   */
+  static void writeHeader(ArmDescription arm, ByteSink out) {
+    out.text(arm.id());
     out.count(FrameTime.FRAMES_PER_SECOND);
     out.count(NumberGroup.COUNT);
     for (NumberGroup each : NumberGroup.values()) {
@@ -52,14 +59,17 @@ final class FileFormat {
     for (SnapshotPart each : SnapshotPart.PARTS) {
       out.text(each.column());
     }
+    if (!arm.calibration().equals(Calibration.NONE)) {
+      out.text(CalibrationFile.text(arm.calibration()));
+    }
   }
 
   /**
    * Reads what {@link #writeHeader} has written and compares it with what this version knows.
    *
-   * @return id of the robot
+   * @return the arm
    */
-  static String readHeader(ByteSource in) throws MalformedBytes {
+  static ArmDescription readHeader(ByteSource in) throws MalformedBytes {
     String robotId = in.text();
     if (!ArmLibrary.ids().contains(robotId)) {
       throw new MalformedBytes("its robot is not known here");
@@ -81,7 +91,16 @@ final class FileFormat {
     if (!found.equals(columns())) {
       throw new MalformedBytes("it has other columns than those of version " + VERSION);
     }
-    return robotId;
+    ArmDescription model = ArmLibrary.load(robotId);
+    return in.left() == 0 ? model : model.withCalibration(calibration(in.text()));
+  }
+
+  private static Calibration calibration(String text) throws MalformedBytes {
+    try {
+      return CalibrationFile.ofText(text);
+    } catch (CalibrationTrouble e) {
+      throw new MalformedBytes("its calibration cannot be read: " + e.getMessage());
+    }
   }
 
   private static List<String> columns() {

@@ -16,7 +16,6 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.time.FrameTime;
 
@@ -106,7 +105,7 @@ public final class RecordingFile {
 
   private Opened read() throws IOException {
     try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
-      ArmDescription arm = ArmLibrary.load(header(in));
+      ArmDescription arm = header(in);
       List<InFile> stretches = new ArrayList<>();
       ProgramTexts texts = ProgramTexts.NONE;
       long last = 0;
@@ -156,7 +155,7 @@ public final class RecordingFile {
     return refused("block at byte " + block.place() + ": " + why);
   }
 
-  private String header(RandomAccessFile in) throws IOException {
+  private ArmDescription header(RandomAccessFile in) throws IOException {
     byte[] bytes = new byte[FileFormat.MAGIC.length + 3 * Integer.BYTES];
     boolean whole = fill(in, bytes);
     if (!Arrays.equals(

@@ -47,7 +47,7 @@ public final class RecordingWriter implements Closeable {
     lastFrame = start.frame();
     snapshotEncoder = new SnapshotEncoder(start, next -> {}, full::add, ambientFrames);
     ByteSink header = new ByteSink();
-    FileFormat.writeHeader(start.arm().description().id(), header);
+    FileFormat.writeHeader(start.arm().description(), header);
     out.write(FileFormat.MAGIC);
     out.write(
         littleEndian(3 * Integer.BYTES)

@@ -26,6 +26,11 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
+import org.pendant.models.arm.DhDeltas;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.arm.LinkFrames;
 
 @Tag("slow")
 final class RecordingFileTest {
@@ -54,6 +59,25 @@ final class RecordingFileTest {
 
   private Path file(byte[] bytes) throws IOException {
     return Files.write(folder.resolve("some.rec"), bytes);
+  }
+
+  @Test
+  void aFileKnowsTheCalibrationOfItsArm() throws IOException {
+    LinkFrames frames = LinkFrames.of(ArmLibrary.load("ur5e").dh());
+    DhDeltas deltas =
+        new DhDeltas(Joints.ZERO.with(1, 1.5), Joints.ZERO, Joints.ZERO, Joints.ZERO.with(2, 1e-3));
+    Calibration ofDeltas =
+        new Calibration(deltas, List.of(1, 2, 3, 4, -5, 6), Calibration.Status.NOT_LINEARISED);
+    for (Calibration each : List.of(Calibration.NONE, ofDeltas, Calibration.of(frames))) {
+      ControllerState state =
+          new Controller(ControllerOptions.headless().withCalibration(each)).state();
+      Recording found = RecordingFile.open(file(bytes(List.of(state)))).recording();
+      assertEquals(each, found.arm().calibration());
+      assertEquals(
+          state.arm().targetTcpInBase(),
+          found.atFrame(state.frame()).arm().targetTcpInBase(),
+          each::toString);
+    }
   }
 
   @Test

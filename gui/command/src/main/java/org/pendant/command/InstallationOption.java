@@ -118,8 +118,7 @@ final class InstallationOption {
    */
   static ControllerOptions in(ControllerOptions options, Installation installation)
       throws UsageException {
-    Optional<InstallationProblem> refusal =
-        InstallationCheck.refusal(installation, options.robot());
+    Optional<InstallationProblem> refusal = InstallationCheck.refusal(installation, options.arm());
     if (refusal.isPresent()) {
       throw new UsageException("the installation cannot be used: " + refusal.get());
     }

@@ -38,6 +38,7 @@ public final class Pendant {
             new CompareCommand(),
             new FunctionsCommand(StandardBuiltins::create),
             new RobotsCommand(),
+            new CalibrateCommand(),
             new CompletionCommand(this::subcommands));
   }
 

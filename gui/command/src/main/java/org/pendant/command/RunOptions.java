@@ -23,6 +23,7 @@ import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 
@@ -52,7 +53,7 @@ record RunOptions(
   static final OptionArgument.Real SECONDS =
       new OptionArgument.Real("S", 0, Double.POSITIVE_INFINITY, true, "seconds");
 
-  private static final Option ROBOT =
+  static final Option ROBOT =
       Option.of(
               "--robot",
               new OptionArgument.Text("NAME|FILE", ArmLibrary.ids()),
@@ -121,6 +122,7 @@ record RunOptions(
       Stream.concat(
               Stream.of(
                   ROBOT,
+                  CalibrationOption.OPTION,
                   InstallationOption.OPTION,
                   SPEED,
                   INPUT,
@@ -190,8 +192,10 @@ record RunOptions(
       Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
     Optional<Installation> installation = InstallationOption.of(arguments).or(() -> ofProgram);
+    ControllerOptions model = robot(arguments, installation, armOfProgram);
     ControllerOptions controller =
-        robot(arguments, installation, armOfProgram)
+        model
+            .withCalibration(CalibrationOption.of(arguments, model.arm()).orElse(Calibration.NONE))
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))

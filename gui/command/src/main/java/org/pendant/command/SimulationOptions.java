@@ -85,7 +85,7 @@ final class SimulationOptions {
     }
     Optional<String> safety = arguments.value(SAFETY);
     if (safety.isPresent()) {
-      chosen = chosen.withSafety(safety(safety.get(), options.robot(), arguments.files()));
+      chosen = chosen.withSafety(safety(safety.get(), options.arm(), arguments.files()));
     }
     return chosen;
   }

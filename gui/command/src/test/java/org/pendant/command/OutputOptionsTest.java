@@ -31,6 +31,9 @@ final class OutputOptionsTest {
   private static final Map<String, String> SAMPLES =
       Map.of(
           "--installation", "pendant installation 1\n",
+          "--calibration",
+              "delta_theta = [0,0,0,0,0,0]\ndelta_a = [0,0,0,0,0,0]\n"
+                  + "delta_d = [0,0,0,0,0,0]\ndelta_alpha = [0,0,0,0,0,0]\n",
           "--scene", "{}",
           "--safety", "{}",
           "--collection", "# a run\na.csv a.script\n");
@@ -38,7 +41,8 @@ final class OutputOptionsTest {
   /** What the program comes after. */
   private static final Map<String, List<String>> OPERANDS = Map.of("compare", List.of("run.csv"));
 
-  private static final Map<String, String> ENDINGS = Map.of("--installation", ".pinst");
+  private static final Map<String, String> ENDINGS =
+      Map.of("--installation", ".pinst", "--calibration", ".conf");
 
   @TempDir private Path folder;
 

@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import org.pendant.models.arm.Calibration;
 import org.pendant.models.arm.DhDeltas;
+import org.pendant.models.arm.LinkFrames;
 
 /**
  * Calibration file: the link frames that ROS keeps ({@code .yaml}, written by {@code
@@ -41,10 +42,24 @@ public final class CalibrationFile {
     throw new CalibrationTrouble(name + ": must end in .yaml, .yml or .conf");
   }
 
-  /** The text of a {@code calibration.conf} with these deltas. */
-  public static String conf(DhDeltas deltas) {
-    Calibration calibration = Calibration.of(deltas);
-    return ConfCalibration.text(deltas, calibration.jointChecksums(), calibration.status());
+  /** The text of a file, deltas or frames; {@link #ofText} reads the same calibration from it. */
+  public static String text(Calibration calibration) {
+    return switch (calibration.geometry()) {
+      case DhDeltas deltas ->
+          ConfCalibration.text(deltas, calibration.jointChecksums(), calibration.status());
+      case LinkFrames frames -> YamlCalibration.text(frames);
+    };
+  }
+
+  /**
+   * Reads what {@link #text} has written.
+   *
+   * @throws CalibrationTrouble if it is none
+   */
+  public static Calibration ofText(String text) throws CalibrationTrouble {
+    return YamlCalibration.begins(text)
+        ? YamlCalibration.read("calibration", text)
+        : ConfCalibration.read("calibration", text);
   }
 
   private static boolean isYaml(String name) {

@@ -37,6 +37,27 @@ final class YamlCalibration {
     }
   }
 
+  /** Whether a text is in this form, if it is a calibration at all. */
+  static boolean begins(String text) {
+    return text.startsWith(KINEMATICS);
+  }
+
+  /** The text of such a file, without a hash. */
+  static String text(LinkFrames geometry) {
+    StringBuilder text = new StringBuilder(KINEMATICS + ":\n");
+    for (int i = 0; i < LinkFrames.NAMES.size(); i++) {
+      LinkFrame frame = geometry.frames().get(i);
+      text.append("  ").append(LinkFrames.NAMES.get(i)).append(":\n");
+      double[] values = {
+        frame.xM(), frame.yM(), frame.zM(), frame.rollRad(), frame.pitchRad(), frame.yawRad()
+      };
+      for (int k = 0; k < values.length; k++) {
+        text.append("    ").append(NUMBERS.get(k)).append(": ").append(values[k]).append('\n');
+      }
+    }
+    return text.toString();
+  }
+
   private static LinkFrame frame(Yaml.Mapping frame) throws CalibrationTrouble {
     requireKnown(frame, NUMBERS);
     return new LinkFrame(

@@ -30,9 +30,9 @@ public final class CalibrationEstimate {
 
   /**
    * Poses whose equations have a larger condition number leave unknowns open; twenty postures all
-   * over the workspace have 20 to 60.
+   * over the workspace have 2 to 10.
    */
-  public static final double MAX_CONDITION = 1000;
+  public static final double MAX_CONDITION = 100;
 
   private static final int UNKNOWNS = 22;
   private static final int MAX_STEPS = 20;

@@ -111,8 +111,9 @@ class CalibrationFileTest {
 
   @Test
   void whatIsWrittenReadsTheSameAgain() throws CalibrationTrouble {
-    DhDeltas deltas = (DhDeltas) read("a.conf", CONF).geometry();
-    assertEquals(Calibration.of(deltas), read("b.conf", CalibrationFile.conf(deltas)));
+    for (Calibration each : List.of(read("a.conf", CONF), read("a.yaml", YAML))) {
+      assertEquals(each, CalibrationFile.ofText(CalibrationFile.text(each)));
+    }
   }
 
   @Test

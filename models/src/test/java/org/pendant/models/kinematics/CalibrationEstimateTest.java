@@ -71,7 +71,7 @@ class CalibrationEstimateTest {
       PoseResiduals after = PoseResiduals.of(estimated, others);
       assertTrue(before.meanM() > 5e-4, () -> id + " " + before);
       assertTrue(after.maxM() < 1e-9 && after.maxRad() < 1e-9, () -> id + " " + after);
-      assertTrue(found.condition() < 200, () -> id + " " + found.condition());
+      assertTrue(found.condition() < 10, () -> id + " " + found.condition());
     }
   }
 

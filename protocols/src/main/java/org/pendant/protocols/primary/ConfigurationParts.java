@@ -2,9 +2,11 @@ package org.pendant.protocols.primary;
 
 import java.nio.ByteBuffer;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.Calibration;
+import org.pendant.models.arm.DhParameters;
 import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.DhConversion;
 
 /**
  * Configuration parts of a full robot state, which never change: kinematics (type 5) and
@@ -16,11 +18,6 @@ final class ConfigurationParts {
 
   private static final byte KINEMATICS = 5;
   private static final byte CONFIGURATION = 6;
-
-  /** Checksum of a joint without calibration. */
-  private static final int NOT_CALIBRATED = -1;
-
-  private static final double[] ALPHA_RAD = {Math.PI / 2, 0, 0, Math.PI / 2, -Math.PI / 2, 0};
 
   /** What is sent for a joint that turns without end, rad. */
   private static final double ENDLESS_RAD = 1e6;
@@ -41,18 +38,18 @@ final class ConfigurationParts {
 
   private ConfigurationParts() {}
 
-  /** Lengths of the chain; no joint is calibrated. */
+  /** Calibration of the arm: checksums, lengths and angles of its chain, and a status. */
   static byte[] kinematics(ArmDescription arm) {
+    Calibration calibration = arm.calibration();
+    DhParameters chain = DhConversion.parameters(arm);
     ByteBuffer out = ByteBuffer.allocate(KINEMATICS_BYTES);
     out.putInt(KINEMATICS_BYTES).put(KINEMATICS);
-    for (int i = 0; i < Joints.COUNT; i++) {
-      out.putInt(NOT_CALIBRATED);
-    }
-    put(out, new double[Joints.COUNT]);
-    put(out, a(arm.dh()));
-    put(out, d(arm.dh()));
-    put(out, ALPHA_RAD);
-    out.putInt(0);
+    calibration.jointChecksums().forEach(out::putInt);
+    put(out, chain.thetaRad());
+    put(out, chain.aM());
+    put(out, chain.dM());
+    put(out, chain.alphaRad());
+    out.putInt(calibration.status().number());
     return out.array();
   }
 
@@ -73,10 +70,11 @@ final class ConfigurationParts {
         .putDouble(DEFAULT_TOOL_SPEED_M_PER_S)
         .putDouble(DEFAULT_TOOL_ACCELERATION_M_PER_S2)
         .putDouble(EQUIVALENT_RADIUS_M);
-    put(out, a(arm.dh()));
-    put(out, d(arm.dh()));
-    put(out, ALPHA_RAD);
-    put(out, new double[Joints.COUNT]);
+    DhParameters model = arm.dh().parameters();
+    put(out, model.aM());
+    put(out, model.dM());
+    put(out, model.alphaRad());
+    put(out, model.thetaRad());
     out.putInt(MASTERBOARD_VERSION)
         .putInt(CONTROLLER_BOX_TYPE)
         .putInt(robotType(arm.id()))
@@ -100,17 +98,9 @@ final class ConfigurationParts {
     };
   }
 
-  private static double[] a(DhLengths dh) {
-    return new double[] {0, dh.a2(), dh.a3(), 0, 0, 0};
-  }
-
-  private static double[] d(DhLengths dh) {
-    return new double[] {dh.d1(), 0, 0, dh.d4(), dh.d5(), dh.d6()};
-  }
-
-  private static void put(ByteBuffer out, double[] values) {
-    for (double value : values) {
-      out.putDouble(value);
+  private static void put(ByteBuffer out, Joints values) {
+    for (int i = 0; i < Joints.COUNT; i++) {
+      out.putDouble(values.get(i));
     }
   }
 }

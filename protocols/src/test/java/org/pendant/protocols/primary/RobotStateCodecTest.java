@@ -18,6 +18,9 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
+import org.pendant.models.arm.DhDeltas;
+import org.pendant.models.arm.Joints;
 
 class RobotStateCodecTest {
   private static final List<Integer> PERIODIC = List.of(0, 1, 4, 9, 3, 2, 7, 8, 10, 11, 12);
@@ -167,6 +170,39 @@ class RobotStateCodecTest {
     assertEquals(-0.425, kinematics.getDouble(85), "a");
     assertEquals(0.1625, kinematics.getDouble(125), "d");
     assertEquals(0, kinematics.getInt(221), "calibration status");
+  }
+
+  @Test
+  void kinematicsOfACalibratedArm() {
+    DhDeltas deltas =
+        new DhDeltas(
+            new Joints(-2.41e-07, 1.5, -1.5, 0.0837, 0, 3.9e-08),
+            new Joints(2.122e-05, 0.5, 0, 0, 0, 0),
+            new Joints(0, 439.125, -446, 7, 0, 0),
+            new Joints(0, 0, 0, 0, 0.0625, 0));
+    Calibration calibration =
+        new Calibration(
+            deltas, List.of(0xADBB5, -2, 3, 4, 5, 0x7FFFFFFF), Calibration.Status.LINEARISED);
+    Controller calibrated =
+        new Controller(ControllerOptions.headless().withCalibration(calibration));
+    byte[] state =
+        new RobotStateCodec(calibrated.state().arm().description()).full(calibrated.state());
+    Part part = parts(state).stream().filter(each -> each.type() == 5).findFirst().orElseThrow();
+    assertTrue(
+        part.hex()
+            .startsWith(
+                RobotMessageCodecTest.hex(
+                    "000000E1 05 000ADBB5 FFFFFFFE 00000003 00000004 00000005 7FFFFFFF"
+                        + " BE902C59358C9002 3FF8000000000000 BFF8000000000000")),
+        part::hex);
+    assertEquals(3.9e-08, part.bytes().getDouble(69), "theta of the last joint");
+    assertEquals(2.122e-05, part.bytes().getDouble(77), "a of the first joint");
+    assertEquals(-0.425 + 0.5, part.bytes().getDouble(85), "a of the second joint");
+    assertEquals(439.125, part.bytes().getDouble(133), "d of the second joint");
+    assertEquals(0.1333 + 7, part.bytes().getDouble(149), "d of the fourth joint");
+    assertEquals(Math.PI / 2, part.bytes().getDouble(173), "alpha of the first joint");
+    assertEquals(-Math.PI / 2 + 0.0625, part.bytes().getDouble(205), "alpha of the fifth joint");
+    assertEquals(2, part.bytes().getInt(221), "calibration status");
   }
 
   @Test

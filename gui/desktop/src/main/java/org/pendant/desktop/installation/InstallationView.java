@@ -56,7 +56,7 @@ public final class InstallationView implements View {
    */
   public InstallationView(Workbench workbench, ActiveInstallation active) {
     this.workbench = workbench;
-    arm = workbench.session().options().robot();
+    arm = workbench.session().options().arm();
     editing = new Editing(active, this::arm);
     makePages();
     pages = groups.values().stream().flatMap(List::stream).toList();

@@ -67,7 +67,7 @@ public final class MoveView implements View {
             workbench.session()::submit,
             EventQueue::invokeLater,
             workbench.settings(),
-            workbench.session().options().robot(),
+            workbench.session().options().arm(),
             workbench.session().options().safety(),
             ghost);
     Consumer<String> copy = text -> copy(workbench, text);
@@ -260,8 +260,7 @@ public final class MoveView implements View {
     String now = workbench.session().options().robotId();
     if (!now.equals(robotId)) {
       robotId = now;
-      presenter.setArm(
-          workbench.session().options().robot(), workbench.session().options().safety());
+      presenter.setArm(workbench.session().options().arm(), workbench.session().options().safety());
     }
   }
 }

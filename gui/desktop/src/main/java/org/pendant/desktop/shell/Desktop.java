@@ -132,7 +132,7 @@ public final class Desktop {
     ControllerOptions options =
         wanted.isPresent() && ArmLibrary.find(robot).isPresent() ? bare.withRobot(robot) : bare;
     Optional<InstallationProblem> refusal =
-        InstallationCheck.refusal(installation.get(), options.robot());
+        InstallationCheck.refusal(installation.get(), options.arm());
     if (refusal.isPresent()) {
       missing.add("The installation cannot be used: " + refusal.get());
       return bare;

@@ -163,7 +163,7 @@ final class Views {
                     .findFirst()
                     .orElse(""),
             (signal, name) ->
-                SignalNames.rename(installation.current(), session.options().robot(), signal, name)
+                SignalNames.rename(installation.current(), session.options().arm(), signal, name)
                     .ifPresentOrElse(
                         installation::set,
                         () -> tell.accept(name + " is the name of another signal too")));

@@ -114,7 +114,7 @@ final class Arms {
     return Joints.of(apart);
   }
 
-  private static double[] row(XmlElement kinematics, String name) {
+  static double[] row(XmlElement kinematics, String name) {
     return Values.numbers(kinematics.child(name).map(each -> each.text("value")).orElse(""));
   }
 }

@@ -1,0 +1,115 @@
+package org.pendant.command;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
+import org.pendant.models.calibration.CalibrationFile;
+import org.pendant.models.calibration.CalibrationTrouble;
+import org.pendant.models.calibration.MeasuredPoses;
+import org.pendant.models.kinematics.CalibrationEstimate;
+import org.pendant.models.kinematics.MeasuredPose;
+import org.pendant.models.kinematics.NominalDeviation;
+import org.pendant.models.kinematics.PoseResiduals;
+
+/** Command {@code pendant calibrate FILE.csv}: estimates a calibration from measured poses. */
+final class CalibrateCommand implements Subcommand {
+  private static final Option OUT =
+      Option.output("--out", "FILE.conf", "where to write the calibration, else standard output")
+          .documented("arm.conf", "where to write the calibration; standard output without it");
+
+  @Override
+  public String name() {
+    return "calibrate";
+  }
+
+  @Override
+  public String operands() {
+    return "FILE.csv";
+  }
+
+  @Override
+  public String summary() {
+    return "estimate the calibration of an arm from measured poses";
+  }
+
+  @Override
+  public List<Option> options() {
+    return List.of(RunOptions.ROBOT, OUT, OutputFile.FORCE);
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    if (arguments.operands().size() != 1) {
+      throw new UsageException(
+          "expected one file of measured poses, there are " + arguments.operands().size());
+    }
+    String name = arguments.operands().getFirst();
+    ArmDescription model = model(arguments);
+    byte[] table = arguments.files().bytes("the file of poses", name);
+    Optional<OutputFile> out = OutputFile.of(OUT, arguments);
+    List<MeasuredPose> measured = measured(name, table);
+    CalibrationEstimate.Result.Estimated found =
+        switch (CalibrationEstimate.of(model, measured)) {
+          case CalibrationEstimate.Result.Estimated estimated -> estimated;
+          case CalibrationEstimate.Result.Refused refused ->
+              throw new UsageException(name + " " + refused.reason());
+        };
+    Calibration calibration = Calibration.of(found.deltas());
+    ArmDescription arm = model.withCalibration(calibration);
+    Optional<String> refusal = NominalDeviation.refusal(arm);
+    if (refusal.isPresent()) {
+      throw new UsageException("the calibration from " + name + " " + refusal.get());
+    }
+    List<String> report =
+        List.of(
+            String.format(
+                Locale.ROOT,
+                "%s, %d poses, condition number %.1f",
+                model.displayName(),
+                measured.size(),
+                found.condition()),
+            "residuals before: " + shown(PoseResiduals.of(model, measured)),
+            "residuals after: " + shown(PoseResiduals.of(arm, measured)));
+    StringBuilder text = new StringBuilder();
+    report.forEach(each -> text.append("# ").append(each).append('\n'));
+    text.append(CalibrationFile.text(calibration));
+    if (out.isPresent()) {
+      report.forEach(console::print);
+      byte[] bytes = text.toString().getBytes(StandardCharsets.UTF_8);
+      out.get().write(stream -> stream.write(bytes));
+    } else {
+      console.print(text.toString().stripTrailing());
+    }
+    return ExitCode.DONE;
+  }
+
+  private static ArmDescription model(Arguments arguments) throws UsageException {
+    String robot = arguments.value(RunOptions.ROBOT).orElse(ControllerOptions.DEFAULT_ROBOT);
+    return RobotName.isFile(robot)
+        ? RobotName.read(robot, arguments.files())
+        : ArmLibrary.load(RobotName.idOf(RunOptions.ROBOT.name(), robot));
+  }
+
+  private static List<MeasuredPose> measured(String name, byte[] table) throws UsageException {
+    try {
+      return MeasuredPoses.read(name, table);
+    } catch (CalibrationTrouble e) {
+      throw new UsageException(e.getMessage());
+    }
+  }
+
+  private static String shown(PoseResiduals residuals) {
+    return String.format(
+        Locale.ROOT,
+        "mean %.4f mm, max %.4f mm, mean %.4f mrad, max %.4f mrad",
+        1000 * residuals.meanM(),
+        1000 * residuals.maxM(),
+        1000 * residuals.meanRad(),
+        1000 * residuals.maxRad());
+  }
+}
