@@ -10,6 +10,7 @@ module org.pendant.project {
   requires transitive org.pendant.models;
   requires transitive org.pendant.script;
 
+  exports org.pendant.project.calibration;
   exports org.pendant.project.installation.file;
   exports org.pendant.project.installation.text;
   exports org.pendant.project.polyscope.xml;

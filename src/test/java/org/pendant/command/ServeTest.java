@@ -4,11 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
+import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -29,6 +31,7 @@ import org.pendant.protocols.rtde.RtdeServer;
 @Tag("slow")
 final class ServeTest {
   private static final int DASHBOARD = 29_999;
+  private static final int PRIMARY = 30_001;
 
   /** The first address of several robots. */
   private static final int ROBOTS = 230;
@@ -149,6 +152,64 @@ final class ServeTest {
       assertEquals("p[0, 0, 0.25, 0, 0, 0]", output.readLine());
       assertEquals("Shutting down", dashboard("shutdown"));
       assertEquals(0, Launcher.await(process));
+    }
+  }
+
+  @Test
+  void theCalibrationThatAnInstallationNamesIsSentAndUsed() throws IOException {
+    Launcher.script(
+        folder, "asks.script", "def asks():\n  textmsg(get_forward_kin([0,0,0,0,0,0]))\nend\n");
+    Files.writeString(
+        folder.resolve("arm.conf"),
+        """
+        delta_theta = [0.001, 0, 0, 0, 0, 0]
+        delta_a = [0, 0.0004, 0, 0, 0, 0]
+        delta_d = [0, 300.5, -300.5, 0, 0, 0]
+        delta_alpha = [0, 0, 0, 0, 0, 0]
+        joint_checksum = [0x11, 0x22, 0x33, 0x44, 0x55, 0x66]
+        """);
+    Files.writeString(
+        folder.resolve("cell.pinst"),
+        """
+        pendant installation 1
+        robot id="ur10e" calibration="arm.conf"
+        start-up program="asks.script"
+        """);
+    Process process = serve("--ready", "--installation", "cell.pinst");
+    try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
+      untilReady(output);
+      ByteBuffer kinematics = kinematics();
+      assertEquals(0x33, kinematics.getInt(5 + 8));
+      assertEquals(0.001, kinematics.getDouble(29));
+      assertEquals(-0.6127 + 0.0004, kinematics.getDouble(85));
+      assertEquals(300.5, kinematics.getDouble(133));
+      assertEquals(2, kinematics.getInt(221));
+      assertEquals("Starting program", dashboard("play"));
+      assertEquals(
+          "p[-1.183559, -0.291884, 0.06085, 1.570796, 0.000785, 0.000785]", output.readLine());
+      dashboard("shutdown");
+      assertEquals(0, Launcher.await(process));
+    }
+  }
+
+  /** The kinematics part of the first whole state of the primary port. */
+  private ByteBuffer kinematics() throws IOException {
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), PRIMARY + offset)) {
+      socket.setSoTimeout(GIVE_UP_MS);
+      DataInputStream in = new DataInputStream(socket.getInputStream());
+      while (true) {
+        byte[] message = new byte[in.readInt() - Integer.BYTES];
+        in.readFully(message);
+        ByteBuffer parts = ByteBuffer.wrap(message, 1, message.length - 1);
+        while (message[0] == 16 && parts.hasRemaining()) {
+          int at = parts.position();
+          int size = parts.getInt(at);
+          if (message[at + 4] == 5) {
+            return parts.slice(at, size);
+          }
+          parts.position(at + size);
+        }
+      }
     }
   }
 

@@ -58,7 +58,9 @@ final class InstallationOption {
           variables.isPresent()
               ? Optional.of(bytes(files.path("the file of variables", variables.get())))
               : Optional.empty();
-      return InstallationFile.read(name, bytes(files.path("the installation", name)), values);
+      LoadedInstallation read =
+          InstallationFile.read(name, bytes(files.path("the installation", name)), values);
+      return new LoadedInstallation(placed(name, read.installation()), read.remarks());
     } catch (InstallationTrouble e) {
       throw new UsageException(e.getMessage());
     } catch (NoSuchFileException e) {
@@ -70,6 +72,15 @@ final class InstallationOption {
     } catch (IOException e) {
       throw new UsageException(name + ": cannot be read, " + e.getMessage());
     }
+  }
+
+  /** With the calibration where it is as seen from here, rather than from the installation. */
+  private static Installation placed(String name, Installation installation) {
+    String calibration = installation.calibration();
+    return calibration.isEmpty()
+        ? installation
+        : installation.with(
+            parts -> parts.calibration = Path.of(name).resolveSibling(calibration).toString());
   }
 
   /**

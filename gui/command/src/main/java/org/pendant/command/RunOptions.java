@@ -23,7 +23,6 @@ import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.arm.ArmLibrary;
-import org.pendant.models.arm.Calibration;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 
@@ -195,7 +194,7 @@ record RunOptions(
     ControllerOptions model = robot(arguments, installation, armOfProgram);
     ControllerOptions controller =
         model
-            .withCalibration(CalibrationOption.of(arguments, model.arm()).orElse(Calibration.NONE))
+            .withCalibration(CalibrationOption.of(arguments, installation, model.arm()))
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))

@@ -142,6 +142,26 @@ class CalibrationTest {
     assertTrue(complaints().contains("missing.conf: no such file"), complaints());
   }
 
+  @Test
+  void anInstallationNamesTheCalibrationThatStandsBesideIt() throws IOException {
+    write("say.script", SAY);
+    Files.createDirectory(folder.resolve("cells"));
+    write("cells/calibration.conf", CONF);
+    write(
+        "cells/cell.pinst",
+        "pendant installation 1\nrobot id=\"ur10e\" calibration=\"calibration.conf\"\n");
+    assertEquals(0, pendant("run", "--installation", "cells/cell.pinst", "say.script"));
+    String ofInstallation = said();
+    assertEquals(
+        0,
+        pendant(
+            "run", "--robot", "ur10e", "--calibration", "cells/calibration.conf", "say.script"));
+    assertEquals(said(), ofInstallation);
+    Files.delete(folder.resolve("cells/calibration.conf"));
+    assertEquals(2, pendant("run", "--installation", "cells/cell.pinst", "say.script"));
+    assertTrue(complaints().contains("cells/calibration.conf: no such file"), complaints());
+  }
+
   private static String poses(int count) throws CalibrationTrouble {
     ForwardKinematics forward = new ForwardKinematics(calibrated(CONF));
     Random random = new Random(1);

@@ -13,6 +13,8 @@ import org.pendant.models.pose.Pose;
  * Installation: everything that an installation file says; immutable.
  *
  * @param robot id of the arm that it is for; empty for any
+ * @param calibration name of the file with the calibration of the arm, beside that of the
+ *     installation; empty for an arm as its model says
  * @param tools TCPs, in the order in which they are shown
  * @param activeTool name of the one that is active when a program starts; empty for the flange
  * @param payloads in the order in which they are shown
@@ -34,6 +36,7 @@ import org.pendant.models.pose.Pose;
  */
 public record Installation(
     String robot,
+    String calibration,
     List<NamedTool> tools,
     String activeTool,
     List<NamedPayload> payloads,
@@ -54,6 +57,7 @@ public record Installation(
   /** Nothing is set up: bare flange, upright, no names. */
   public static final Installation NONE =
       new Installation(
+          "",
           "",
           List.of(),
           "",

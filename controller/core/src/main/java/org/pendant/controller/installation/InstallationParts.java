@@ -12,6 +12,7 @@ import org.pendant.models.arm.Joints;
  */
 public final class InstallationParts {
   public String robot;
+  public String calibration;
   public List<NamedTool> tools;
   public String activeTool;
   public List<NamedPayload> payloads;
@@ -32,6 +33,7 @@ public final class InstallationParts {
 
   InstallationParts(Installation from) {
     robot = from.robot();
+    calibration = from.calibration();
     tools = from.tools();
     activeTool = from.activeTool();
     payloads = from.payloads();
@@ -54,6 +56,7 @@ public final class InstallationParts {
   Installation installation() {
     return new Installation(
         robot,
+        calibration,
         tools,
         activeTool,
         payloads,

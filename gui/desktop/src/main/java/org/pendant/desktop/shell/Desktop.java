@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
@@ -17,6 +19,7 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
@@ -35,9 +38,14 @@ import org.pendant.kit.settings.Settings;
 import org.pendant.kit.theme.Look;
 import org.pendant.kit.theme.SystemTheme;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.calibration.CalibrationTrouble;
+import org.pendant.project.calibration.ArmCalibration;
 
 /** Desktop as a whole, from its start until its window is closed. */
 public final class Desktop {
+  /** A larger file is no program that keeps a calibration. */
+  private static final int MAX_CALIBRATION_BYTES = 32 << 20;
+
   private static final String EXAMPLE = "pick_and_place.script";
 
   private final Path folder;
@@ -137,7 +145,26 @@ public final class Desktop {
       missing.add("The installation cannot be used: " + refusal.get());
       return bare;
     }
-    return options.withInstallation(installation.get());
+    return calibrated(options, start.get()).withInstallation(installation.get());
+  }
+
+  /** With the calibration that an installation names, or without where it cannot be used. */
+  private ControllerOptions calibrated(ControllerOptions options, StartInstallation setUp) {
+    String name = setUp.installation().calibration();
+    if (name.isEmpty()) {
+      return options;
+    }
+    try (InputStream in = Files.newInputStream(setUp.file().resolveSibling(name))) {
+      byte[] bytes = in.readNBytes(MAX_CALIBRATION_BYTES);
+      return options.withCalibration(ArmCalibration.read(name, bytes, options.arm()));
+    } catch (CalibrationTrouble e) {
+      missing.add("The calibration cannot be used: " + e.getMessage());
+    } catch (InvalidPathException e) {
+      missing.add("The calibration cannot be used: " + name + " is not a file name");
+    } catch (IOException e) {
+      missing.add("The calibration cannot be used: " + name + ", " + FileTrouble.reason(e));
+    }
+    return options;
   }
 
   private static ControllerOptions options(Settings settings) {

@@ -58,6 +58,7 @@ final class InstallationReading {
   private final Map<String, Integer> firstLines = new HashMap<>();
 
   private String robot = "";
+  private String calibration = "";
   private final List<NamedTool> tools = new ArrayList<>();
   private String activeTool = "";
   private final List<NamedPayload> payloads = new ArrayList<>();
@@ -102,6 +103,7 @@ final class InstallationReading {
   Installation installation() {
     return new Installation(
         robot,
+        calibration,
         tools,
         activeTool,
         payloads,
@@ -202,7 +204,10 @@ final class InstallationReading {
       throw fields.wrong("line " + before + " says that already");
     }
     switch (line.word()) {
-      case "robot" -> robot = fields.text("id");
+      case "robot" -> {
+        robot = fields.text("id");
+        calibration = fields.textIfAny("calibration");
+      }
       case "tool" -> tools.add(new NamedTool(fields.text("name"), fields.pose("in-flange")));
       case "active-tool" -> activeTool = fields.text("name");
       case "payload" -> payloads.add(payload(fields));

@@ -27,9 +27,7 @@ final class InstallationWriter {
 
   String write(Installation installation) {
     out.append(InstallationText.HEADING).append('\n');
-    if (!installation.robot().isEmpty()) {
-      line("robot").text("id", installation.robot()).end();
-    }
+    robot(installation);
     tools(installation);
     payloads(installation);
     line("mounting")
@@ -55,6 +53,18 @@ final class InstallationWriter {
 
   private LineWriter line(String word) {
     return LineWriter.begin(out, word);
+  }
+
+  private void robot(Installation installation) {
+    boolean calibrated = !installation.calibration().isEmpty();
+    if (calibrated) {
+      line("robot")
+          .text("id", installation.robot())
+          .text("calibration", installation.calibration())
+          .end();
+    } else if (!installation.robot().isEmpty()) {
+      line("robot").text("id", installation.robot()).end();
+    }
   }
 
   private void tools(Installation installation) {

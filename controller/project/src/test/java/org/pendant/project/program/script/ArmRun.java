@@ -80,6 +80,7 @@ final class ArmRun {
     Installation none = Installation.NONE;
     return new Installation(
         none.robot(),
+        none.calibration(),
         List.of(new NamedTool("finger", TOOL)),
         "finger",
         none.payloads(),

@@ -308,6 +308,7 @@ final class MotionTextTest {
       Installation none = Installation.NONE;
       return new Installation(
           none.robot(),
+          none.calibration(),
           tools,
           activeTool,
           none.payloads(),

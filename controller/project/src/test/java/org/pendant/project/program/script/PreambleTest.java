@@ -53,6 +53,7 @@ final class PreambleTest {
   private static Installation installation(BaseMounting mounting, List<ModbusSetup> modbus) {
     return new Installation(
         "ur5e",
+        "",
         List.of(new NamedTool("gripper", GRIPPER)),
         "gripper",
         List.of(

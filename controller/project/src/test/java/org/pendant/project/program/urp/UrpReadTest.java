@@ -432,6 +432,7 @@ class UrpReadTest {
     Installation named =
         new Installation(
             none.robot(),
+            none.calibration(),
             none.tools(),
             none.activeTool(),
             none.payloads(),

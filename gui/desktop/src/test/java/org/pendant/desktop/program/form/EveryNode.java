@@ -286,6 +286,7 @@ final class EveryNode {
     Installation none = Installation.NONE;
     return new Installation(
         none.robot(),
+        none.calibration(),
         List.of(
             new NamedTool("Gripper", new Pose(0, 0, 0.12, 0, 0, 0)),
             new NamedTool("Bit", new Pose(0.05, 0, 0.2, 0, 0, 0))),
