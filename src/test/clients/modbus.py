@@ -128,7 +128,9 @@ run_script(
     "end\n"
 )
 awaited(client, 141, 1235)
-check("height of the TCP", words(client, 402, 1), words(client, 140, 1))
+# both round readings of an instant of their own, in tenths of a millimetre
+height, read = words(client, 402, 1)[0], words(client, 140, 1)[0]
+check("height of the TCP", True, abs(height - read) <= 1)
 check("output of a script", [True], bits(client, 23, 1))
 
 # one snapshot an answer: a program writes two registers in the same step
