@@ -60,6 +60,11 @@ record Option(
     return text(name, placeholder, summary).in(Role.WRITTEN);
   }
 
+  /** The same, whose value may be the path of a file that the command reads. */
+  Option reading() {
+    return in(Role.READ);
+  }
+
   private Option in(Role other) {
     return new Option(name, argument, summary, standard, repeatable, other, example, details);
   }

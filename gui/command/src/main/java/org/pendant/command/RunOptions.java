@@ -57,6 +57,7 @@ record RunOptions(
               "--robot",
               new OptionArgument.Text("NAME|FILE", ArmLibrary.ids()),
               "the arm, default ur5e; pendant robots lists them; or an arm file, FILE.json")
+          .reading()
           .documented(
               "ur5e",
               "which arm, by id or name (`ur8long`, `\"UR8 Long\"`), in capitals or not; default"

@@ -6,6 +6,8 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.pendant.models.arm.ArmLibrary;
 
 /**
  * Whatever option writes a file, of whatever command: it refuses what the command reads. The lists
@@ -30,6 +33,7 @@ final class OutputOptionsTest {
   /** A file that each option for reading takes; a new one needs a line here. */
   private static final Map<String, String> SAMPLES =
       Map.of(
+          "--robot", armFile(),
           "--installation", "pendant installation 1\n",
           "--calibration",
               "delta_theta = [0,0,0,0,0,0]\ndelta_a = [0,0,0,0,0,0]\n"
@@ -45,6 +49,14 @@ final class OutputOptionsTest {
       Map.of("--installation", ".pinst", "--calibration", ".conf");
 
   @TempDir private Path folder;
+
+  private static String armFile() {
+    try (InputStream file = ArmLibrary.class.getResourceAsStream("ur5e.json")) {
+      return new String(file.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 
   private static List<Subcommand> subcommands() {
     return new Pendant(new Console(new ByteArrayOutputStream(), new ByteArrayOutputStream()))
