@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.Controller;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
 import org.pendant.recording.compare.RunComparison;
@@ -61,6 +62,11 @@ final class ProgramComparison {
       return new Outcome(ExitCode.DOES_NOT_COMPILE, Optional.empty());
     }
     payload.declareTo(controller);
+    double slider = StartOfRun.speedFraction(recorded.samples()).orElse(1);
+    if (slider > 0 && slider < 1) {
+      var _ = controller.submit(new BoxCommand.SetSpeedFraction(slider));
+      controller.advance();
+    }
     SampleCollector collector = new SampleCollector(recorded.samples(), controller.state());
     ExitCode code =
         new HeadlessRun(program, controller, options, interruption, wall, console, collector)

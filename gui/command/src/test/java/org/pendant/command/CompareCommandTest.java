@@ -138,6 +138,23 @@ final class CompareCommandTest {
   }
 
   @Test
+  void theSpeedSliderIsWhereItWas() throws Exception {
+    List<String> lines = Files.readAllLines(record("run.csv"));
+    List<String> slow = new ArrayList<>();
+    for (String line : lines) {
+      List<String> cells = List.of(line.split(",", -1)).subList(0, 7);
+      String first = slow.isEmpty() ? "time_s" : 2 * Double.parseDouble(cells.getFirst()) + "";
+      String fraction = slow.isEmpty() ? "target_speed_fraction" : "0.5";
+      slow.add(first + "," + String.join(",", cells.subList(1, 7)) + "," + fraction);
+    }
+    Path half = Files.write(file("half.csv"), slow);
+
+    ExitCode code = pendant("compare", "--limit", "half-duration=0.02", half, file("move.script"));
+
+    assertEquals(ExitCode.DONE, code, said() + complaints());
+  }
+
+  @Test
   void namesInThePageAreText() throws Exception {
     Path recorded = record("run.csv");
     Path odd = Files.copy(recorded, file("<script>&.csv"));

@@ -46,7 +46,7 @@ final class Alignment {
     Optional<Double> mine = span.firstHalfS();
     Optional<Double> theirs = new MotionSpan(other, speed, topRadPerS).firstHalfS();
     double coarse =
-        span.startsAtRest() && mine.isPresent() && theirs.isPresent()
+        !span.beginsInMotion() && mine.isPresent() && theirs.isPresent()
             ? scan(
                 theirs.get() - mine.get() - START_WINDOW_S,
                 theirs.get() - mine.get() + START_WINDOW_S)

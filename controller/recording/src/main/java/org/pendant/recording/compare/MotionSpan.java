@@ -14,7 +14,10 @@ final class MotionSpan {
   private static final double REST_OF_TARGET = 1e-4;
 
   /** Below this part of the top speed a joint rests: sensors are never quite still. */
-  private static final double REST_OF_SENSOR = 0.01;
+  private static final double REST_OF_SENSOR = 0.02;
+
+  /** A recording whose first sample is above this part of the top speed begins in motion. */
+  private static final double IN_MOTION = 0.02;
 
   private static final double HALF = 0.5;
 
@@ -74,9 +77,12 @@ final class MotionSpan {
     return norm(samples, speed, row);
   }
 
-  /** Whether the first sample is at rest. */
-  boolean startsAtRest() {
-    return norm(0) < restRadPerS;
+  /**
+   * Whether the first sample is in motion. One that is hardly so was taken just after the start,
+   * which is where the arm then was.
+   */
+  boolean beginsInMotion() {
+    return norm(0) >= Math.max(restRadPerS, IN_MOTION * topRadPerS);
   }
 
   /** Whether the last sample is at rest. */
@@ -84,9 +90,9 @@ final class MotionSpan {
     return norm(samples.rows() - 1) < restRadPerS;
   }
 
-  /** When it leaves rest; empty if it is in motion at first, or never moves. */
+  /** When it leaves rest; empty if the first sample is no longer at rest, or it never moves. */
   Optional<Between> start() {
-    if (!startsAtRest()) {
+    if (norm(0) >= restRadPerS) {
       return Optional.empty();
     }
     for (int row = 1; row < samples.rows(); row++) {

@@ -132,7 +132,7 @@ public record RunComparison(
     } else {
       notes.add(
           "the recording "
-              + (real.startsAtRest() ? "ends" : "begins")
+              + (start.isPresent() ? "ends" : "begins")
               + " in motion: there is no duration");
     }
     start.ifPresent(figures::add);

@@ -21,6 +21,7 @@ public final class SampledQuantity {
   static final StateQuantity TCP_OFFSET = StateQuantities.of("tcp_offset");
   static final StateQuantity TARGET_CURRENT = StateQuantities.of("target_current");
   static final StateQuantity CURRENT = StateQuantities.of("current");
+  static final StateQuantity SPEED_SLIDER = StateQuantities.of("speed_slider");
   static final StateQuantity PAYLOAD = StateQuantities.of("payload");
   static final StateQuantity PAYLOAD_COG = StateQuantities.of("payload_cog");
 

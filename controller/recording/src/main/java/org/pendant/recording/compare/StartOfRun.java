@@ -15,11 +15,16 @@ public final class StartOfRun {
 
   private StartOfRun() {}
 
-  /** Whether the arm rests in the first sample. */
+  /**
+   * Positions of encoders are differentiated over at least this time, s, or noise is all there is.
+   */
+  private static final double SLOPE_S = 0.02;
+
+  /** Whether the arm rests in the first sample, or hardly moves yet. */
   public static boolean atRest(Samples recorded) {
     StateQuantity speed = SampledQuantity.speed(recorded).orElseThrow();
     double top = MotionSpan.topRadPerS(recorded, speed);
-    return top == 0 || new MotionSpan(recorded, speed, top).startsAtRest();
+    return top == 0 || !new MotionSpan(recorded, speed, top).beginsInMotion();
   }
 
   /**
@@ -40,6 +45,13 @@ public final class StartOfRun {
       }
     }
     return Joints.of(q);
+  }
+
+  /** Where the speed slider was, 0 to 1; empty where that was not recorded. */
+  public static OptionalDouble speedFraction(Samples recorded) {
+    return recorded.has(SampledQuantity.SPEED_SLIDER)
+        ? OptionalDouble.of(recorded.value(SampledQuantity.SPEED_SLIDER, 0, 0))
+        : OptionalDouble.empty();
   }
 
   /** What the payload was declared to be, kg; empty where that was not recorded. */
@@ -69,6 +81,12 @@ public final class StartOfRun {
     for (int row = 0; row < recorded.rows(); row++) {
       int before = Math.max(0, row - 1);
       int after = Math.min(recorded.rows() - 1, row + 1);
+      while (recorded.timeS(after) - recorded.timeS(before) < SLOPE_S
+          && before > 0
+          && after < recorded.rows() - 1) {
+        before--;
+        after++;
+      }
       double timeS = recorded.timeS(after) - recorded.timeS(before);
       for (int i = 0; i < speeds.length; i++) {
         double way = recorded.value(position, i, after) - recorded.value(position, i, before);

@@ -112,6 +112,36 @@ class RunComparisonTest {
   }
 
   @Test
+  void speedsAreWorkedOutWhereThereAreNone() {
+    Samples whole = move(0.002, 0, 3, 0.5, 0);
+    Samples.Builder positions = new Samples.Builder(List.of(SampledQuantity.ACTUAL_Q));
+    Random noise = new Random(3);
+    for (int row = 0; row < whole.rows(); row++) {
+      double[] q = whole.values(SampledQuantity.ACTUAL_Q, row);
+      for (int i = 0; i < q.length; i++) {
+        q[i] += 15e-6 * noise.nextGaussian();
+      }
+      positions.add(whole.timeS(row), q);
+    }
+    Samples recorded = StartOfRun.withSpeeds(positions.build());
+
+    RunComparison comparison = RunComparison.of(recorded, move(0.002, 0, 4, 1, 0), KINEMATICS);
+
+    assertEquals(0.5, comparison.shiftS(), 1e-3);
+    assertEquals(0, figure(comparison, "duration").error(), 0.01);
+    assertEquals(0, comparison.size("actual_qd").orElseThrow(), 0.01);
+  }
+
+  @Test
+  void aRecordingThatBeginsWithTheFirstFrameOfAMoveBeginsWhereTheArmWas() {
+    Samples recorded = move(0.002, 0.502, 3, 0.5, 0);
+
+    assertTrue(StartOfRun.atRest(recorded));
+    assertEquals(
+        recorded.value(SampledQuantity.TARGET_Q, 0, 0), StartOfRun.positionRad(recorded).get(0));
+  }
+
+  @Test
   void lagAndCurrentErrorOfBothAreTold() {
     RunComparison comparison =
         RunComparison.of(move(0.008, 0, 3, 0.5, 0.0005), move(0.002, 0, 4, 1, 0.002), KINEMATICS);
