@@ -20,6 +20,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JTabbedPane;
 import javax.swing.RepaintManager;
+import org.pendant.command.service.SimulationWishes;
 import org.pendant.desktop.shell.Desktop;
 
 /**
@@ -43,7 +44,7 @@ final class Driver {
             Stream.of(arguments).map(Path::of).toList(),
             Optional.empty(),
             Optional.empty(),
-            Optional.empty());
+            SimulationWishes.NONE);
     Thread.ofPlatform().name("end").daemon().start(() -> endWith(desktop));
     BufferedReader requests =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));

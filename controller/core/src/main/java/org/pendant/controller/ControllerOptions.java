@@ -48,6 +48,7 @@ public final class ControllerOptions {
   private Map<Integer, Double> encoderTicksPerS = Map.of();
   private ArmChoice armChoice = ArmChoice.DYNAMIC;
   private ReadingNoise noise = ReadingNoise.NONE;
+  private boolean startRamp;
   private Scene scene = Scene.EMPTY;
   private Optional<SafetyConfiguration> safety = Optional.empty();
   private boolean poweredOn = true;
@@ -62,7 +63,7 @@ public final class ControllerOptions {
 
   /**
    * A UR5e in virtual time, powered on, in an empty world and without a screen: popups close by
-   * themselves.
+   * themselves. Its encoders are exact, and programs start without a ramp.
    */
   public static ControllerOptions headless() {
     return new ControllerOptions();
@@ -81,6 +82,7 @@ public final class ControllerOptions {
     copy.encoderTicksPerS = encoderTicksPerS;
     copy.armChoice = armChoice;
     copy.noise = noise;
+    copy.startRamp = startRamp;
     copy.scene = scene;
     copy.safety = safety;
     copy.poweredOn = poweredOn;
@@ -204,6 +206,16 @@ public final class ControllerOptions {
     return changed(copy -> copy.noise = noise.withPosition(standardDeviationRad));
   }
 
+  /** With the start ramp of a real arm's programs, see docs/motion.md; without it at first. */
+  public ControllerOptions withStartRamp(boolean on) {
+    return changed(copy -> copy.startRamp = on);
+  }
+
+  /** Whether programs have a start ramp. */
+  public boolean startRamp() {
+    return startRamp;
+  }
+
   /** With something around the arm and on its flange. */
   public ControllerOptions withScene(Scene surroundings) {
     return changed(copy -> copy.scene = surroundings);
@@ -309,6 +321,7 @@ public final class ControllerOptions {
         operator,
         armChoice,
         noise,
+        startRamp,
         scene,
         safety(),
         poweredOn,

@@ -132,52 +132,57 @@ final class ActiveTrajectory {
    */
   Optional<MotionFailure> advance(PathState path) {
     Motion motion = motion();
-    double before = time.scaling();
+    double scalingBefore = time.scaling();
+    double before = time.rateBefore();
     double framesBefore = frames;
     time.setFactor(motion.speedFactor());
     time.step(sample.fastestRadPerS());
     System.arraycopy(path.position().numbers(), 0, previous, 0, Joints.COUNT);
     last.copy(sample);
-    Optional<MotionFailure> failure = sampleAfter(motion, framesBefore, before);
-    if (failure.isEmpty() && limitRamp(before)) {
-      failure = sampleAfter(motion, framesBefore, before);
+    Optional<MotionFailure> failure = sampleAfter(motion, framesBefore, scalingBefore);
+    if (failure.isEmpty() && limitRamp(scalingBefore, before)) {
+      failure = sampleAfter(motion, framesBefore, scalingBefore);
     }
     if (failure.isEmpty() && !time.stopping() && time.scaling() > 0) {
       double largest = sample.largestScaling(limiter);
       if (!(largest >= MIN_SCALING)) {
         failure = Optional.of(jointSpeeds.singular(sample));
-      } else if (largest < time.scaling()) {
-        time.limitTo(largest);
-        failure = sampleAfter(motion, framesBefore, before);
+      } else if (largest < time.rate()) {
+        time.limitRateTo(largest);
+        failure = sampleAfter(motion, framesBefore, scalingBefore);
       }
     }
     if (failure.isEmpty()) {
-      failure = jointSpeeds.onPath(previous, sample, time.scaling());
+      failure = jointSpeeds.onPath(previous, sample, time.rate());
     }
     if (failure.isEmpty()) {
-      path.follow(sample, time.scaling(), (time.scaling() - before) / FrameTime.FRAME_S);
+      path.follow(sample, time.rate(), (time.rate() - before) / FrameTime.FRAME_S);
       return failure;
     }
     return Optional.of(onTheWay(failure.get(), motion));
   }
 
-  /** Changes the scaling less than wanted where a limit demands that; whether it did. */
-  private boolean limitRamp(double before) {
-    double wanted = time.scaling();
-    slowingFrames = wanted < before ? slowingFrames + 1 : 0;
+  /** Changes the rate of time less than wanted where a limit demands that; whether it did. */
+  private boolean limitRamp(double scalingBefore, double before) {
+    double wanted = time.rate();
+    slowingFrames = time.scaling() < scalingBefore ? slowingFrames + 1 : 0;
     if (wanted == before || time.stopping() || slowingFrames > MAX_LIMITED_RAMP_FRAMES) {
       return false;
     }
     double reachable = ramps.reachableScaling(last, sample, before, wanted);
     if (reachable != wanted) {
-      time.changeTo(reachable);
+      time.changeRateTo(reachable);
     }
     return reachable != wanted;
   }
 
-  /** Samples the motion a frame further, its time running evenly from one scaling to the next. */
-  private Optional<MotionFailure> sampleAfter(Motion motion, double framesBefore, double before) {
-    step = 0.5 * (before + time.scaling());
+  /**
+   * Samples the motion a frame further, its time running evenly from one scaling to the next, and
+   * as the start of the program has it at the end of the frame.
+   */
+  private Optional<MotionFailure> sampleAfter(
+      Motion motion, double framesBefore, double scalingBefore) {
+    step = 0.5 * (scalingBefore + time.scaling()) * time.start();
     frames = framesBefore + step;
     double timeS = atEnd(motion) ? motion.durationS() : frames * FrameTime.FRAME_S;
     sample.forgetFrames();

@@ -8,9 +8,9 @@ import org.pendant.models.pose.Pose;
 /**
  * Motion control: owns the active trajectory and the setpoint it yields in each frame.
  *
- * <p>The motion's own time advances by the speed scaling times the frame. Pausing, stopping and the
- * speed slider change only that scaling, in ramps, so the path is the same whatever happens on the
- * way. A frame in which nothing begins allocates nothing.
+ * <p>The motion's own time advances by the speed scaling times the frame, and slower while a
+ * program starts. Pausing, stopping and the speed slider change only that scaling, in ramps, so the
+ * path is the same whatever happens on the way. A frame in which nothing begins allocates nothing.
  */
 public final class MotionControl {
   /** How fast a change of the scaling may change the speed of the fastest joint, rad/s². */
@@ -38,6 +38,7 @@ public final class MotionControl {
   private Optional<MotionFailure> fault = Optional.empty();
   private Optional<MotionFailure> newFault = Optional.empty();
   private int framesAtRest = STEADY_FRAMES;
+  private boolean startRamp;
 
   /** At rest at {@code positionRad}, limited by nothing but the arm's own joint speeds. */
   public MotionControl(ArmDescription arm, Joints positionRad) {
@@ -181,6 +182,7 @@ public final class MotionControl {
 
   /** Gives the next target; step 3 of a frame. */
   public void step() {
+    time.stepStartRamp();
     if (controlSource.guided() || controlSource.useTorque()) {
       framesAtRest = 0;
       return;
@@ -353,7 +355,23 @@ public final class MotionControl {
     path.restAt(positionRad);
   }
 
-  /** A new program starts: what stopped the last one is over. */
+  /** Whether programs have a {@link StartRamp}; at first they have none. */
+  public void setStartRamp(boolean on) {
+    startRamp = on;
+  }
+
+  /**
+   * A new program starts, with its start ramp if programs have one. An arm that still moves from
+   * the program before continues as it was.
+   */
+  public void programStarted() {
+    clearFault();
+    if (startRamp && !path.moves()) {
+      time.beginStartRamp();
+    }
+  }
+
+  /** What stopped the last motion is over. */
   public void clearFault() {
     fault = Optional.empty();
     newFault = Optional.empty();
@@ -406,7 +424,7 @@ public final class MotionControl {
     return time.fraction();
   }
 
-  /** How fast motion time runs against the clock, 0 to 1. */
+  /** How fast motion time runs against the clock, 0 to 1; the start ramp does not show in it. */
   public double scaling() {
     return time.scaling();
   }

@@ -200,11 +200,15 @@ final class MotionQueue {
   MotionTicket continueWith(MotionPlan plan) throws PlanningException {
     refuseSecondOwner();
     boolean unscaled = controlSource.torqueDriven() || time.stopping();
+    if (unscaled && path.moves()) {
+      time.endStartRamp();
+    }
     double scaling =
         path.moves()
             ? time.continuedScaling(unscaled, jointSpeeds.share(path.speed()))
             : time.wanted();
-    Joints own = scaling > 0 && scaling != 1 ? path.speedInOwnTime(scaling) : path.speed().joints();
+    double rate = scaling * time.startSoFar();
+    Joints own = rate > 0 && rate != 1 ? path.speedInOwnTime(rate) : path.speed().joints();
     MotionTicket ticket = new MotionTicket(this);
     Motion motion;
     try {

@@ -3,11 +3,13 @@ package org.pendant.motion;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Time scaling: the rate of a trajectory's own time against the clock. Speed slider, pauses and
- * stops set the rate that is wanted; the scaling follows it in ramps within the limits of the
- * joints.
+ * Time scaling: how fast a trajectory's own time runs against the clock. Speed slider, pauses and
+ * stops set the scaling that is wanted; the scaling follows it in ramps within the limits of the
+ * joints. The rate of time is the scaling times that of the program's {@link StartRamp}, which no
+ * reading of the scaling shows.
  */
 final class TimeScaling {
+  private final StartRamp startRamp = new StartRamp();
   private double fraction = 1;
 
   /** What the motion itself makes of the slider. */
@@ -93,19 +95,55 @@ final class TimeScaling {
     return 0.5 * scaling * scaling * fastestRadPerS / rampRadPerS2;
   }
 
-  /** The limits of the arm allow no more in this frame. */
-  void limitTo(double possible) {
-    scaling = possible;
+  /** The limits of the arm allow no higher rate in this frame. */
+  void limitRateTo(double possible) {
+    scaling = possible / start();
     limited = true;
   }
 
-  /** No greater change is allowed in this frame. */
-  void changeTo(double reachable) {
-    scaling = reachable;
+  /** No greater change of the rate is allowed in this frame. */
+  void changeRateTo(double reachable) {
+    scaling = reachable / start();
   }
 
+  /** What the speed slider and the like make of the rate. */
   double scaling() {
     return scaling;
+  }
+
+  /** How fast motion time runs against the clock at the end of this frame. */
+  double rate() {
+    return scaling * start();
+  }
+
+  /** The same at the end of the frame before, asked before {@link #step}. */
+  double rateBefore() {
+    return stopping ? scaling : scaling * startRamp.scaleBefore();
+  }
+
+  /** What the start of the program makes of the rate in this frame; above 0 where time runs. */
+  double start() {
+    return stopping ? 1 : startSoFar();
+  }
+
+  /** What the start of the program makes of the rate of a motion that is no stop. */
+  double startSoFar() {
+    return startRamp.scale();
+  }
+
+  /** A program begins with an arm at rest. */
+  void beginStartRamp() {
+    startRamp.begin();
+  }
+
+  /** The program is past its start. */
+  void endStartRamp() {
+    startRamp.end();
+  }
+
+  /** A frame of the clock begins, whether there is a motion or not. */
+  void stepStartRamp() {
+    startRamp.step();
   }
 
   boolean stopping() {

@@ -173,6 +173,27 @@ final class ToolWrenchTest {
   }
 
   @Test
+  void holdWhileAProgramStarts() throws PlanningException {
+    for (long seed = 0; seed < 100; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      List<Move> moves = moves(random);
+      int startsAt = random.nextInt(2) * random.nextInt(60);
+      double share =
+          largestShare(
+              moves,
+              (frame, control) -> {
+                control.setStartRamp(true);
+                if (frame == 0) {
+                  control.programStarted();
+                } else if (frame == startsAt) {
+                  control.setSpeedFraction(0.5);
+                }
+              });
+      assertTrue(share <= ROUNDING, "seed " + seed + ": " + share);
+    }
+  }
+
+  @Test
   void giveWayWhereAStopWouldLastMuchLongerThanASecond() throws PlanningException {
     chain.headroom.setPayload(LOAD);
     chain.headroom.setToolWrenchLimit(

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.pendant.command.service.DesktopLauncher;
 import org.pendant.command.service.DesktopUnavailable;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 
 /** Start of the desktop from the command line. */
@@ -24,19 +25,19 @@ final class DesktopStart {
    * @param files programs to open in it
    * @param ports where others reach the controller from the start; empty for nowhere
    * @param installation how the controller is set up from the start; empty for not at all
-   * @param measuredNoise whether sensors err as on recorded arms; empty for as last time
+   * @param wishes what the user says of the arm's simulation
    */
   ExitCode run(
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      Optional<Boolean> measuredNoise) {
+      SimulationWishes wishes) {
     Optional<DesktopLauncher> launcher = services.launcher().get();
     if (launcher.isEmpty()) {
       return refused("it is not on the class path");
     }
     try {
-      launcher.get().open(files, ports, installation, measuredNoise);
+      launcher.get().open(files, ports, installation, wishes);
       return ExitCode.DONE;
     } catch (DesktopUnavailable e) {
       return refused(e.getMessage());

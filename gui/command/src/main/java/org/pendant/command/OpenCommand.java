@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.installation.Installation;
 
@@ -21,7 +22,11 @@ final class OpenCommand implements Subcommand {
 
   private static final List<Option> OPTIONS =
       Stream.concat(
-              Stream.of(InstallationOption.OPTION, SimulationOptions.NOISE, PORTS),
+              Stream.of(
+                  InstallationOption.OPTION,
+                  SimulationOptions.NOISE,
+                  SimulationOptions.START_RAMP,
+                  PORTS),
               PortOptions.ALL.stream())
           .toList();
 
@@ -75,7 +80,7 @@ final class OpenCommand implements Subcommand {
     Optional<StartInstallation> installation = installation(arguments);
     InstallationOption.tell(arguments, console);
     return new DesktopStart(services, console)
-        .run(files, ports(arguments), installation, measuredNoise(arguments));
+        .run(files, ports(arguments), installation, wishes(arguments));
   }
 
   private static Optional<StartInstallation> installation(Arguments arguments)
@@ -87,11 +92,15 @@ final class OpenCommand implements Subcommand {
         : Optional.empty();
   }
 
-  /** What the user says of it; without that the window remembers. */
-  private static Optional<Boolean> measuredNoise(Arguments arguments) throws UsageException {
-    return arguments.has(SimulationOptions.NOISE)
-        ? Optional.of(SimulationOptions.measuredNoise(arguments, true))
-        : Optional.empty();
+  /** What the user says; otherwise the window remembers. */
+  private static SimulationWishes wishes(Arguments arguments) throws UsageException {
+    return new SimulationWishes(
+        arguments.has(SimulationOptions.NOISE)
+            ? Optional.of(SimulationOptions.measuredNoise(arguments, true))
+            : Optional.empty(),
+        arguments.has(SimulationOptions.START_RAMP)
+            ? Optional.of(SimulationOptions.startRamp(arguments))
+            : Optional.empty());
   }
 
   private static Optional<PortWishes> ports(Arguments arguments) throws UsageException {

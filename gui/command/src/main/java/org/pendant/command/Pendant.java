@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.command.service.SimulationWishes;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.check.Nearest;
 import org.pendant.project.program.file.TreeFile;
@@ -72,7 +73,7 @@ public final class Pendant {
     return switch (first) {
       case "" ->
           new DesktopStart(services, console)
-              .run(List.of(), Optional.empty(), Optional.empty(), Optional.empty());
+              .run(List.of(), Optional.empty(), Optional.empty(), SimulationWishes.NONE);
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;

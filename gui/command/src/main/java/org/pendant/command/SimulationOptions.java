@@ -65,8 +65,19 @@ final class SimulationOptions {
               "standard deviation of each reading of a joint encoder, 0 to 0.01 rad; default as"
                   + " `--noise` says");
 
+  static final Option START_RAMP =
+      Option.of(
+              "--start-ramp",
+              new OptionArgument.Choice("on", "off"),
+              "programs begin with 0.160 s in which moves get up to speed")
+          .standing("on")
+          .documented(
+              "on",
+              "`on` (default): in the first 0.160 s of a program moves run slower, as on real arms,"
+                  + " see [motion.md](motion.md#the-start-of-a-program); `off`: they do not");
+
   /** For the usage text. */
-  static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE, ENCODER_NOISE);
+  static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE, ENCODER_NOISE, START_RAMP);
 
   private SimulationOptions() {}
 
@@ -74,7 +85,10 @@ final class SimulationOptions {
   static ControllerOptions in(ControllerOptions options, Arguments arguments)
       throws UsageException {
     ControllerOptions chosen =
-        options.withArm(arm(arguments)).withMeasuredNoise(measuredNoise(arguments, false));
+        options
+            .withArm(arm(arguments))
+            .withMeasuredNoise(measuredNoise(arguments, false))
+            .withStartRamp(startRamp(arguments));
     OptionalDouble encoderNoiseRad = arguments.number(ENCODER_NOISE);
     if (encoderNoiseRad.isPresent()) {
       chosen = chosen.withEncoderNoise(encoderNoiseRad.getAsDouble());
@@ -101,6 +115,11 @@ final class SimulationOptions {
 
   private static ArmChoice arm(Arguments arguments) throws UsageException {
     return arguments.word(ARM).orElseThrow().equals("ideal") ? ArmChoice.IDEAL : ArmChoice.DYNAMIC;
+  }
+
+  /** Whether programs have a start ramp. */
+  static boolean startRamp(Arguments arguments) throws UsageException {
+    return arguments.word(START_RAMP).orElseThrow().equals("on");
   }
 
   private static Scene scene(String name, SourceFiles files) throws UsageException {

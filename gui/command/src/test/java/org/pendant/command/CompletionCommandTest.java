@@ -45,7 +45,7 @@ final class CompletionCommandTest {
   void bashOffersCommandsOptionsAndTheWordsOfAnOption() throws Exception {
     assertEquals(List.of("run", "render", "record", "robots"), bash("r"));
     assertEquals(
-        List.of("--seed", "--scene", "--safety"),
+        List.of("--seed", "--scene", "--safety", "--start-ramp"),
         bash("run", "a.script", "--s").stream().filter(each -> !each.equals("--speed")).toList());
     assertEquals(List.of("dynamic", "ideal"), bash("serve", "--arm", ""));
     assertEquals(List.of("ur5e"), bash("run", "--robot", "ur5e"));

@@ -23,6 +23,7 @@ import org.pendant.models.arm.Joints;
  * @param operator who answers popups and questions
  * @param armChoice which simulated arm
  * @param noise by how much readings err, but for those of an ideal arm
+ * @param startRamp whether time on paths rises from 0 to 1 at the start of a program
  * @param scene what stands around the arm and hangs on it
  * @param safety limits and planes
  * @param poweredOn whether the arm is powered and its brakes are released at first
@@ -39,6 +40,7 @@ public record BoxSetup(
     Operator operator,
     ArmChoice armChoice,
     ReadingNoise noise,
+    boolean startRamp,
     Scene scene,
     SafetyConfiguration safety,
     boolean poweredOn,
@@ -84,6 +86,7 @@ public record BoxSetup(
         Operator.headless(List.of()),
         ArmChoice.IDEAL,
         ReadingNoise.NONE,
+        false,
         Scene.EMPTY,
         SafetyConfiguration.standard(arm),
         true,

@@ -49,6 +49,7 @@ public final class ControlBox implements Host {
             setup.powerTimes());
     SpeedCaps speedCaps = new SpeedCaps(setup.arm(), arm.model().dynamics(), safety);
     motion = new MotionControl(setup.arm(), setup.startRad(), speedCaps);
+    motion.setStartRamp(setup.startRamp());
     offsets = MotionOffsets.of(motion);
     planning =
         new MotionPlanning(
@@ -161,7 +162,7 @@ public final class ControlBox implements Host {
     modes.freedrive().end();
     modes.forceMode().programStarted();
     motion.resume();
-    motion.clearFault();
+    motion.programStarted();
     offsets.path().reset();
     log.programStarted();
     planning.toolpaths().clear();

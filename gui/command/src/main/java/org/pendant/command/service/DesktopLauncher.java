@@ -13,7 +13,7 @@ public interface DesktopLauncher {
    * @param files programs and recordings to open in it
    * @param ports where others reach the controller from the start; empty for nowhere
    * @param installation how the controller is set up from the start; empty for not at all
-   * @param measuredNoise whether sensors err as on recorded arms; empty for as last time
+   * @param wishes what the user says of the arm's simulation
    * @throws DesktopUnavailable if there is no display, or it cannot be used
    * @throws InterruptedException if the waiting thread is interrupted
    */
@@ -21,6 +21,6 @@ public interface DesktopLauncher {
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      Optional<Boolean> measuredNoise)
+      SimulationWishes wishes)
       throws DesktopUnavailable, InterruptedException;
 }

@@ -16,6 +16,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.ControllerOptions;
@@ -63,7 +64,7 @@ public final class Desktop {
 
   /** As the other one, with the programs and the installation of last time, and closed ports. */
   public static Desktop open() {
-    return open(List.of(), Optional.empty(), Optional.empty(), Optional.empty());
+    return open(List.of(), Optional.empty(), Optional.empty(), SimulationWishes.NONE);
   }
 
   /**
@@ -75,7 +76,7 @@ public final class Desktop {
    * @param installation how the controller is set up from the start, empty for as last time; with
    *     one that is for another arm than that of last time there is that arm, and with one that
    *     cannot be used the window tells why
-   * @param measuredNoise whether sensors err as on recorded arms, empty for as last time
+   * @param wishes what the user says of the arm's simulation
    * @throws java.awt.HeadlessException if there is no display
    * @throws java.awt.AWTError if the display cannot be used
    */
@@ -83,9 +84,10 @@ public final class Desktop {
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      Optional<Boolean> measuredNoise) {
+      SimulationWishes wishes) {
     Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
-    measuredNoise.ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
+    wishes.measuredNoise().ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
+    wishes.startRamp().ifPresent(on -> RobotChange.rememberStartRamp(desktop.settings, on));
     // The arm's files are read while the look is set up.
     CompletableFuture<RobotSession> session =
         CompletableFuture.supplyAsync(
@@ -175,6 +177,7 @@ public final class Desktop {
                 .flatMap(ArmLibrary::find)
                 .orElse(ControllerOptions.DEFAULT_ROBOT))
         .withMeasuredNoise(RobotChange.measuredNoise(settings))
+        .withStartRamp(RobotChange.startRamp(settings))
         .withOperator(Operator.present())
         .withSystemTime(InstantSource.system())
         .withPower(settings.get("robot.power-at-start").map(Boolean::parseBoolean).orElse(true));

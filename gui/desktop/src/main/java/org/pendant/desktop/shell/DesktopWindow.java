@@ -163,6 +163,12 @@ final class DesktopWindow {
     actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
     actions.add(
         Action.of("robot.noise", "Switch the noise of sensors on or off", "", robot::switchNoise));
+    actions.add(
+        Action.of(
+            "robot.start-ramp",
+            "Switch the start ramp of programs on or off",
+            "",
+            robot::switchStartRamp));
     actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
     programActions.addSpeed();
     WindowActions windowActions = new WindowActions(actions);

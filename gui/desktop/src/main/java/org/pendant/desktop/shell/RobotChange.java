@@ -12,6 +12,7 @@ import org.pendant.kit.settings.Settings;
 final class RobotChange {
   private static final String ROBOT = "robot.id";
   private static final String NOISE = "robot.measured-noise";
+  private static final String START_RAMP = "robot.start-ramp";
 
   private final RobotSession session;
   private final Settings settings;
@@ -47,6 +48,16 @@ final class RobotChange {
     settings.put(NOISE, Boolean.toString(on));
   }
 
+  /** Whether programs have a start ramp, as the user has chosen last; they have one at first. */
+  static boolean startRamp(Settings settings) {
+    return settings.get(START_RAMP).map(Boolean::parseBoolean).orElse(true);
+  }
+
+  /** The user has chosen whether programs have a start ramp. */
+  static void rememberStartRamp(Settings settings, boolean on) {
+    settings.put(START_RAMP, Boolean.toString(on));
+  }
+
   /** Another robot; nothing happens if it is there already. */
   void choose(String id) {
     if (!id.equals(session.options().robotId())) {
@@ -80,6 +91,31 @@ final class RobotChange {
         done -> {
           rememberNoise(settings, on);
           tell.accept(on ? "Sensors err as on recorded arms" : "Readings of the sensors are exact");
+        },
+        failed -> tell.accept(failed.getMessage()));
+  }
+
+  /** The same robot again, with the start ramp of programs if it had none, or without it. */
+  void switchStartRamp() {
+    ask(
+        "Changing the start ramp switches the controller off and on, which ends the program that"
+            + " runs.",
+        "Switch off and on",
+        () -> setStartRamp(!session.options().startRamp()));
+  }
+
+  private void setStartRamp(boolean on) {
+    Background.run(
+        () -> {
+          session.restart(session.options().withStartRamp(on));
+          return on;
+        },
+        done -> {
+          rememberStartRamp(settings, on);
+          tell.accept(
+              on
+                  ? "Programs begin with a start ramp of 0.160 s"
+                  : "Programs begin without a start ramp");
         },
         failed -> tell.accept(failed.getMessage()));
   }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.pendant.command.service.DesktopLauncher;
 import org.pendant.command.service.DesktopUnavailable;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 
 /** Desktop launcher of the command line; no other class of the desktop is loaded before it. */
@@ -19,7 +20,7 @@ public final class WindowLauncher implements DesktopLauncher {
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      Optional<Boolean> measuredNoise)
+      SimulationWishes wishes)
       throws DesktopUnavailable, InterruptedException {
     try {
       if (GraphicsEnvironment.isHeadless()) {
@@ -27,7 +28,7 @@ public final class WindowLauncher implements DesktopLauncher {
       }
       // Says at once whether the display can be used.
       GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-      Desktop.open(files, ports, installation, measuredNoise).awaitClosed();
+      Desktop.open(files, ports, installation, wishes).awaitClosed();
     } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
       throw new DesktopUnavailable(e.getMessage(), e);
     }
