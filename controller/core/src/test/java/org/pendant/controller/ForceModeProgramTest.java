@@ -261,7 +261,7 @@ final class ForceModeProgramTest {
   @Test
   void withoutDampingTheToolGoesOn() {
     free.start("force_mode_set_damping(0)\n" + FLOAT_Y + "sleep(10)\n");
-    push(0, 3, 0);
+    push(0, 15, 0);
     free.frames(100);
     push(0, 0, 0);
     free.frames(100);
@@ -359,7 +359,7 @@ final class ForceModeProgramTest {
     ideal.frames(5);
     double y = ideal.target().y();
     ideal.frames(1100);
-    assertEquals(0.1, ideal.target().y() - y, 0.01);
+    assertEquals(0.08, ideal.target().y() - y, 0.01);
     assertFalse(ideal.arm().moving());
   }
 }

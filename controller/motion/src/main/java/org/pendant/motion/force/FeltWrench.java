@@ -8,14 +8,10 @@ import org.pendant.models.pose.Wrench;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Felt wrench: what pushes the tool at its TCP, and what it will be a moment later if it continues
- * to change as it does. Looking ahead is what brakes a tool that meets a hard surface: the force
- * grows with the speed there.
+ * Felt wrench: what pushes the tool at its TCP, and how fast that changes. The change is what tells
+ * a hard surface from a soft one: there the force grows with the speed.
  */
 final class FeltWrench {
-  /** How far it looks ahead, s. */
-  private static final double AHEAD_S = 0.03;
-
   /** How soon a change of the force's rate is believed, s. */
   private static final double FILTER_S = 0.004;
 
@@ -65,7 +61,6 @@ final class FeltWrench {
         rate[i] += SHARE * (change - rate[i]);
       }
       before[i] = now[i];
-      now[i] += AHEAD_S * rate[i];
     }
     hasBefore = true;
   }
@@ -76,8 +71,13 @@ final class FeltWrench {
         + flange12[3 * row + 2] * offset.z();
   }
 
-  /** Force, N, and torque about the TCP, Nm, along the axes of the base, a moment ahead. */
-  double[] ahead() {
+  /** Force, N, and torque about the TCP, Nm, along the axes of the base. */
+  double[] wrench() {
     return now;
+  }
+
+  /** How fast they change, N/s and Nm/s, as a mean of the last frames. */
+  double[] rate() {
+    return rate;
   }
 }

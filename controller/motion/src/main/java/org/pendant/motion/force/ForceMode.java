@@ -283,7 +283,7 @@ public final class ForceMode implements PathOffset {
     axes.update(tcpInBase, pathTwist);
     felt.feel(tcpInFlange);
     if (givesWay()) {
-      compliance.step(task, axes, felt.ahead(), pathTwist, complianceOffset, twist, next);
+      compliance.step(task, axes, felt, pathTwist, complianceOffset, twist, next);
     } else {
       Arrays.fill(next, 0);
     }
