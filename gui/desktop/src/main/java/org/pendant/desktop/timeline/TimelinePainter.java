@@ -172,6 +172,10 @@ final class TimelinePainter {
         sheet.pen.draw(bar);
       }
     }
+    for (Tracks.Bar ramp : tracks.startRamps()) {
+      sheet.pen.setColor(Palette.tint(Palette.ok(), 0.5));
+      sheet.pen.fill(wedge(bar(sheet, ramp.fromS(), ramp.toS(), y, height)));
+    }
     for (Tracks.Bar pause : tracks.pauses()) {
       sheet.pen.setColor(Palette.tint(Palette.warning(), 0.5));
       sheet.pen.fill(bar(sheet, pause.fromS(), pause.toS(), y + 1, height - 2));
@@ -206,6 +210,16 @@ final class TimelinePainter {
     double from = Math.max(sheet.left - 2.0, sheet.x(fromS));
     double to = Math.min(sheet.left + sheet.width + 2.0, sheet.x(toS));
     return new Rectangle2D.Double(from, y, Math.max(1, to - from), height);
+  }
+
+  /** The part of a box below the line from its left bottom to its right top. */
+  private static Path2D wedge(Rectangle2D box) {
+    Path2D shape = new Path2D.Double();
+    shape.moveTo(box.getMinX(), box.getMaxY());
+    shape.lineTo(box.getMaxX(), box.getMinY());
+    shape.lineTo(box.getMaxX(), box.getMaxY());
+    shape.closePath();
+    return shape;
   }
 
   private static void marks(Sheet sheet, Tracks tracks, double y, double height) {

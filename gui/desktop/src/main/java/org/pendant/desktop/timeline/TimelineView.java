@@ -288,7 +288,9 @@ public final class TimelineView implements View {
   @Override
   public void refresh(ControllerState state) {
     branch.progress().ifPresent(share -> progress.setValue((int) (THOUSAND * share)));
-    watch.look(lookBack.recording(), lookBack.range(), canvas.buckets());
+    // a file does not say whether the programs in it had one
+    boolean startRamp = !lookBack.ofFile() && workbench.session().options().startRamp();
+    watch.look(lookBack.recording(), lookBack.range(), canvas.buckets(), startRamp);
     canvas.repaint();
   }
 }

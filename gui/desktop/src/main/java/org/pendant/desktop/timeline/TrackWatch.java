@@ -26,8 +26,12 @@ final class TrackWatch {
     this.found = found;
   }
 
-  /** Looks, unless that would be too often. */
-  void look(Recording recording, TimeRange range, int buckets) {
+  /**
+   * Looks, unless that would be too often.
+   *
+   * @param startRamp whether the programs of the recording have a start ramp
+   */
+  void look(Recording recording, TimeRange range, int buckets, boolean startRamp) {
     // Another width is another picture; one that only moves with time can wait.
     boolean other = Math.abs(range.widthS() - last.widthS()) > 1e-9;
     long since = System.nanoTime() - doneNs;
@@ -41,15 +45,16 @@ final class TrackWatch {
         .name("timeline")
         .start(
             () -> {
-              Optional<Tracks> tracks = tracks(recording, range, buckets);
+              Optional<Tracks> tracks = tracks(recording, range, buckets, startRamp);
               EventQueue.invokeLater(() -> done(tracks, System.nanoTime() - begin));
             });
   }
 
   /** Empty after a fault of ours: what was found before stays. */
-  private static Optional<Tracks> tracks(Recording recording, TimeRange range, int buckets) {
+  private static Optional<Tracks> tracks(
+      Recording recording, TimeRange range, int buckets, boolean startRamp) {
     try {
-      return Optional.of(Tracks.of(recording, range, buckets));
+      return Optional.of(Tracks.of(recording, range, buckets, startRamp));
     } catch (UncheckedIOException e) {
       // A file has gone. A user who looks at a moment of it is told; here nothing is drawn.
       return Optional.of(Tracks.NONE);

@@ -17,6 +17,7 @@ import org.pendant.recording.RecordingMark;
  * @param range the stretch
  * @param runs programs, also those that reach out of the stretch
  * @param pauses where a program was paused
+ * @param startRamps where the start of a program made its moves slower
  * @param marks of the whole recording, in the order of time
  * @param warningsS when the log had a warning, s
  * @param inputs where a digital input changed
@@ -27,6 +28,7 @@ record Tracks(
     TimeRange range,
     List<Run> runs,
     List<Bar> pauses,
+    List<Bar> startRamps,
     List<RecordingMark> marks,
     List<Double> warningsS,
     List<Bar> inputs,
@@ -36,6 +38,7 @@ record Tracks(
   static final Tracks NONE =
       new Tracks(
           new TimeRange(0, 1),
+          List.of(),
           List.of(),
           List.of(),
           List.of(),
@@ -63,15 +66,18 @@ record Tracks(
    * Looks at a stretch; too slow for the dispatch thread.
    *
    * @param buckets how finely, such as one for each pixel
+   * @param startRamp whether the programs of the recording have a start ramp
    */
-  static Tracks of(Recording recording, TimeRange range, int buckets) {
+  static Tracks of(Recording recording, TimeRange range, int buckets, boolean startRamp) {
     List<RecordingMark> marks = recording.marks();
     double fromS = range.fromS();
     double toS = range.toS();
+    List<Run> runs = runs(marks, recording.firstS(), recording.lastS(), startedBefore(recording));
     return new Tracks(
         range,
-        runs(marks, recording.firstS(), recording.lastS(), startedBefore(recording)),
+        runs,
         pauses(recording.scan(Column.programState(), fromS, toS, buckets)),
+        startRamp ? StartRamps.of(recording, runs, range, buckets) : List.of(),
         marks,
         warnings(recording, fromS, toS),
         edges(recording, range, buckets, true),
@@ -90,6 +96,11 @@ record Tracks(
     for (Run run : runs) {
       if (run.fromS <= timeS && timeS <= run.toS) {
         about.append(": ").append(run.name).append(" runs");
+      }
+    }
+    for (Bar ramp : startRamps) {
+      if (ramp.fromS <= timeS && timeS <= ramp.toS) {
+        about.append(", start ramp: moves come up to speed in its first 0.160 s");
       }
     }
     return about.toString();

@@ -72,7 +72,7 @@ final class TracksTest {
             .frames(100)
             .pause()
             .frames(200);
-    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.6), 300);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.6), 300, false);
 
     assertEquals(1, tracks.outputs().size(), tracks.outputs()::toString);
     assertEquals(0.1, tracks.outputs().getFirst().fromS(), 0.01);
@@ -82,5 +82,25 @@ final class TracksTest {
     assertEquals("p", tracks.runs().getFirst().name());
     assertFalse(tracks.speedMPerS().isEmpty());
     assertTrue(tracks.about(0.05, 0).endsWith("p runs"), tracks.about(0.05, 0));
+  }
+
+  @Test
+  void aMoveAtTheStartOfAProgramShowsItsStartRamp() {
+    RecordedRun run =
+        new RecordedRun()
+            .frames(50)
+            .start("movej([0, -1.4, -1.5, -1.5, 1.5, 0], t=0.3)\n")
+            .frames(250)
+            .start("sleep(0.2)\nmovej([0, -1.2, -1.5, -1.5, 1.5, 0], t=0.3)\n")
+            .frames(300);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, true);
+
+    assertEquals(1, tracks.startRamps().size(), tracks.startRamps()::toString);
+    assertEquals(0.102, tracks.startRamps().getFirst().fromS(), 1e-9);
+    assertEquals(0.262, tracks.startRamps().getFirst().toS(), 1e-9);
+    assertTrue(tracks.about(0.2, 0).contains("start ramp"), tracks.about(0.2, 0));
+    assertFalse(tracks.about(0.3, 0).contains("start ramp"), tracks.about(0.3, 0));
+    Tracks without = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, false);
+    assertEquals(List.of(), without.startRamps());
   }
 }
