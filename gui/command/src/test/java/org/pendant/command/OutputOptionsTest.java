@@ -36,8 +36,12 @@ final class OutputOptionsTest {
           "--robot", armFile(),
           "--installation", "pendant installation 1\n",
           "--calibration",
-              "delta_theta = [0,0,0,0,0,0]\ndelta_a = [0,0,0,0,0,0]\n"
-                  + "delta_d = [0,0,0,0,0,0]\ndelta_alpha = [0,0,0,0,0,0]\n",
+              """
+              delta_theta = [0,0,0,0,0,0]
+              delta_a = [0,0,0,0,0,0]
+              delta_d = [0,0,0,0,0,0]
+              delta_alpha = [0,0,0,0,0,0]
+              """,
           "--scene", "{}",
           "--safety", "{}",
           "--collection", "# a run\na.csv a.script\n");
