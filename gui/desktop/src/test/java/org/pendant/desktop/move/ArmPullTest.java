@@ -130,6 +130,7 @@ final class ArmPullTest {
     fixture.done(new SafetyCommand.SetSafetyInput(SafetyInput.SAFEGUARD_STOP, true));
     refresh(5);
     assertTrue(pull.newReason().orElseThrow().contains("safeguard"));
+    refresh(15);
     Joints rests = fixture.state().arm().actualPositionRad();
     refresh(20);
     assertTrue(fixture.state().arm().actualPositionRad().maxAbsDifference(rests) < 1e-3);
