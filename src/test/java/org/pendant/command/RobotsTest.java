@@ -42,7 +42,8 @@ final class RobotsTest {
         () -> assertTrue(result.output().startsWith("UR5e (ur5e), e-Series\n"), result.output()),
         () -> assertTrue(result.output().contains("payload 5 kg, reach 850 mm"), result.output()),
         () -> assertTrue(result.output().contains("-0.3922"), result.output()),
-        () -> assertTrue(result.output().contains("  rotors            derived "), result.output()));
+        () ->
+            assertTrue(result.output().contains("  rotors            derived "), result.output()));
   }
 
   @Test
