@@ -101,7 +101,7 @@ final class SensorNoise {
 
   private final ReadingNoise noise;
   private final Sizes sizes;
-  private final BellNoise bell;
+  private final GaussianNoise gaussian;
 
   /** Of positions with a deviation that was asked for. */
   private final SplittableRandom ownPosition;
@@ -123,12 +123,12 @@ final class SensorNoise {
     this.noise = noise;
     sizes = Sizes.of(arm.series());
     ownPosition = new SplittableRandom(seed);
-    bell = new BellNoise(~seed);
+    gaussian = new GaussianNoise(~seed);
     for (int i = 0; i < N; i++) {
       double larger = Math.max(1, arm.joints().get(i).maxTorqueNm() / SMALL_JOINT_NM);
       currentRippleA[i] = CURRENT_RIPPLE_A * Math.sqrt(larger);
       constantNmPerA[i] = arm.actuators().get(i).torqueConstantNmPerA();
-      phaseTurns[i] = bell.even();
+      phaseTurns[i] = gaussian.uniform();
     }
     Arrays.fill(stillFrames, SETTLING_FRAMES);
     readings = errs() ? new SimulatedSensors() : exact;
@@ -163,18 +163,18 @@ final class SensorNoise {
       if (powered) {
         readCurrent(exact, i);
       }
-      readings.temperatureC[i] = BellNoise.inSteps(exact.temperatureC[i], TEMPERATURE_STEP_K);
+      readings.temperatureC[i] = GaussianNoise.quantized(exact.temperatureC[i], TEMPERATURE_STEP_K);
     }
-    readings.toolTemperatureC = BellNoise.inSteps(exact.toolTemperatureC, TEMPERATURE_STEP_K);
+    readings.toolTemperatureC = GaussianNoise.quantized(exact.toolTemperatureC, TEMPERATURE_STEP_K);
     for (int axis = 0; axis < readings.toolAccelerationMPerS2.length; axis++) {
       readings.toolAccelerationMPerS2[axis] =
-          BellNoise.inSteps(
-              exact.toolAccelerationMPerS2[axis] + sizes.accelerationMPerS2() * bell.next(),
+          GaussianNoise.quantized(
+              exact.toolAccelerationMPerS2[axis] + sizes.accelerationMPerS2() * gaussian.next(),
               ACCELERATION_STEP_M_PER_S2);
     }
     for (int axis = 0; axis < readings.flangeNoise6.length; axis++) {
       double size = axis < 3 ? sizes.forceN() : sizes.torqueNm();
-      readings.flangeNoise6[axis] = size * bell.next();
+      readings.flangeNoise6[axis] = size * gaussian.next();
     }
   }
 
@@ -202,8 +202,8 @@ final class SensorNoise {
     } else {
       for (int i = 0; i < N; i++) {
         readings.positionRad[i] =
-            BellNoise.inSteps(
-                exact.positionRad[i] + sizes.positionRad() * bell.next(), POSITION_STEP_RAD);
+            GaussianNoise.quantized(
+                exact.positionRad[i] + sizes.positionRad() * gaussian.next(), POSITION_STEP_RAD);
       }
     }
   }
@@ -220,13 +220,13 @@ final class SensorNoise {
       stillFrames[i] = 0;
       stopRadPerS[i] = STOP_RAD_PER_S;
       double share = Math.min(1, Math.abs(speed) / FULL_SPEED_RIPPLE_RAD_PER_S);
-      double ripple = share * SPEED_RIPPLE_RAD_PER_S[i] * (periodic[i] + WHITE * bell.next());
-      readings.speedRadPerS[i] = BellNoise.inSteps(speed + ripple, SPEED_STEP_RAD_PER_S);
+      double ripple = share * SPEED_RIPPLE_RAD_PER_S[i] * (periodic[i] + WHITE * gaussian.next());
+      readings.speedRadPerS[i] = GaussianNoise.quantized(speed + ripple, SPEED_STEP_RAD_PER_S);
     } else if (stillFrames[i] < SETTLING_FRAMES) {
       stillFrames[i]++;
       stopRadPerS[i] *= STOP_SHARE;
       readings.speedRadPerS[i] =
-          BellNoise.inSteps(stopRadPerS[i] * bell.next(), SPEED_STEP_RAD_PER_S);
+          GaussianNoise.quantized(stopRadPerS[i] * gaussian.next(), SPEED_STEP_RAD_PER_S);
     }
   }
 
@@ -236,8 +236,8 @@ final class SensorNoise {
     double ripple = currentRippleA[i] * Math.min(1, speed / FULL_CURRENT_RIPPLE_RAD_PER_S);
     double atRest = i < FIRST_WRIST ? sizes.armCurrentA() : sizes.wristCurrentA();
     double white = Math.sqrt(atRest * atRest + WHITE * WHITE * ripple * ripple);
-    double errorA = ripple * periodic[i] + white * bell.next();
-    double current = BellNoise.inSteps(exact.currentA[i] + errorA, CURRENT_STEP_A);
+    double errorA = ripple * periodic[i] + white * gaussian.next();
+    double current = GaussianNoise.quantized(exact.currentA[i] + errorA, CURRENT_STEP_A);
     readings.currentA[i] = current;
     readings.torqueNm[i] += constantNmPerA[i] * (current - exact.currentA[i]);
   }

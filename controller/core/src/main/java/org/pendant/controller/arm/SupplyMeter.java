@@ -41,7 +41,7 @@ public final class SupplyMeter {
 
   private final ArmSupply supply;
   private final boolean exact;
-  private final BellNoise bell;
+  private final GaussianNoise gaussian;
   private final double boxV;
   private final double robotOffsetV;
   private final double[] jointOffsetV = new double[N];
@@ -59,12 +59,12 @@ public final class SupplyMeter {
   public SupplyMeter(ArmDescription arm, ArmSupply supply, ReadingNoise noise, long seed) {
     this.supply = supply;
     exact = !noise.measured();
-    bell = new BellNoise(Long.reverse(seed) + 1);
+    gaussian = new GaussianNoise(Long.reverse(seed) + 1);
     double nominalV = arm.series() == Series.CB3 ? CB3_V : E_SERIES_V;
-    boxV = exact ? ArmSupply.VOLTAGE_V : nominalV + BOX_V * bell.even();
-    robotOffsetV = exact ? 0 : BOX_V * bell.even();
+    boxV = exact ? ArmSupply.VOLTAGE_V : nominalV + BOX_V * gaussian.uniform();
+    robotOffsetV = exact ? 0 : BOX_V * gaussian.uniform();
     for (int i = 0; i < N && !exact; i++) {
-      jointOffsetV[i] = JOINT_V * bell.even() - JOINTS_BELOW_V;
+      jointOffsetV[i] = JOINT_V * gaussian.uniform() - JOINTS_BELOW_V;
     }
   }
 
@@ -73,11 +73,11 @@ public final class SupplyMeter {
     if (exact) {
       return;
     }
-    boxNoiseV = NOISE_V * bell.next();
-    robotNoiseV = NOISE_V * bell.next();
-    noiseA = NOISE_A * bell.next();
+    boxNoiseV = NOISE_V * gaussian.next();
+    robotNoiseV = NOISE_V * gaussian.next();
+    noiseA = NOISE_A * gaussian.next();
     for (int i = 0; i < N; i++) {
-      jointNoiseV[i] = NOISE_V * bell.next();
+      jointNoiseV[i] = NOISE_V * gaussian.next();
     }
   }
 
@@ -113,6 +113,6 @@ public final class SupplyMeter {
   }
 
   private double read(double value, double step) {
-    return exact ? value : BellNoise.inSteps(value, step);
+    return exact ? value : GaussianNoise.quantized(value, step);
   }
 }

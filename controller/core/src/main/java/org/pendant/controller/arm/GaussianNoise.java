@@ -3,11 +3,11 @@ package org.pendant.controller.arm;
 import java.util.SplittableRandom;
 
 /**
- * Bell-shaped noise from a seed: the sum of four even parts of one random number, which is near
+ * Gaussian noise from a seed: the sum of four uniform parts of one random number, which is near
  * enough to a normal distribution for a reading, costs a tenth of it, and never strays beyond 3.5
  * standard deviations.
  */
-final class BellNoise {
+final class GaussianNoise {
   private static final int PART = 0xFFFF;
   private static final double MIDDLE = 2.0 * PART;
 
@@ -16,7 +16,7 @@ final class BellNoise {
 
   private final SplittableRandom random;
 
-  BellNoise(long seed) {
+  GaussianNoise(long seed) {
     random = new SplittableRandom(seed);
   }
 
@@ -28,12 +28,12 @@ final class BellNoise {
   }
 
   /** The next number between -1 and 1, all of them as likely. */
-  double even() {
+  double uniform() {
     return random.nextDouble(-1, 1);
   }
 
   /** The multiple of {@code step} that is nearest to {@code value}; never -0. */
-  static double inSteps(double value, double step) {
+  static double quantized(double value, double step) {
     return step * Math.rint(value / step) + 0.0;
   }
 }
