@@ -36,8 +36,11 @@ public final class RtdeClient implements Closeable {
   private final Socket socket;
   private final PacketCutter cutter = new PacketCutter();
   private final byte[] buffer = new byte[BUFFER_BYTES];
-  private final List<String> said = new ArrayList<>();
   private ByteBuffer unread = ByteBuffer.allocate(0);
+
+  /** What the controller said last, which explains a refusal. */
+  private Optional<String> said = Optional.empty();
+
   private int recipe;
   private int dataBytes;
 
@@ -72,7 +75,11 @@ public final class RtdeClient implements Closeable {
     }
   }
 
-  /** The software version of the controller, such as {@code 5.24.1.0}. */
+  /**
+   * The software version of the controller, such as {@code 5.24.1.0}.
+   *
+   * @throws IOException if the connection is lost or there is no such answer
+   */
   public String controllerVersion() throws IOException {
     byte[] request = ReplyCodec.packet(PacketType.CONTROLLER_VERSION, 0).array();
     ByteBuffer answer = ask(PacketType.CONTROLLER_VERSION, request);
@@ -108,9 +115,9 @@ public final class RtdeClient implements Closeable {
   /**
    * Asks for fields; it may be asked again while none are sent.
    *
-   * @param frequencyHz how often they shall come
+   * @param frequencyHz how often they shall come, above 0 to 500 Hz
    * @param names such as {@code actual_q}
-   * @throws IOException if the controller refuses the wish as a whole
+   * @throws IOException if the controller refuses the wish as a whole, or the connection is lost
    */
   public Subscription subscribe(double frequencyHz, List<String> names) throws IOException {
     byte[] text = String.join(",", names).getBytes(StandardCharsets.ISO_8859_1);
@@ -161,7 +168,11 @@ public final class RtdeClient implements Closeable {
             () -> new IOException("the type of " + field + " is " + type + ", which is not known"));
   }
 
-  /** Lets the fields come that were granted. */
+  /**
+   * Lets the fields come that were granted.
+   *
+   * @throws IOException if the controller refuses or the connection is lost
+   */
   public void start() throws IOException {
     if (!accepted(ask(PacketType.START, ReplyCodec.packet(PacketType.START, 0).array()))) {
       throw new IOException("the controller refuses to start" + reasons());
@@ -173,6 +184,7 @@ public final class RtdeClient implements Closeable {
    *
    * @return empty when none have come for a tenth of a second
    * @throws EOFException when the controller has closed the connection
+   * @throws IOException if what comes is no RTDE, or not the fields that were granted
    */
   public Optional<ByteBuffer> next() throws IOException {
     long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(WAIT_MS);
@@ -238,13 +250,12 @@ public final class RtdeClient implements Closeable {
   private void listen(Packet packet) {
     if (packet.type() == PacketType.TEXT_MESSAGE
         && RequestCodec.decode(packet, VERSION) instanceof RtdeRequest.Text text) {
-      said.clear();
-      said.add(text.text());
+      said = Optional.of(text.text());
     }
   }
 
   private String reasons() {
-    return said.isEmpty() ? "" : ": " + said.getLast();
+    return said.map(text -> ": " + text).orElse("");
   }
 
   private static String hex(ByteBuffer bytes) {
