@@ -76,20 +76,7 @@ final class NoisyControlTest {
   void contactIsFoundWhereTheSurfaceIs(String robot) {
     PressingArm arm = pressing(robot, 0.05);
     double table = PressingArm.tcpAtStart(robot).z() - 0.05;
-    arm.start(
-        """
-        while True:
-          step_back = tool_contact()
-          if step_back <= 0:
-            speedl([0, 0, -0.100, 0, 0, 0], 0.5, t=get_steptime())
-          else:
-            q = get_actual_joint_positions_history(step_back)
-            stopl(3)
-            movel(q)
-            break
-          end
-        end
-        """);
+    arm.start(PressingArm.TOUCH_AND_GO_BACK);
     arm.running.finish();
     assertEquals(SafetyMode.NORMAL, arm.running.state().safety().safetyMode());
     assertEquals(table, arm.target().z(), 1e-3);

@@ -19,6 +19,24 @@ final class PressingArm {
   /** Every program begins with it. */
   static final String TOOL = "set_tcp(p[0, 0, 0.15, 0, 0, 0])\n";
 
+  /**
+   * The manual's example of tool_contact: down until something is met, then back to where it was.
+   */
+  static final String TOUCH_AND_GO_BACK =
+      """
+      while True:
+        step_back = tool_contact()
+        if step_back <= 0:
+          speedl([0, 0, -0.100, 0, 0, 0], 0.5, t=get_steptime())
+        else:
+          q = get_actual_joint_positions_history(step_back)
+          stopl(3)
+          movel(q)
+          break
+        end
+      end
+      """;
+
   final RunningProgram running;
 
   PressingArm(ControllerOptions options) {

@@ -72,20 +72,7 @@ final class ToolContactProgramTest {
   void theExampleOfTheManualGoesBackToTheSurface() {
     PressingArm arm = PressingArm.overTable(GAP_M);
     double table = PressingArm.tcpAtStart("ur5e").z() - GAP_M;
-    arm.start(
-        """
-        while True:
-          step_back = tool_contact()
-          if step_back <= 0:
-            speedl([0, 0, -0.100, 0, 0, 0], 0.5, t=get_steptime())
-          else:
-            q = get_actual_joint_positions_history(step_back)
-            stopl(3)
-            movel(q)
-            break
-          end
-        end
-        """);
+    arm.start(PressingArm.TOUCH_AND_GO_BACK);
     arm.running.finish();
     assertEquals(SafetyMode.NORMAL, arm.running.state().safety().safetyMode());
     assertEquals(table, arm.target().z(), 2.2e-4);
