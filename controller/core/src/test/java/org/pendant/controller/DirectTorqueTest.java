@@ -59,8 +59,8 @@ final class DirectTorqueTest {
     DMatrixRMaj mass = new DMatrixRMaj(Joints.COUNT, Joints.COUNT);
     new ArmDynamics(ur5e).mass(READY.toArray(), true, mass);
     double coulomb = ur5e.actuators().get(5).dryNm(0);
-    double slow = ur5e.actuators().get(5).risingNmSPerRad(0);
-    double fast = ur5e.actuators().get(5).risingNmSPerRad(1.5);
+    double slow = ur5e.actuators().get(5).speedDependentNmSPerRad(0);
+    double fast = ur5e.actuators().get(5).speedDependentNmSPerRad(1.5);
     drive("[0, 0, 0, 0, 0, 3]", "False", 51);
     double speed = arm().actualSpeedRadPerS().q5();
     double inertia = mass.get(5, 5);

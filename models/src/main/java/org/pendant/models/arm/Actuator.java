@@ -43,13 +43,13 @@ public record Actuator(
   }
 
   /** Friction that grows with the speed, over the speed (rad/s), Nm s/rad. */
-  public double risingNmSPerRad(double speedRadPerS) {
-    return torqueConstantNmPerA * friction.risingASPerRad(speedRadPerS);
+  public double speedDependentNmSPerRad(double speedRadPerS) {
+    return torqueConstantNmPerA * friction.speedDependentASPerRad(speedRadPerS);
   }
 
   /** All friction of a joint that turns at a positive speed (rad/s) under a load (Nm), Nm. */
   public double slidingNm(double speedRadPerS, double loadNm) {
-    return torqueConstantNmPerA * (friction.dryA(loadNm) + friction.risingA(speedRadPerS));
+    return torqueConstantNmPerA * (friction.dryA(loadNm) + friction.speedDependentA(speedRadPerS));
   }
 
   /** The same drive without friction. */

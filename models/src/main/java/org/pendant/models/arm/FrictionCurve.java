@@ -68,11 +68,11 @@ public record FrictionCurve(
    * @param loadNm moment on the joint without friction, Nm
    */
   public double currentA(double speedRadPerS, double loadNm) {
-    return passingA(speedRadPerS, loadNm) + risingA(speedRadPerS);
+    return dryCurrentA(speedRadPerS, loadNm) + speedDependentA(speedRadPerS);
   }
 
   /** The first term of {@link #currentA}: dry friction on its way through standstill, A. */
-  public double passingA(double speedRadPerS, double loadNm) {
+  public double dryCurrentA(double speedRadPerS, double loadNm) {
     double x = speedRadPerS / TRANSITION_RAD_PER_S;
     return dryA(loadNm) * (Math.abs(x) < TANH_IS_ONE ? Math.tanh(x) : Math.signum(x));
   }
@@ -82,13 +82,13 @@ public record FrictionCurve(
     return coulombA + loadAPerNm * Math.abs(loadNm);
   }
 
-  /** What of it grows with the speed: all but dry friction, A. */
-  public double risingA(double speedRadPerS) {
+  /** Speed-dependent friction: all but dry friction, A. */
+  public double speedDependentA(double speedRadPerS) {
     return curvedA * Math.tanh(speedRadPerS / curveSpeedRadPerS) + viscousASPerRad * speedRadPerS;
   }
 
-  /** {@link #risingA} over the speed, A s/rad; at standstill its limit. */
-  public double risingASPerRad(double speedRadPerS) {
+  /** {@link #speedDependentA} over the speed, A s/rad; at standstill its limit. */
+  public double speedDependentASPerRad(double speedRadPerS) {
     double x = speedRadPerS / curveSpeedRadPerS;
     double share = Math.abs(x) < 1e-4 ? 1 : Math.tanh(x) / x;
     return curvedA / curveSpeedRadPerS * share + viscousASPerRad;

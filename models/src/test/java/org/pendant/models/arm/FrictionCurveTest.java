@@ -37,11 +37,11 @@ class FrictionCurveTest {
   }
 
   @Test
-  void secantIsTheRisingPartOverTheSpeed() {
+  void secantIsTheSpeedDependentPartOverTheSpeed() {
     for (double speed : new double[] {-2, -0.1, 1e-5, 0.3, 1.5}) {
-      assertEquals(elbow.risingA(speed) / speed, elbow.risingASPerRad(speed), 1e-9);
+      assertEquals(elbow.speedDependentA(speed) / speed, elbow.speedDependentASPerRad(speed), 1e-9);
     }
-    assertEquals(0.365 / 0.535 + 0.663, elbow.risingASPerRad(0), 1e-12);
+    assertEquals(0.365 / 0.535 + 0.663, elbow.speedDependentASPerRad(0), 1e-12);
   }
 
   @Test

@@ -51,7 +51,7 @@ final class FreeMotors implements Drives {
       step.slopeNmSPerRad[i] = dampingNmSPerRad.get(i);
       step.limitNm[i] = arm.joints().get(i).maxTorqueNm();
       step.coulombNm[i] = (1 - friction.coulomb().get(i)) * own.dryNm[i];
-      step.viscousNmSPerRad[i] = (1 - friction.viscous().get(i)) * own.risingNmSPerRad[i];
+      step.viscousNmSPerRad[i] = (1 - friction.viscous().get(i)) * own.speedDependentNmSPerRad[i];
     }
   }
 
@@ -60,7 +60,7 @@ final class FreeMotors implements Drives {
     for (int i = 0; i < N; i++) {
       overcomeNm[i] =
           friction.coulomb().get(i) * own.dryNm[i] * Math.signum(body.qd[i])
-              + friction.viscous().get(i) * own.risingNmSPerRad[i] * body.qd[i];
+              + friction.viscous().get(i) * own.speedDependentNmSPerRad[i] * body.qd[i];
       step.motorNm[i] += overcomeNm[i];
     }
   }

@@ -16,7 +16,7 @@ final class JointFriction {
   final double[] dryNm = new double[Joints.COUNT];
 
   /** The rest over the speed, Nm s/rad. */
-  final double[] risingNmSPerRad = new double[Joints.COUNT];
+  final double[] speedDependentNmSPerRad = new double[Joints.COUNT];
 
   private final List<Actuator> actuators;
 
@@ -34,12 +34,12 @@ final class JointFriction {
   /** Takes the speeds with which a frame begins, rad/s. */
   void beginFrame(double[] speedRadPerS) {
     for (int i = 0; i < Joints.COUNT; i++) {
-      risingNmSPerRad[i] = actuators.get(i).risingNmSPerRad(speedRadPerS[i]);
+      speedDependentNmSPerRad[i] = actuators.get(i).speedDependentNmSPerRad(speedRadPerS[i]);
     }
   }
 
   /** Friction of a joint at a speed of the frame, Nm; 0 at standstill, where it may hold. */
   double slidingNm(int joint, double speedRadPerS) {
-    return dryNm[joint] * Math.signum(speedRadPerS) + risingNmSPerRad[joint] * speedRadPerS;
+    return dryNm[joint] * Math.signum(speedRadPerS) + speedDependentNmSPerRad[joint] * speedRadPerS;
   }
 }

@@ -75,7 +75,7 @@ final class JointServos implements Drives {
   private final double[] feedNm = new double[N];
 
   private final double[] lastMomentNm = new double[N];
-  private final double[] lastRisingNm = new double[N];
+  private final double[] lastSpeedDependentNm = new double[N];
   private final double[] lastQdd = new double[N];
   private final double[] givenQ = new double[N];
   private final double[] givenQd = new double[N];
@@ -135,7 +135,7 @@ final class JointServos implements Drives {
     System.arraycopy(toQd, 0, fromQd, 0, N);
     System.arraycopy(givenQd, 0, lastQd, 0, N);
     System.arraycopy(load.momentNm, 0, lastMomentNm, 0, N);
-    System.arraycopy(load.risingNm, 0, lastRisingNm, 0, N);
+    System.arraycopy(load.speedDependentNm, 0, lastSpeedDependentNm, 0, N);
     System.arraycopy(load.qdd, 0, lastQdd, 0, N);
     target.positionRad().copyTo(givenQ);
     target.speedRadPerS().copyTo(givenQd);
@@ -183,15 +183,15 @@ final class JointServos implements Drives {
     }
     for (int i = 0; i < N; i++) {
       Actuator actuator = actuators.get(i);
-      double risingNm;
+      double speedDependentNm;
       if (even) {
         feedNm[i] = between(lastMomentNm[i], load.momentNm[i]);
-        risingNm = between(lastRisingNm[i], load.risingNm[i]);
+        speedDependentNm = between(lastSpeedDependentNm[i], load.speedDependentNm[i]);
       } else {
         feedNm[i] += actuator.rotorInertiaKgM2() * meanQdd[i];
-        risingNm = actuator.risingNmSPerRad(middleQd[i]) * middleQd[i];
+        speedDependentNm = actuator.speedDependentNmSPerRad(middleQd[i]) * middleQd[i];
       }
-      feedNm[i] += own.dryNm[i] * held.share(i, middleQd[i]) + risingNm;
+      feedNm[i] += own.dryNm[i] * held.share(i, middleQd[i]) + speedDependentNm;
     }
   }
 
@@ -214,7 +214,7 @@ final class JointServos implements Drives {
           atFullSpeed[i] ? damping[i] : damping[i] * (1 + POSITION_RATE_PER_S * half);
       step.limitNm[i] = limitNm[i];
       step.coulombNm[i] = Math.max(MIN_FRICTION_NM, own.dryNm[i]);
-      step.viscousNmSPerRad[i] = own.risingNmSPerRad[i];
+      step.viscousNmSPerRad[i] = own.speedDependentNmSPerRad[i];
     }
   }
 

@@ -20,7 +20,7 @@ final class TargetLoad {
   final double[] momentNm = new double[N];
 
   /** Friction that grows with the speed, Nm. */
-  final double[] risingNm = new double[N];
+  final double[] speedDependentNm = new double[N];
 
   /** With friction, A. */
   final double[] currentA = new double[N];
@@ -48,10 +48,11 @@ final class TargetLoad {
       Actuator actuator = actuators.get(i);
       double constant = actuator.torqueConstantNmPerA();
       FrictionCurve friction = actuator.friction();
-      double risingA = friction.risingA(qd[i]);
+      double speedDependentA = friction.speedDependentA(qd[i]);
       momentNm[i] += actuator.rotorInertiaKgM2() * qdd[i];
-      risingNm[i] = constant * risingA;
-      currentA[i] = momentNm[i] / constant + friction.passingA(qd[i], momentNm[i]) + risingA;
+      speedDependentNm[i] = constant * speedDependentA;
+      currentA[i] =
+          momentNm[i] / constant + friction.dryCurrentA(qd[i], momentNm[i]) + speedDependentA;
     }
   }
 
