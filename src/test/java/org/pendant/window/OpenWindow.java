@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import org.pendant.command.ProductJvm;
 
 /**
  * A desktop in a process of its own, worked with real mouse and key events. Components are named as
@@ -57,6 +58,33 @@ final class OpenWindow implements AutoCloseable {
   static OpenWindow open(
       VirtualDisplay display, Path folder, List<Path> programs, String... options)
       throws IOException {
+    List<String> all = new ArrayList<>(ProductJvm.options());
+    all.addAll(List.of(options));
+    return open(
+        display, folder, programs, ProductJvm.classPath(), all, ProcessBuilder.Redirect.INHERIT);
+  }
+
+  /** Opens one whose JVM leaves an AOT cache of {@code classPath} when the window is closed. */
+  static OpenWindow openAndTrain(VirtualDisplay display, Path folder, String classPath, Path cache)
+      throws IOException {
+    return open(
+        display,
+        folder,
+        List.of(),
+        classPath,
+        List.of("--enable-native-access=ALL-UNNAMED", "-XX:AOTCacheOutput=" + cache),
+        // The JVM that writes the cache says there with which options, a page of them.
+        ProcessBuilder.Redirect.to(folder.resolve("errors.txt").toFile()));
+  }
+
+  private static OpenWindow open(
+      VirtualDisplay display,
+      Path folder,
+      List<Path> programs,
+      String classPath,
+      List<String> options,
+      ProcessBuilder.Redirect errors)
+      throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(
@@ -64,13 +92,14 @@ final class OpenWindow implements AutoCloseable {
             "-ea",
             "-XX:+UseSerialGC",
             "-XX:TieredStopAtLevel=1",
-            "--enable-native-access=ALL-UNNAMED",
+            // The JVM's own log goes to standard output otherwise, where the replies are.
+            "-Xlog:disable",
+            "-Xlog:all=error:stderr",
             "--sun-misc-unsafe-memory-access=allow"));
-    command.addAll(List.of(options));
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), Driver.class.getName()));
+    command.addAll(options);
+    command.addAll(List.of("-cp", classPath, Driver.class.getName()));
     programs.forEach(each -> command.add(each.toString()));
-    ProcessBuilder builder =
-        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT);
+    ProcessBuilder builder = new ProcessBuilder(command).redirectError(errors);
     builder.environment().put("DISPLAY", display.name());
     builder.environment().put("XDG_CONFIG_HOME", folder.toString());
     builder.environment().put("XDG_STATE_HOME", folder.resolve("state").toString());

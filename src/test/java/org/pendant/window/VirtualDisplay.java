@@ -47,6 +47,11 @@ record VirtualDisplay(String name, Process server) implements AutoCloseable {
     return new VirtualDisplay(":" + number, server);
   }
 
+  /** Whether there is an Xvfb on PATH. */
+  static boolean isAvailable() {
+    return program().isPresent();
+  }
+
   private static Optional<Path> program() {
     return Arrays.stream(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator))
         .map(folder -> Path.of(folder, "Xvfb"))
