@@ -18,7 +18,10 @@ import org.pendant.controller.safety.SafetyMode;
 import org.pendant.models.arm.Joints;
 import org.pendant.script.vm.ProgramState;
 
-/** Whatever holds a program up or slows it down changes no point of the path of its arm. */
+/**
+ * Whatever holds a program up or slows it down changes no point of the path of its arm. {@code
+ * -Dtest.cases=5} or more for a thorough run.
+ */
 @Tag("slow")
 final class UndisturbedPathTest {
   private static final String CHAIN =
@@ -41,7 +44,7 @@ final class UndisturbedPathTest {
   /** Frames of the 5 s that a protective stop lasts at least. */
   private static final int UNLOCK_FRAMES = 2500;
 
-  private static final int CASES = 60;
+  private static final int CASES = 12 * Integer.getInteger("test.cases", 1);
 
   /** What happens on the way. */
   enum Disturbance {

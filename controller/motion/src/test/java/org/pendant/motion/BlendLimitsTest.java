@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,12 +24,14 @@ import org.pendant.models.time.FrameTime;
 
 /**
  * Chains of ten blended moves keep to the accelerations that the moves themselves may use: those of
- * the leading axis between joint moves, those of the tool between lines.
+ * the leading axis between joint moves, those of the tool between lines. {@code -Dtest.cases=5} or
+ * more for a thorough run.
  */
 @Tag("slow")
 final class BlendLimitsTest {
   private static final double FRAME_S = FrameTime.FRAME_S;
   private static final int MOVES = 10;
+  private static final int THOROUGH = Integer.getInteger("test.cases", 1);
   private static final double RAMP_S = 0.08;
   private static final Joints READY =
       new Joints(0, -Math.PI / 2, -Math.PI / 2, -Math.PI / 2, Math.PI / 2, 0);
@@ -119,8 +122,10 @@ final class BlendLimitsTest {
         Joints qd = control.speedRadPerS();
         control.step();
         frames++;
-        String where = chain.name + ", move " + m + ", frame " + frames;
-        assertTrue(ticket.get().failure().isEmpty(), () -> where + ticket.get().failure());
+        int number = m;
+        int frame = frames;
+        Supplier<String> where = () -> chain.name + ", move " + number + ", frame " + frame;
+        assertEquals(Optional.empty(), ticket.get().failure(), where);
         checkFrame(chain, q, qd, control, allowed, where);
         assertTrue(frames < 100_000, where);
       }
@@ -132,7 +137,12 @@ final class BlendLimitsTest {
   }
 
   private void checkFrame(
-      Chain chain, Joints q, Joints qd, MotionControl control, double allowed, String where) {
+      Chain chain,
+      Joints q,
+      Joints qd,
+      MotionControl control,
+      double allowed,
+      Supplier<String> where) {
     Joints now = control.positionRad();
     Joints speed = control.speedRadPerS();
     for (int i = 0; i < Joints.COUNT; i++) {
@@ -142,7 +152,7 @@ final class BlendLimitsTest {
     }
     double used =
         chain.linear ? toolAcceleration(q, qd, now, speed) : speed.maxAbsDifference(qd) / FRAME_S;
-    assertTrue(used <= allowed * ROUNDING, where + ": " + used + " of " + allowed);
+    assertTrue(used <= allowed * ROUNDING, () -> where.get() + ": " + used + " of " + allowed);
   }
 
   /** Change of the tool's speed, m/s²; turning counts as on a path. */
@@ -176,7 +186,7 @@ final class BlendLimitsTest {
   @CsvSource({"false, 0", "false, 0.08", "true, 0", "true, 0.08"})
   void chainsNeedNoMoreAccelerationThanTheirMoves(boolean linear, double jerkRampS)
       throws PlanningException {
-    for (long seed = 0; seed < 125; seed++) {
+    for (long seed = 0; seed < 25L * THOROUGH; seed++) {
       Chain chain = chain(seed, linear, jerkRampS);
       run(chain, false);
       run(chain, true);
@@ -185,7 +195,7 @@ final class BlendLimitsTest {
 
   @Test
   void knowingWhatComesNeverMakesAChainMuchSlower() throws PlanningException {
-    for (long seed = 500; seed < 600; seed++) {
+    for (long seed = 500; seed < 500 + 20L * THOROUGH; seed++) {
       Chain chain = chain(seed, seed % 2 == 0, seed % 4 < 2 ? 0 : 0.08);
       int blind = run(chain, false);
       int foreseen = run(chain, true);
@@ -196,7 +206,7 @@ final class BlendLimitsTest {
   @Test
   void noJointJerksMoreInAVersion2BlendThanBothMovesTogetherMay() throws PlanningException {
     SplittableRandom random = new SplittableRandom(5);
-    for (int each = 0; each < 200; each++) {
+    for (int each = 0; each < 40 * THOROUGH; each++) {
       Chain chain = chain(1000 + each, false, RAMP_S);
       Move first = chain.moves.get(0);
       Move second = chain.moves.get(1);
@@ -212,9 +222,10 @@ final class BlendLimitsTest {
       for (double t = 2 * step; t < joined.durationS(); t += step) {
         Joints now = accelerationAt(joined, t);
         double change = now.maxAbsDifference(before);
+        double timeS = t;
         assertTrue(
             change <= jerk * step * ROUNDING + 1e-9,
-            chain.name + " at " + t + ": " + change / step + " of " + jerk);
+            () -> chain.name + " at " + timeS + ": " + change / step + " of " + jerk);
         before = now;
       }
     }
@@ -223,7 +234,7 @@ final class BlendLimitsTest {
   @Test
   void theToolJerksNoMoreInAVersion2BlendThanTheStrongerLineMay() throws PlanningException {
     double step = 2e-3;
-    for (int each = 0; each < 200; each++) {
+    for (int each = 0; each < 40 * THOROUGH; each++) {
       Chain chain = chain(3000 + each, true, RAMP_S);
       Move first = chain.moves.get(0);
       Move second = chain.moves.get(1);
@@ -241,10 +252,10 @@ final class BlendLimitsTest {
                 Math.hypot(
                     next.x() - 2 * now.x() + before.x(), next.y() - 2 * now.y() + before.y()),
                 next.z() - 2 * now.z() + before.z());
-        String where = chain.name + " at " + t;
+        double timeS = t;
         assertTrue(
             change <= jerk * step * step * ROUNDING + 1e-7,
-            () -> where + ": " + change / step / step + " of " + jerk);
+            () -> chain.name + " at " + timeS + ": " + change / step / step + " of " + jerk);
         before = now;
         now = next;
       }

@@ -17,12 +17,13 @@ import org.pendant.models.pose.Poses;
 import org.pendant.models.time.FrameTime;
 
 /**
- * A thousand random chains of ten blended moves of every kind: none is slower than with a stop at
- * each waypoint, none jumps, and no blend needs much more than the moves that it joins.
+ * Random chains of ten blended moves of every kind: none is slower than with a stop at each
+ * waypoint, none jumps, and no blend needs much more than the moves that it joins. {@code
+ * -Dtest.cases=5} or more for a thorough run.
  */
 @Tag("slow")
 final class BlendedChainTest {
-  private static final int CHAINS = 1000;
+  private static final int CHAINS = 200 * Integer.getInteger("test.cases", 1);
   private static final int MOVES = 10;
 
   /** Frames that a blend may cost more than a stop. */
