@@ -78,6 +78,7 @@ class ScriptRequestTest {
                 client.flush();
               }
               sent.countDown();
+              client.close();
             })) {
       ControlScript script =
           ask(driver.host(), new Patience(50_000, 50_000, 20_000, 50_000)).await();
