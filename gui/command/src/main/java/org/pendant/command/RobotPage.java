@@ -20,7 +20,9 @@ final class RobotPage {
       not; without it a program runs on a UR5e. `pendant robots NAME` prints every number of one arm.
       `--robot my-arm.json` takes a file with the numbers of one arm instead: its layout is that of the
       files in models/src/main/resources/org/pendant/models/arm, all keys are needed, and its `id` is the
-      model that the arm is one of, whose shape it has. Recordings keep that id, not the numbers.
+      model that the arm is one of, whose shape it has. A joint may also have `lagS`, how far its drive
+      lags behind its target, 0 to 0.002 s; 0.00049 s without it. `pendant fit` writes such a file from
+      recordings of your arm. Recordings keep the id, not the numbers.
       This page is generated: `./pendant robots --markdown > docs/robots.md`.
 
       """;

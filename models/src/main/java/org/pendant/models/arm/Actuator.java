@@ -1,15 +1,28 @@
 package org.pendant.models.arm;
 
+import org.pendant.models.time.FrameTime;
+
 /**
  * The drive of one joint: motor, gear and bearings, seen from the joint.
  *
  * @param rotorInertiaKgM2 inertia of the motor behind the gear, kg m²
  * @param torqueConstantNmPerA torque that one ampere gives, Nm/A
  * @param friction what friction takes of the current
+ * @param lagS how far it lags behind its target, s
  * @param status how far the numbers can be trusted
  */
 public record Actuator(
-    double rotorInertiaKgM2, double torqueConstantNmPerA, FrictionCurve friction, Status status) {
+    double rotorInertiaKgM2,
+    double torqueConstantNmPerA,
+    FrictionCurve friction,
+    double lagS,
+    Status status) {
+  /** Lag of the drives of an e-Series arm as recorded, s. */
+  public static final double USUAL_LAG_S = 0.00049;
+
+  /** The longest lag, s: what a drive follows lies between this frame's target and the last. */
+  public static final double MAX_LAG_S = FrameTime.FRAME_S;
+
   /**
    * Trust in each number of a drive.
    *
@@ -22,7 +35,8 @@ public record Actuator(
   /**
    * Checks the numbers.
    *
-   * @throws IllegalArgumentException if the inertia is negative or the torque constant not above 0
+   * @throws IllegalArgumentException if the inertia is negative, the torque constant not above 0 or
+   *     the lag not from 0 to {@link #MAX_LAG_S}
    */
   public Actuator {
     if (!(rotorInertiaKgM2 >= 0) || rotorInertiaKgM2 == Double.POSITIVE_INFINITY) {
@@ -34,6 +48,10 @@ public record Actuator(
     if (!(torqueConstantNmPerA > 0) || torqueConstantNmPerA == Double.POSITIVE_INFINITY) {
       throw new IllegalArgumentException(
           "actuator: torqueConstantNmPerA is " + torqueConstantNmPerA + " Nm/A, must be above 0");
+    }
+    if (!(lagS >= 0 && lagS <= MAX_LAG_S)) {
+      throw new IllegalArgumentException(
+          "actuator: lagS is " + lagS + " s, must be from 0 to " + MAX_LAG_S);
     }
   }
 
@@ -54,6 +72,6 @@ public record Actuator(
 
   /** The same drive without friction. */
   public Actuator frictionless() {
-    return new Actuator(rotorInertiaKgM2, torqueConstantNmPerA, FrictionCurve.NONE, status);
+    return new Actuator(rotorInertiaKgM2, torqueConstantNmPerA, FrictionCurve.NONE, lagS, status);
   }
 }

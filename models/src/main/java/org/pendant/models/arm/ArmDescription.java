@@ -121,6 +121,23 @@ public record ArmDescription(
         notes);
   }
 
+  /** The same arm with other notes. */
+  public ArmDescription withNotes(List<String> others) {
+    return new ArmDescription(
+        id,
+        displayName,
+        series,
+        dh,
+        calibration,
+        joints,
+        actuators,
+        links,
+        payloadKg,
+        reachM,
+        status,
+        others);
+  }
+
   /** True if every joint position (rad) lies within its range. */
   public boolean withinLimits(Joints q) {
     for (int i = 0; i < Joints.COUNT; i++) {

@@ -32,4 +32,9 @@ public final class ArmFile {
     }
     return DescriptionReader.read(root);
   }
+
+  /** The text of a file from which {@link #read} gives {@code arm}, its calibration apart. */
+  public static String text(ArmDescription arm) {
+    return DescriptionWriter.text(arm);
+  }
 }

@@ -106,6 +106,7 @@ final class DescriptionReader {
           joint.number("rotorInertiaKgM2", ANY),
           joint.number("torqueConstantNmPerA", ANY),
           friction(joint.object("friction")),
+          joint.number("lagS", ANY, Actuator.USUAL_LAG_S),
           driveStatus(joint.object("status")));
     } catch (IllegalArgumentException e) {
       throw joint.place().refusal(e.getMessage());

@@ -17,8 +17,8 @@ import org.pendant.models.time.FrameTime;
  * demands a speed, the error of the speed a torque, and what stays is integrated away. The servos
  * of a real arm run many times a frame, so they are taken to act on the state at the end of a step.
  *
- * <p>What they follow is the target as it was half a millisecond before: that is how far real
- * drives lag.
+ * <p>What they follow is the target as it was a moment before, half a millisecond on most arms:
+ * that is how far real drives lag.
  *
  * <p>Gains are laid out, as on a real arm, for the largest inertia that a joint has to turn: the
  * arm stretched out, with its rated payload.
@@ -35,15 +35,6 @@ final class JointServos implements Drives {
 
   /** Nothing is integrated nearer than this to the target, rad: ends the hunt for the last bit. */
   private static final double CLOSE_ENOUGH_RAD = 3e-5;
-
-  /** How far the drives lag behind the target, s. */
-  private static final double LAG_S = 0.00049;
-
-  /** What the lag is of a frame. */
-  private static final double LAG_SHARE = LAG_S / FrameTime.FRAME_S;
-
-  /** Share of this frame's target, against the last one's, in the middle of what is followed. */
-  private static final double MIDDLE_SHARE = 0.5 - LAG_SHARE;
 
   /**
    * Up to this difference from the mean of the target's accelerations the load is interpolated,
@@ -67,6 +58,11 @@ final class JointServos implements Drives {
   private final JointFriction own;
   private final HeldFriction held;
   private final TargetLoad load;
+  private final double[] lagS = new double[N];
+
+  /** What the lags are of a frame. */
+  private final double[] lagShare = new double[N];
+
   private final double[] damping = new double[N];
   private final double[] fastest = new double[N];
   private final double[] limitNm = new double[N];
@@ -109,6 +105,8 @@ final class JointServos implements Drives {
     actuators = arm.actuators();
     DMatrixRMaj heaviest = heaviest(arm);
     for (int i = 0; i < N; i++) {
+      lagS[i] = actuators.get(i).lagS();
+      lagShare[i] = lagS[i] / FrameTime.FRAME_S;
       damping[i] = SPEED_RATE_PER_S * heaviest.get(i, i);
       fastest[i] = SPEED_MARGIN * arm.joints().get(i).maxSpeedRadPerS();
       limitNm[i] = arm.joints().get(i).maxTorqueNm();
@@ -146,8 +144,8 @@ final class JointServos implements Drives {
       begin();
     }
     for (int i = 0; i < N; i++) {
-      toQd[i] = givenQd[i] - LAG_SHARE * (givenQd[i] - lastQd[i]);
-      toQ[i] = givenQ[i] - LAG_S * (toQd[i] + givenQd[i]) / 2;
+      toQd[i] = givenQd[i] - lagShare[i] * (givenQd[i] - lastQd[i]);
+      toQ[i] = givenQ[i] - lagS[i] * (toQd[i] + givenQd[i]) / 2;
     }
     settled =
         Arrays.equals(fromQ, toQ)
@@ -159,7 +157,7 @@ final class JointServos implements Drives {
   /** Takes the target to have moved evenly so far. */
   private void begin() {
     for (int i = 0; i < N; i++) {
-      double beforeS = FrameTime.FRAME_S + LAG_S;
+      double beforeS = FrameTime.FRAME_S + lagS[i];
       lastQd[i] = givenQd[i] - FrameTime.FRAME_S * load.qdd[i];
       fromQd[i] = givenQd[i] - beforeS * load.qdd[i];
       fromQ[i] = givenQ[i] - beforeS * (fromQd[i] + givenQd[i]) / 2;
@@ -175,7 +173,7 @@ final class JointServos implements Drives {
       middleQ[i] = (fromQ[i] + toQ[i]) / 2;
       middleQd[i] = (fromQd[i] + toQd[i]) / 2;
       meanQdd[i] = (toQd[i] - fromQd[i]) / FrameTime.FRAME_S;
-      double expected = between(lastQdd[i], load.qdd[i]);
+      double expected = between(i, lastQdd[i], load.qdd[i]);
       even &= Math.abs(meanQdd[i] - expected) <= EVEN_RAD_PER_S2;
     }
     if (!even) {
@@ -185,8 +183,8 @@ final class JointServos implements Drives {
       Actuator actuator = actuators.get(i);
       double speedDependentNm;
       if (even) {
-        feedNm[i] = between(lastMomentNm[i], load.momentNm[i]);
-        speedDependentNm = between(lastSpeedDependentNm[i], load.speedDependentNm[i]);
+        feedNm[i] = between(i, lastMomentNm[i], load.momentNm[i]);
+        speedDependentNm = between(i, lastSpeedDependentNm[i], load.speedDependentNm[i]);
       } else {
         feedNm[i] += actuator.rotorInertiaKgM2() * meanQdd[i];
         speedDependentNm = actuator.speedDependentNmSPerRad(middleQd[i]) * middleQd[i];
@@ -195,9 +193,9 @@ final class JointServos implements Drives {
     }
   }
 
-  /** The value in the middle of what is followed in this frame. */
-  private static double between(double last, double now) {
-    return last + MIDDLE_SHARE * (now - last);
+  /** The value in the middle of what joint {@code i} follows in this frame. */
+  private double between(int i, double last, double now) {
+    return last + (0.5 - lagShare[i]) * (now - last);
   }
 
   @Override
