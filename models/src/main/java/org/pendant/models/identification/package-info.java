@@ -1,0 +1,2 @@
+/** Parameters of an arm from recordings of its motion, by linear least squares. */
+package org.pendant.models.identification;
