@@ -8,5 +8,6 @@ module org.pendant.recording {
 
   exports org.pendant.recording;
   exports org.pendant.recording.compare;
+  exports org.pendant.recording.fit;
   exports org.pendant.recording.replay;
 }

@@ -4,9 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.pendant.controller.ControllerOptions;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Calibration;
 import org.pendant.models.calibration.CalibrationFile;
 import org.pendant.models.calibration.CalibrationTrouble;
@@ -49,7 +47,7 @@ final class CalibrateCommand implements Subcommand {
           "expected one file of measured poses, there are " + arguments.operands().size());
     }
     String name = arguments.operands().getFirst();
-    ArmDescription model = model(arguments);
+    ArmDescription model = RobotName.model(arguments);
     byte[] table = arguments.files().bytes("the file of poses", name);
     Optional<OutputFile> out = OutputFile.of(OUT, arguments);
     List<MeasuredPose> measured = measured(name, table);
@@ -86,13 +84,6 @@ final class CalibrateCommand implements Subcommand {
       console.print(text.toString().stripTrailing());
     }
     return ExitCode.DONE;
-  }
-
-  private static ArmDescription model(Arguments arguments) throws UsageException {
-    String robot = arguments.value(RunOptions.ROBOT).orElse(ControllerOptions.DEFAULT_ROBOT);
-    return RobotName.isFile(robot)
-        ? RobotName.read(robot, arguments.files())
-        : ArmLibrary.load(RobotName.idOf(RunOptions.ROBOT.name(), robot));
   }
 
   private static List<MeasuredPose> measured(String name, byte[] table) throws UsageException {

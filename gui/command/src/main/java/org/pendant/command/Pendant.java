@@ -37,6 +37,7 @@ public final class Pendant {
             new ServeCommand(),
             new RecordCommand(),
             new CompareCommand(),
+            new FitCommand(),
             new FunctionsCommand(StandardBuiltins::create),
             new RobotsCommand(),
             new CalibrateCommand(),

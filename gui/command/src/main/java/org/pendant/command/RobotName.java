@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.language.check.Nearest;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmFile;
@@ -56,6 +57,18 @@ final class RobotName {
     } catch (IOException e) {
       throw SimulationOptions.unreadable(name, e);
     }
+  }
+
+  /**
+   * The arm that {@link RunOptions#ROBOT} names, or else the default one.
+   *
+   * @throws UsageException if there is no such arm
+   */
+  static ArmDescription model(Arguments arguments) throws UsageException {
+    String robot = arguments.value(RunOptions.ROBOT).orElse(ControllerOptions.DEFAULT_ROBOT);
+    return isFile(robot)
+        ? read(robot, arguments.files())
+        : ArmLibrary.load(idOf(RunOptions.ROBOT.name(), robot));
   }
 
   /** The only id that continues where the word ends ({@code ur16}), or else the nearest. */

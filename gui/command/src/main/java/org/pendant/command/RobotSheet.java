@@ -10,7 +10,7 @@ import org.pendant.models.arm.LinkMass;
 
 /** Robot sheet: one arm in full, for the terminal. */
 final class RobotSheet {
-  private static final List<String> JOINTS =
+  static final List<String> JOINTS =
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
   private static final int NOTE_COLUMNS = 76;
 

@@ -1,10 +1,11 @@
 package org.pendant.recording.compare;
 
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import org.pendant.controller.quantity.StateQuantity;
 
 /** Tracking: how the drives of a run follow their targets, at chosen times of it. */
-final class Tracking {
+public final class Tracking {
   /** A joint counts as moving above this part of its top speed. */
   private static final double MOVING = 0.05;
 
@@ -12,6 +13,11 @@ final class Tracking {
 
   private final Samples samples;
   private final double[] timesS;
+
+  /** Tracking in all samples. */
+  public Tracking(Samples samples) {
+    this(samples, IntStream.range(0, samples.rows()).mapToDouble(samples::timeS).toArray());
+  }
 
   /**
    * @param timesS when they are looked at, by the clock of the samples
@@ -33,7 +39,7 @@ final class Tracking {
    * By how much a joint lags, s: least squares of target less actual position over target speed;
    * empty if it does not move, or if that was not recorded.
    */
-  OptionalDouble lagS(int joint) {
+  public OptionalDouble lagS(int joint) {
     if (!samples.has(SampledQuantity.TARGET_Q)
         || !samples.has(SampledQuantity.ACTUAL_Q)
         || !samples.has(SampledQuantity.TARGET_QD)) {
