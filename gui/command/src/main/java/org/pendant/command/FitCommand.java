@@ -118,7 +118,9 @@ final class FitCommand implements Subcommand {
       LoadFit.Found load = fit.load().get();
       Payload payload = load.payload();
       console.print(
-          (given.isPresent() ? "payload, as given: " : "payload: ")
+          (fit.payloadFound()
+                  ? "payload: "
+                  : given.isPresent() ? "payload, as given: " : "payload, as recorded: ")
               + number(payload.massKg())
               + " kg at "
               + number(payload.cogXM())

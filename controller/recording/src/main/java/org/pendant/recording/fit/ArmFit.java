@@ -23,10 +23,15 @@ import org.pendant.recording.compare.Tracking;
  * @param arm the description with the numbers found
  * @param joints what was found of each joint, base first
  * @param load payload and rotor inertias, where moments were recorded and tell them
+ * @param payloadFound whether that payload is found, and neither given nor assumed
  * @param notes what people should know, as sentences
  */
 public record ArmFit(
-    ArmDescription arm, List<JointFit> joints, Optional<LoadFit.Found> load, List<String> notes) {
+    ArmDescription arm,
+    List<JointFit> joints,
+    Optional<LoadFit.Found> load,
+    boolean payloadFound,
+    List<String> notes) {
 
   /**
    * What was found of a joint.
@@ -64,7 +69,16 @@ public record ArmFit(
       ArmDescription model, List<Samples> recordings, Optional<Payload> given, Payload assumed) {
     RecordedMotion motion = new RecordedMotion(recordings);
     List<String> notes = new ArrayList<>();
-    Optional<LoadFit.Found> load = load(model, motion, given, assumed, notes);
+    Optional<LoadFit.Found> withPayload =
+        given.isEmpty() ? load(model, motion, given, assumed, notes) : Optional.empty();
+    Optional<LoadFit.Found> load =
+        withPayload.or(
+            () -> load(model, motion, Optional.of(given.orElse(assumed)), assumed, notes));
+    if (!motion.hasMoments()) {
+      notes.add(
+          "no moments of the target were recorded (target_moment): payload and rotor inertias are"
+              + " not looked for");
+    }
     List<Actuator> drives = new ArrayList<>(model.actuators());
     List<OptionalDouble> rotors = new ArrayList<>();
     for (int i = 0; i < Joints.COUNT; i++) {
@@ -90,7 +104,7 @@ public record ArmFit(
       }
       joints.add(new JointFit(drive, rotors.get(i), lagS));
     }
-    return new ArmFit(model.withActuators(drives), joints, load, notes);
+    return new ArmFit(model.withActuators(drives), joints, load, withPayload.isPresent(), notes);
   }
 
   private static Optional<LoadFit.Found> load(
@@ -100,20 +114,14 @@ public record ArmFit(
       Payload assumed,
       List<String> notes) {
     if (!motion.hasMoments()) {
-      notes.add(
-          "no moments of the target were recorded (target_moment): payload and rotor inertias are"
-              + " not looked for");
       return Optional.empty();
     }
-    LoadFit found = LoadFit.of(model, motion.samples(), given, assumed);
-    if (given.isEmpty() && found instanceof LoadFit.Refused(String reason)) {
-      notes.add("the payload is not found: " + reason);
-      found = LoadFit.of(model, motion.samples(), Optional.of(assumed), assumed);
-    }
-    return switch (found) {
-      case LoadFit.Found all -> Optional.of(all);
+    return switch (LoadFit.of(model, motion.samples(), given, assumed)) {
+      case LoadFit.Found found -> Optional.of(found);
       case LoadFit.Refused refused -> {
-        notes.add("rotor inertias are not found: " + refused.reason());
+        String what =
+            given.isEmpty() ? "the payload is not found: " : "rotor inertias are not found: ";
+        notes.add(what + refused.reason());
         yield Optional.empty();
       }
     };
