@@ -172,7 +172,7 @@ final class CheckRun {
         MissingNames.FUNCTION,
         name,
         range,
-        message + offer(functionOffers, name, () -> functions(scope)));
+        message + functionOffers.computeIfAbsent(name, _ -> offer(nearestFunction(name, scope))));
   }
 
   /** In a library a name that it lacks may be one of the program that takes it in. */
@@ -193,7 +193,8 @@ final class CheckRun {
     if (scope.function(name).isPresent() || builtin(name).isPresent()) {
       message += "; the function " + name + " needs parentheses";
     } else {
-      message += offer(variableOffers, name, () -> variables(scope));
+      message +=
+          variableOffers.computeIfAbsent(name, _ -> suggestion(name, () -> variables(scope)));
     }
     failsWhenItRuns(MissingNames.VARIABLE, range, message);
   }
@@ -216,15 +217,20 @@ final class CheckRun {
     return variables;
   }
 
-  /** The same for a name wherever it is missing, as only so many are looked for. */
-  private String offer(
-      Map<String, String> offers, String name, Supplier<? extends Collection<String>> candidates) {
-    return offers.computeIfAbsent(name, _ -> suggestion(name, candidates));
+  /** A function that is not deprecated, if there is one. */
+  private Optional<String> nearestFunction(String name, FunctionScope scope) {
+    return nearest
+        .to(name, () -> functions(scope))
+        .map(found -> scope.function(found).isPresent() ? found : catalogue.current(found));
   }
 
   /** The end of a message that offers the name probably meant. */
   String suggestion(String name, Supplier<? extends Collection<String>> candidates) {
-    return nearest.to(name, candidates).map(found -> "; did you mean " + found + "?").orElse("");
+    return offer(nearest.to(name, candidates));
+  }
+
+  private static String offer(Optional<String> found) {
+    return found.map(each -> "; did you mean " + each + "?").orElse("");
   }
 
   private static boolean insideThread(FunctionScope scope) {

@@ -37,7 +37,7 @@ final class NameFixes {
     }
     NameFixes fixes = new NameFixes(analysis, start, at);
     return switch (diagnostic.code()) {
-      case "unknown-function" -> fixes.nearest(fixes.functions());
+      case "unknown-function" -> fixes.nearestFunction();
       case "unknown-variable" -> fixes.unknownVariable();
       case "unknown-argument" -> fixes.nearest(fixes.parameters());
       case "unknown-method" -> fixes.nearest(fixes.methods());
@@ -52,6 +52,16 @@ final class NameFixes {
 
   private List<QuickFix> nearest(List<String> candidates) {
     return new Nearest().to(name, () -> candidates).stream().map(this::replace).toList();
+  }
+
+  private List<QuickFix> nearestFunction() {
+    return new Nearest()
+        .to(name, this::functions).stream()
+            .map(
+                found ->
+                    scope.function(found).isPresent() ? found : analysis.catalogue().current(found))
+            .map(this::replace)
+            .toList();
   }
 
   private QuickFix replace(String with) {

@@ -12,6 +12,22 @@ public interface Catalogue {
   /** The method {@code name} of values of {@code receiver} (list, matrix, struct). */
   Optional<Signature> method(Type receiver, String name);
 
+  /**
+   * The function to write in place of {@code name}: the one that succeeds it when it is deprecated
+   * and both take as many arguments, else itself.
+   */
+  default String current(String name) {
+    return function(name)
+        .filter(old -> !old.deprecated().isEmpty())
+        .flatMap(
+            old ->
+                function(old.deprecated())
+                    .filter(each -> each.requiredCount() == old.requiredCount())
+                    .filter(each -> each.parameters().size() == old.parameters().size()))
+        .map(Signature::name)
+        .orElse(name);
+  }
+
   /** Functions and methods, in the order of their declaration. */
   Collection<Signature> all();
 }

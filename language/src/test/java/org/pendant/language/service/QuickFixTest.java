@@ -21,6 +21,8 @@ final class QuickFixTest {
       quoteCharacter = '`',
       value = {
         "unknown-function ~ mvoej([0,0,0,0,0,0])   ~ movej([0,0,0,0,0,0])",
+        "unknown-function ~ set_digtal_out(1, True) ~ set_standard_digital_out(1, True)",
+        "unknown-function ~ set_analg_out(1)       ~ set_analog_out(1)",
         "unknown-variable ~ count = 1\\nx = coutn  ~ count = 1\\nx = count",
         "unknown-variable ~ x = TRUE               ~ x = True",
         "unknown-variable ~ x = get_actual_tcp_pose ~ x = get_actual_tcp_pose()",
