@@ -42,8 +42,9 @@ public final class ScriptAnalysis {
     parsed = ScriptParser.parseProgram(source);
     form = ProgramForm.of(parsed.script());
     scopes = Scopes.of(form);
-    diagnostics = parsed.ok() ? Checker.check(form, scopes, catalogue) : parsed.diagnostics();
     lexemes = Lexemes.of(source);
+    List<Diagnostic> found = Checker.check(form, scopes, catalogue);
+    diagnostics = parsed.ok() ? found : PartialCheck.of(lexemes, parsed.diagnostics(), found);
     index = SymbolIndex.of(parsed.script(), scopes, catalogue);
     signatures = new Signatures(source, catalogue);
   }
@@ -63,7 +64,10 @@ public final class ScriptAnalysis {
     return catalogue;
   }
 
-  /** Syntax errors, or what the checker says when there are none, in the order of the text. */
+  /**
+   * Syntax errors, and what the checker says: everything when there are none, else what is certain
+   * whatever could not be read means. In the order of the text.
+   */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
   }

@@ -35,9 +35,36 @@ final class AnalysisTest {
       """;
 
   @Test
-  void syntaxErrorsComeAloneAndFindingsOfTheCheckerWithoutThem() {
-    assertEquals(List.of("unclosed-string"), codes("def prog():\n  x = \"a\n  zzz()\nend\n"));
+  void aSyntaxErrorHidesNoMistakeElsewhere() {
+    assertEquals(
+        List.of("unclosed-string", "unknown-function"),
+        codes("def prog():\n  x = \"a\n  zzz()\nend\n"));
     assertEquals(List.of("unknown-function"), codes("def prog():\n  zzz()\nend\n"));
+    assertEquals(
+        List.of("missing-end", "unknown-function", "too-many-arguments", "unknown-variable"),
+        codes(
+            """
+            def prog():
+              height = 1
+              while True:
+                set_digtal_out(1, True)
+                sleep(1, 2, 3)
+                movej(heigth)
+            end
+            """));
+  }
+
+  @Test
+  void whatAnUnreadStatementMayMeanIsNoMistakeOfOthers() {
+    // each name gets its meaning where the text cannot be read
+    assertEquals(List.of("syntax-error"), codes("def prog():\n  x = (1\n  sleep(x)\nend\n"));
+    assertEquals(List.of("syntax-error"), codes("def f(y z):\n  sleep(y)\nend\nf(1)\n"));
+    assertEquals(List.of("syntax-error"), codes("def prog():\n  global g 1\n  sleep(g)\nend\n"));
+  }
+
+  @Test
+  void aMistakeInALineThatCannotBeReadIsToldOnce() {
+    assertEquals(List.of("syntax-error"), codes("def prog():\n  sleep(1 2, 3, zzz\nend\n"));
   }
 
   @Test
