@@ -296,7 +296,10 @@ final class DesktopWindow {
     ControllerState state = stillArm.shown(session.state());
     Faults.guard(() -> header.refresh(state));
     Faults.guard(() -> footer.refresh(state));
-    Faults.guard(() -> status.refresh(session.lateness(), state.behindS(), state.debug().held()));
+    Faults.guard(
+        () ->
+            status.refresh(
+                session.lateness(), session.pace(), state.behindS(), state.debug().held()));
     Faults.guard(() -> prompts.refresh(state));
     Faults.guard(() -> stopNotice.refresh(state));
     Faults.guard(() -> views.follow(state));

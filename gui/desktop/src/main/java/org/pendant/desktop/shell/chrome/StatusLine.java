@@ -3,24 +3,54 @@ package org.pendant.desktop.shell.chrome;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.time.LocalTime;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.Pace;
 import org.pendant.controller.WallClock.Lateness;
 import org.pendant.kit.theme.Palette;
+import org.pendant.models.time.FrameTime;
 
-/** Status line: the last thing that was told, and how punctual the frames are. */
+/**
+ * Status line: what was told last, for a while, with what was told before behind a button; and
+ * whether robot time keeps its pace.
+ */
 @SuppressWarnings("serial") // never written to a stream
 public final class StatusLine extends JPanel {
+  /** How long a notice stands here. */
+  private static final int FADES_MS = 8_000;
+
+  private static final int MAX_HISTORY = 20;
+
+  /** Calls between two looks at the pace. */
+  private static final int REFRESHES = 60;
+
+  /** A share of its pace that robot time may miss without anybody being bothered. */
+  private static final double KEPT = 0.95;
+
   private final JLabel told = new JLabel(" ");
   private final JButton whole = new JButton("More");
+  private final JButton earlier = new JButton("\u25b4");
+  private final Consumer<String> showWhole;
   private final JLabel punctual = new JLabel(" ");
+  private final Timer fading = new Timer(FADES_MS, event -> show(""));
+  private final Deque<String> history = new ArrayDeque<>();
   private long frames;
-  private long late;
+  private long sinceNs;
+  private boolean wasHeld = true;
+  private Pace lastPace = Pace.REAL_TIME;
   private int calls;
+  private String last = "";
   private Consumer<String> alsoTold = text -> {};
 
   /**
@@ -31,11 +61,11 @@ public final class StatusLine extends JPanel {
   public StatusLine(Consumer<String> showWhole) {
     super(
         new MigLayout(
-            "insets 2 12 2 12, gap 16, hidemode 3", "[0::, fill]8[][grow][right]", "[center]"));
+            "insets 2 12 2 12, gap 16, hidemode 3", "[]8[0::, fill]8[][grow][right]", "[center]"));
     told.setName("status-text");
     told.getAccessibleContext().setAccessibleName("Last notice");
     punctual.setName("status-frames");
-    punctual.getAccessibleContext().setAccessibleName("Lateness of frames");
+    punctual.getAccessibleContext().setAccessibleName("Pace of robot time");
     whole.setName("status-more");
     whole.setVisible(false);
     whole.setToolTipText("Shows the notice as a whole");
@@ -43,9 +73,19 @@ public final class StatusLine extends JPanel {
     whole.putClientProperty("JButton.buttonType", "toolBarButton");
     whole.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
     whole.addActionListener(event -> showWhole.accept(text()));
+    this.showWhole = showWhole;
+    fading.setRepeats(false);
+    earlier.setName("status-earlier");
+    earlier.setVisible(false);
+    earlier.setToolTipText("What was told before");
+    earlier.getAccessibleContext().setAccessibleName("What was told before");
+    earlier.putClientProperty("JButton.buttonType", "toolBarButton");
+    earlier.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
+    earlier.addActionListener(event -> showEarlier());
+    add(earlier);
     add(told, "growx, wmin 0");
     add(whole);
-    add(punctual, "cell 3 0, wmin pref");
+    add(punctual, "cell 4 0, wmin pref");
     addComponentListener(
         new ComponentAdapter() {
           @Override
@@ -55,12 +95,37 @@ public final class StatusLine extends JPanel {
         });
   }
 
-  /** Shows a sentence, until the next one. */
+  /** Shows a sentence for eight seconds, or until the next one. */
   public void tell(String text) {
-    told.setText(text.isEmpty() ? " " : text);
-    told.setToolTipText(text);
-    fit();
+    show(text);
+    if (!text.isBlank()) {
+      history.addFirst(LocalTime.now().truncatedTo(ChronoUnit.SECONDS) + "  " + text);
+      if (history.size() > MAX_HISTORY) {
+        history.removeLast();
+      }
+      last = text;
+      earlier.setVisible(true);
+      fading.restart();
+    }
     alsoTold.accept(text);
+  }
+
+  private void show(String text) {
+    told.setText(text.isEmpty() ? " " : text);
+    told.setToolTipText(text.isEmpty() ? null : text);
+    fit();
+  }
+
+  private void showEarlier() {
+    JPopupMenu menu = new JPopupMenu();
+    menu.setName("status-history");
+    history.forEach(
+        each -> {
+          JMenuItem item = new JMenuItem(each);
+          item.addActionListener(event -> showWhole.accept(each));
+          menu.add(item);
+        });
+    menu.show(earlier, 0, -menu.getPreferredSize().height);
   }
 
   /** Has {@code listener} hear from now on what is told. */
@@ -68,9 +133,9 @@ public final class StatusLine extends JPanel {
     alsoTold = listener;
   }
 
-  /** The last notice; empty if there was none. */
+  /** The last notice, which may have faded since; empty if there was none. */
   public String text() {
-    return told.getText().strip();
+    return last;
   }
 
   /** Offers to show the whole where a part of it is cut off. */
@@ -80,45 +145,55 @@ public final class StatusLine extends JPanel {
   }
 
   /**
-   * Shows how punctual the frames are; called 30 times a second.
+   * Shows whether robot time keeps its pace; called 30 times a second.
    *
+   * @param pace what robot time should keep
    * @param behindS by how much robot time has fallen behind the wall clock, s
    * @param held whether a debugger has paused the program
    */
-  public void refresh(Lateness lateness, double behindS, boolean held) {
+  public void refresh(Lateness lateness, Pace pace, double behindS, boolean held) {
     calls++;
-    if (calls % 60 != 1) {
+    if (calls % REFRESHES != 1) {
       return;
     }
-    if (held) {
-      // Frames are not due then.
-      punctual.setText(" ");
-      return;
-    }
-    punctual.setForeground(Palette.quiet());
-    punctual.setText(text(lateness, frames, late));
+    long now = System.nanoTime();
+    double passedS = (now - sinceNs) / 1e9;
+    // Frames are not due while a debugger holds them, nor right after that.
+    boolean due = !held && !wasHeld && pace.equals(lastPace);
+    punctual.setForeground(Palette.warning());
+    punctual.setText(due ? text(pace, lateness.frames() - frames, passedS) : " ");
     punctual.setToolTipText(explanation(lateness, behindS));
     frames = lateness.frames();
-    late = lateness.lateFrames();
+    sinceNs = now;
+    wasHeld = held;
+    lastPace = pace;
   }
 
-  /** What the numbers mean, and what there is beside them. */
+  /** What is behind the words. */
   static String explanation(Lateness lateness, double behindS) {
     return String.format(
         Locale.ROOT,
-        "Frames of robot time that began more than 1 ms late in the last two seconds; the"
-            + " latest so far was %.1f ms late, and robot time is %.2f s behind the wall clock",
+        "Robot time takes longer than it should: the computer is busy. %.1f %% of all frames began"
+            + " more than 1 ms late, the latest %.1f ms; robot time is %.2f s behind the wall"
+            + " clock",
+        lateness.frames() > 0 ? 100.0 * lateness.lateFrames() / lateness.frames() : 0,
         lateness.worstNs() / 1e6,
         behindS);
   }
 
-  /** How punctual the frames were since there were {@code frames}, {@code late} of them late. */
-  static String text(Lateness lateness, long frames, long late) {
-    long count = lateness.frames() - frames;
-    if (count <= 0) {
+  /** What is to say of so many frames in so much time: nothing while robot time keeps its pace. */
+  static String text(Pace pace, long frames, double passedS) {
+    if (!(pace instanceof Pace.Times(double factor)) || frames <= 0) {
+      return " ";
+    }
+    double share = frames * FrameTime.FRAME_S / (passedS * factor);
+    if (share >= KEPT) {
       return " ";
     }
     return String.format(
-        Locale.ROOT, "500 Hz, %.1f %% late", 100.0 * (lateness.lateFrames() - late) / count);
+        Locale.ROOT,
+        "robot time at %.0f %% of %s: computer busy",
+        Math.floor(100 * share),
+        pace.equals(Pace.REAL_TIME) ? "real time" : "its pace");
   }
 }

@@ -27,12 +27,24 @@ final class PaceChoiceTest {
   }
 
   @Test
-  void latenessIsThatOfTheLastFrames() {
-    Lateness before = new Lateness(1000, 400, 90_000_000);
-    Lateness now = new Lateness(2000, 405, 90_000_000);
-    assertEquals("500 Hz, 0.5 % late", StatusLine.text(now, before.frames(), before.lateFrames()));
-    assertEquals(" ", StatusLine.text(now, 2000, 405));
-    String explained = StatusLine.explanation(now, 0.25);
-    assertTrue(explained.endsWith("90.0 ms late, and robot time is 0.25 s behind the wall clock"));
+  void robotTimeThatKeepsItsPaceIsNotMentioned() {
+    assertEquals(" ", StatusLine.text(Pace.REAL_TIME, 1000, 2));
+    assertEquals(" ", StatusLine.text(Pace.REAL_TIME, 960, 2));
+    assertEquals(" ", StatusLine.text(new Pace.Times(0.5), 500, 2));
+    assertEquals(" ", StatusLine.text(new Pace.Unlimited(), 10, 2));
+    assertEquals(" ", StatusLine.text(Pace.REAL_TIME, -5, 2));
+  }
+
+  @Test
+  void robotTimeThatFallsBehindIsToldAsAShareOfItsPace() {
+    assertEquals(
+        "robot time at 62 % of real time: computer busy", StatusLine.text(Pace.REAL_TIME, 620, 2));
+    assertEquals(
+        "robot time at 50 % of its pace: computer busy",
+        StatusLine.text(new Pace.Times(2), 1000, 2));
+    String explained = StatusLine.explanation(new Lateness(2000, 405, 90_000_000), 0.25);
+    assertTrue(explained.contains("20.3 % of all frames began more than 1 ms late"), explained);
+    assertTrue(
+        explained.endsWith("the latest 90.0 ms; robot time is 0.25 s behind the wall clock"));
   }
 }
