@@ -81,6 +81,40 @@ final class FocusWindowTest {
     window.press("control S");
   }
 
+  @Test
+  void tabGoesFromFindToReplaceBy() {
+    sharedWindow.program("one = 1");
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control H");
+    window.awaitFocus("find-words");
+    window.type("one");
+    window.press("TAB");
+    window.awaitFocus("find-replacement");
+    window.type("two");
+    window.press("alt ENTER");
+    window.awaitWords("script-text", "two = 1");
+    window.press("shift TAB");
+    window.awaitFocus("find-words");
+    window.press("ESCAPE");
+    window.press("control S");
+  }
+
+  @Test
+  void enterTakesTheFirstQuickFix() {
+    sharedWindow.program("slepe(1)");
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control HOME");
+    window.press("alt ENTER");
+    window.awaitShown("quick-fixes");
+    window.press("ENTER");
+    window.awaitWords("script-text", "sleep(1)");
+    window.press("control S");
+  }
+
   /** The next step lasts until {@link #endTheStep}, however long it takes to go elsewhere. */
   private void holdBeforeWaiting() throws IOException {
     sharedWindow.program(

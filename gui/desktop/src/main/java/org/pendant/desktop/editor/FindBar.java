@@ -1,6 +1,8 @@
 package org.pendant.desktop.editor;
 
+import java.awt.Component;
 import java.awt.event.KeyEvent;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
@@ -12,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
+import javax.swing.SortingFocusTraversalPolicy;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
@@ -52,15 +55,19 @@ final class FindBar extends JPanel {
     label.setLabelFor(words);
     replaceLabel.setLabelFor(replacement);
     summary.setName("find-summary");
+    JButton previous =
+        button("\u2191", "Previous match (shift ENTER, shift F3)", () -> step(false));
+    JButton next = button("\u2193", "Next match (ENTER, F3)", () -> step(true));
+    JButton close = button("\u2715", "Close (ESCAPE)", this::close);
     add(label);
     add(words, "growx");
     add(matchCase, "split 3, gapright 0");
     add(wholeWord, "gapright 0");
     add(regex);
-    add(button("\u2191", "Previous match (shift ENTER, shift F3)", () -> step(false)));
-    add(button("\u2193", "Next match (ENTER, F3)", () -> step(true)));
+    add(previous);
+    add(next);
     add(summary, "wmin 96, growx");
-    add(button("\u2715", "Close (ESCAPE)", this::close), "skip, wrap");
+    add(close, "skip, wrap");
     add(replaceLabel);
     add(replacement, "growx");
     add(replace, "span, split 2");
@@ -79,6 +86,23 @@ final class FindBar extends JPanel {
         event -> close(),
         KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
         WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
+    // From what is looked for, Tab goes to what is to stand there.
+    setFocusTraversalPolicyProvider(true);
+    setFocusTraversalPolicy(
+        new SortingFocusTraversalPolicy(
+            Comparator.comparing(
+                List.<Component>of(
+                        words,
+                        replacement,
+                        replace,
+                        replaceAll,
+                        matchCase,
+                        wholeWord,
+                        regex,
+                        previous,
+                        next,
+                        close)
+                    ::indexOf)));
     setVisible(false);
   }
 

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.function.BiConsumer;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.Edit;
@@ -111,6 +113,8 @@ final class FixMenu {
     fixes.forEach(fix -> item.accept(fix, analysed.edits(fix.edits())));
     Rectangle place = area.place(area.getCaretPosition());
     menu.show(area, place.x, place.y + place.height);
-    menu.setSelected(menu.getComponent(0));
+    // ENTER takes the first; selecting it in the menu alone would only paint it so.
+    MenuSelectionManager.defaultManager()
+        .setSelectedPath(new MenuElement[] {menu, (MenuElement) menu.getComponent(0)});
   }
 }
