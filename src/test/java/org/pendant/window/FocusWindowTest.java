@@ -4,16 +4,21 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
 
 /** That keys go where people type, whatever the program does meanwhile. */
 @Tag("slow")
 final class FocusWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
+
+  @TempDir static Path folder;
 
   private final OpenWindow window = sharedWindow.window();
   private ServerSocket visited;
@@ -78,6 +83,35 @@ final class FocusWindowTest {
     window.type("x");
     window.awaitWords("script-text", "one = 1\nxtwo = 2");
     window.press("control Z");
+    window.press("control S");
+  }
+
+  @Test
+  void whatIsTypedAfterNewComesToTheNewProgram() {
+    window.click("rail-log");
+    window.perform("New script");
+    window.awaitFocus("script-text");
+    window.type("sync()");
+    window.awaitWords("script-text", "():\n  sync()\nend");
+    window.press("control Z");
+    window.click("rail-io");
+    window.press("control N");
+    window.awaitShown("program-palette");
+  }
+
+  @Test
+  void anOpenedScriptIsShownWithTheKeysInIt() throws IOException {
+    Path file = Files.writeString(folder.resolve("opened.script"), "one = 1\n");
+    window.click("rail-log");
+    window.press("control O");
+    window.awaitFocus("open-dialog");
+    window.type(file + "\n");
+    window.awaitWords("program-name", "opened.script");
+    window.awaitHidden("open-dialog");
+    window.raise();
+    window.awaitFocus("script-text");
+    window.type("#");
+    window.awaitWords("script-text", "#one = 1");
     window.press("control S");
   }
 

@@ -119,6 +119,22 @@ public final class ScriptEditor implements View {
     current().show(line, column, 0);
   }
 
+  /** Puts the caret to the end of the first line of blanks, where a new script is to be written. */
+  public void showEmptyBody() {
+    List<String> lines = current().area().getText().lines().toList();
+    for (int line = 1; line <= lines.size(); line++) {
+      if (lines.get(line - 1).isBlank()) {
+        show(line, lines.get(line - 1).length() + 1);
+        return;
+      }
+    }
+  }
+
+  /** Lets keys go to the text of the program in front. */
+  public void focus() {
+    current().area().requestFocusInWindow();
+  }
+
   /** Marks where a program is. The text does not scroll. */
   public void setExecution(ProgramDocument program, Execution execution) {
     editor(program).ifPresent(editor -> editor.setExecution(execution));

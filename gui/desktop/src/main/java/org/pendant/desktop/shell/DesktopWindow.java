@@ -118,6 +118,7 @@ final class DesktopWindow {
     files =
         new ProgramFiles(
             programs, saver, settings, notices, status::tell, this::warn, docks.component());
+    files.showBy(opened -> views.showOpened(workbench, opened));
     installationFiles =
         new InstallationFiles(
             views.installation(),

@@ -36,6 +36,7 @@ final class ProgramFiles {
   private final Consumer<String> tell;
   private final Consumer<String> warn;
   private final Component parent;
+  private Consumer<ProgramDocument> show = program -> {};
   private int untitled = 1;
 
   /**
@@ -63,9 +64,19 @@ final class ProgramFiles {
     programs.addListener(this::rememberOpen);
   }
 
+  /** {@code how} shows the program that a user has just made or opened. */
+  void showBy(Consumer<ProgramDocument> how) {
+    show = how;
+  }
+
+  private void select(ProgramDocument program) {
+    programs.select(program);
+    show.accept(program);
+  }
+
   /** A new program without nodes. */
   void create() {
-    programs.select(
+    select(
         ProgramDocument.untitled(
             newName() + ProgramDocument.TREE, ProgramText.write(ProgramTree.empty())));
   }
@@ -73,7 +84,7 @@ final class ProgramFiles {
   /** A new script with a frame to fill. */
   void createScript() {
     String name = newName();
-    programs.select(
+    select(
         ProgramDocument.untitled(name + ProgramDocument.SCRIPT, "def " + name + "():\n  \nend\n"));
   }
 
@@ -102,7 +113,7 @@ final class ProgramFiles {
   void open(Path file) {
     Optional<ProgramDocument> already = programs.of(file);
     if (already.isPresent()) {
-      programs.select(already.get());
+      select(already.get());
       return;
     }
     if (ForeignProgram.is(file)) {
@@ -128,7 +139,7 @@ final class ProgramFiles {
     ProgramDocument fresh =
         ProgramDocument.untitled(read.name() + ProgramDocument.TREE, read.text());
     fresh.gone();
-    programs.select(fresh);
+    select(fresh);
     closeUntouched(before);
     tell.accept("Opened a copy of " + read.file() + "; saving writes a program of Pendant");
     read.remarks().forEach(warn);
@@ -138,7 +149,7 @@ final class ProgramFiles {
     // Another command may have opened it meanwhile.
     Optional<ProgramDocument> already = programs.of(read.path());
     ProgramDocument before = programs.current();
-    programs.select(already.orElseGet(() -> ProgramDocument.of(read)));
+    select(already.orElseGet(() -> ProgramDocument.of(read)));
     closeUntouched(before);
     remember(read.path());
   }

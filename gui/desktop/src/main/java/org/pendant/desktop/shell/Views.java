@@ -234,6 +234,22 @@ final class Views {
     }
   }
 
+  /**
+   * Shows the program in front where it is written, and lets keys go there; the caret of an empty
+   * script stands in its body.
+   */
+  void showOpened(ShellWorkbench workbench, ProgramDocument opened) {
+    if (opened.isTree()) {
+      workbench.show(ProgramView.ID);
+      return;
+    }
+    workbench.show(ScriptEditor.ID);
+    if (opened.file().isEmpty() && !opened.modified()) {
+      editor.showEmptyBody();
+    }
+    editor.focus();
+  }
+
   private void showSource(boolean tree, int line, int column) {
     editor.show(line, column);
     if (tree) {
