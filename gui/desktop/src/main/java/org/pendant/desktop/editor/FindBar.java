@@ -90,7 +90,7 @@ final class FindBar extends JPanel {
     setFocusTraversalPolicyProvider(true);
     setFocusTraversalPolicy(
         new SortingFocusTraversalPolicy(
-            Comparator.comparing(
+            Comparator.comparingInt(
                 List.<Component>of(
                         words,
                         replacement,

@@ -4,7 +4,8 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.time.LocalTime;
-import java.time.temporal.ChronoUnit;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Locale;
@@ -31,6 +32,8 @@ public final class StatusLine extends JPanel {
   private static final int FADES_MS = 8_000;
 
   private static final int MAX_HISTORY = 20;
+  private static final DateTimeFormatter TIME =
+      DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
 
   /** Calls between two looks at the pace. */
   private static final int REFRESHES = 60;
@@ -99,7 +102,7 @@ public final class StatusLine extends JPanel {
   public void tell(String text) {
     show(text);
     if (!text.isBlank()) {
-      history.addFirst(LocalTime.now().truncatedTo(ChronoUnit.SECONDS) + "  " + text);
+      history.addFirst(TIME.format(LocalTime.now(ZoneId.systemDefault())) + "  " + text);
       if (history.size() > MAX_HISTORY) {
         history.removeLast();
       }
