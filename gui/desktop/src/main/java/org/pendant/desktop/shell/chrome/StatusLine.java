@@ -19,6 +19,7 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.Pace;
 import org.pendant.controller.WallClock.Lateness;
+import org.pendant.kit.fault.Faults;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.time.FrameTime;
 
@@ -46,7 +47,7 @@ public final class StatusLine extends JPanel {
   private final JButton earlier = new JButton("\u25b4");
   private final Consumer<String> showWhole;
   private final JLabel punctual = new JLabel(" ");
-  private final Timer fading = new Timer(FADES_MS, event -> show(""));
+  private final Timer fading = Faults.timer(FADES_MS, () -> show(""));
   private final Deque<String> history = new ArrayDeque<>();
   private long frames;
   private long sinceNs;
