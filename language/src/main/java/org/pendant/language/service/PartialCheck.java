@@ -43,8 +43,12 @@ final class PartialCheck {
         unreadLines.add(line);
       }
     }
+    boolean inHead = false;
     for (int i = 0; i < lexemes.size(); i++) {
-      if (lexemes.is(i, Kind.NAME) && mayGiveMeaning(i)) {
+      if (lexemes.get(i).firstOnLine()) {
+        inHead = lexemes.opensDefinition(i);
+      }
+      if (lexemes.is(i, Kind.NAME) && (inHead || mayBeAssigned(i))) {
         given.add(lexemes.text(i));
       }
     }
@@ -75,20 +79,8 @@ final class PartialCheck {
         || (OF_NAMES.contains(found.code()) && !given.contains(source.text(found.range())));
   }
 
-  /**
-   * Whether a name may be assigned or defined here: it stands in a head, or before a sign for it.
-   */
-  private boolean mayGiveMeaning(int index) {
-    return lexemes.is(index + 1, Kind.ASSIGN)
-        || lexemes.is(index - 1, Kind.STATEMENT_WORD)
-        || inHead(index);
-  }
-
-  private boolean inHead(int index) {
-    int first = index;
-    while (first > 0 && !lexemes.get(first).firstOnLine()) {
-      first--;
-    }
-    return lexemes.opensDefinition(first);
+  /** Whether a name stands before a sign that gives it a value, or behind a word such as global. */
+  private boolean mayBeAssigned(int index) {
+    return lexemes.is(index + 1, Kind.ASSIGN) || lexemes.is(index - 1, Kind.STATEMENT_WORD);
   }
 }
