@@ -47,8 +47,9 @@ public final class ArmDynamics {
       rotor[i] = arm.actuators().get(i).rotorInertiaKgM2();
     }
     lastLink = bodies[N - 1];
-    newtonEuler = new NewtonEuler(arm.dh(), bodies);
-    composite = new CompositeBodies(arm.dh(), bodies);
+    JointAngles angles = new JointAngles();
+    newtonEuler = new NewtonEuler(arm.dh(), bodies, angles);
+    composite = new CompositeBodies(arm.dh(), bodies, angles);
     mount();
   }
 

@@ -21,14 +21,14 @@ final class CompositeBodies {
   /** Each body's moments about the origin of its frame: first m c, then the inertia. */
   private final double[][] moments = new double[N][];
 
-  private final double[] cos = new double[N];
-  private final double[] sin = new double[N];
+  private final JointAngles angles;
 
   /** The composite body after each joint, in the frame before it: m, m c (3), inertia (6). */
   private final double[][] behind = new double[N][10];
 
-  CompositeBodies(DhLengths dh, RigidBody[] bodies) {
+  CompositeBodies(DhLengths dh, RigidBody[] bodies, JointAngles angles) {
     this.bodies = bodies;
+    this.angles = angles;
     a = new double[] {0, dh.a2(), dh.a3(), 0, 0, 0};
     d = new double[] {dh.d1(), 0, 0, dh.d4(), dh.d5(), dh.d6()};
     for (int i = 0; i < N; i++) {
@@ -71,8 +71,8 @@ final class CompositeBodies {
       for (int i = joint - 1; i >= 0; i--) {
         double ca = COS_ALPHA[i];
         double sa = SIN_ALPHA[i];
-        double c = cos[i];
-        double s = sin[i];
+        double c = angles.cos[i];
+        double s = angles.sin[i];
         double t = ca * fy - sa * fz;
         fz = sa * fy + ca * fz;
         fy = s * fx + c * t;
@@ -104,8 +104,10 @@ final class CompositeBodies {
     for (int i = N - 1; i >= 0; i--) {
       double t = COS_ALPHA[i] * y - SIN_ALPHA[i] * z;
       z = SIN_ALPHA[i] * y + COS_ALPHA[i] * z;
-      y = sin[i] * x + cos[i] * t + qd[i] * behind[i][1];
-      x = cos[i] * x - sin[i] * t - qd[i] * behind[i][2];
+      double c = angles.cos[i];
+      double s = angles.sin[i];
+      y = s * x + c * t + qd[i] * behind[i][1];
+      x = c * x - s * t - qd[i] * behind[i][2];
     }
     momentum[0] = x;
     momentum[1] = y;
@@ -150,11 +152,10 @@ final class CompositeBodies {
   }
 
   private void gather(double[] q) {
+    angles.at(q);
     for (int i = N - 1; i >= 0; i--) {
-      double c = Math.cos(q[i]);
-      double s = Math.sin(q[i]);
-      cos[i] = c;
-      sin[i] = s;
+      double c = angles.cos[i];
+      double s = angles.sin[i];
       double[] own = moments[i];
       double m = own[0];
       double hx = own[1];

@@ -26,8 +26,7 @@ final class NewtonEuler {
   private final double[] ry = new double[N];
   private final double[] rz = new double[N];
 
-  private final double[] cos = new double[N];
-  private final double[] sin = new double[N];
+  private final JointAngles angles;
 
   /** Force at and torque about each centre of mass, along the link's axes. */
   private final double[] fx = new double[N];
@@ -52,8 +51,9 @@ final class NewtonEuler {
   private double baseY;
   private double baseZ;
 
-  NewtonEuler(DhLengths dh, RigidBody[] bodies) {
+  NewtonEuler(DhLengths dh, RigidBody[] bodies, JointAngles angles) {
     this.bodies = bodies;
+    this.angles = angles;
     double[] a = {0, dh.a2(), dh.a3(), 0, 0, 0};
     double[] d = {dh.d1(), 0, 0, dh.d4(), dh.d5(), dh.d6()};
     for (int i = 0; i < N; i++) {
@@ -70,6 +70,7 @@ final class NewtonEuler {
   }
 
   void torques(double[] q, double[] qd, double[] qdd, boolean withBase, double[] torque) {
+    angles.at(q);
     double wx = 0;
     double wy = 0;
     double wz = 0;
@@ -80,10 +81,8 @@ final class NewtonEuler {
     double py = withBase ? baseY : 0;
     double pz = withBase ? baseZ : 0;
     for (int i = 0; i < N; i++) {
-      double c = Math.cos(q[i]);
-      double s = Math.sin(q[i]);
-      cos[i] = c;
-      sin[i] = s;
+      double c = angles.cos[i];
+      double s = angles.sin[i];
       double ca = COS_ALPHA[i];
       double sa = SIN_ALPHA[i];
       // the angular acceleration gets qdd z + qd w x z before the frame is turned
@@ -163,8 +162,8 @@ final class NewtonEuler {
       double sa = SIN_ALPHA[i];
       torque[i] = sa * uy + ca * uz;
       if (i > 0) {
-        double c = cos[i];
-        double s = sin[i];
+        double c = angles.cos[i];
+        double s = angles.sin[i];
         double t = ca * gy - sa * gz;
         gz = sa * gy + ca * gz;
         gy = s * gx + c * t;

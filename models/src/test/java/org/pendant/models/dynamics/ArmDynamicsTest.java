@@ -56,6 +56,26 @@ final class ArmDynamicsTest {
   }
 
   @Test
+  void aPostureIsReckonedAnewWhereOneOfItsAnglesHasChanged() {
+    double[] q = random(3);
+    double[] zero = new double[N];
+    double[] torque = new double[N];
+    double[] ofNew = new double[N];
+    DMatrixRMaj mass = new DMatrixRMaj(N, N);
+    DMatrixRMaj massOfNew = new DMatrixRMaj(N, N);
+    for (int n = 0; n < 100; n++) {
+      q[random.nextInt(N)] = 6 * random.nextDouble() - 3;
+      dynamics.mass(q, false, mass);
+      dynamics.inverse(q, zero, zero, torque);
+      ArmDynamics unused = new ArmDynamics(arm);
+      unused.inverse(q, zero, zero, ofNew);
+      unused.mass(q, false, massOfNew);
+      assertArrayEquals(ofNew, torque);
+      assertArrayEquals(massOfNew.data, mass.data);
+    }
+  }
+
+  @Test
   void rotorsMakeTheDiagonalLargerByTheirInertia() {
     double[] q = random(3);
     DMatrixRMaj without = new DMatrixRMaj(N, N);

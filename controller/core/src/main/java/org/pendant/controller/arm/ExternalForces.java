@@ -1,5 +1,6 @@
 package org.pendant.controller.arm;
 
+import java.util.Arrays;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -57,6 +58,11 @@ final class ExternalForces {
   void lookAhead(ArmBody body) {
     applied = world.applied();
     gripChange = world.grip().changes();
+    if (world.pushesNothing()) {
+      Arrays.fill(wrench6, 0);
+      Arrays.fill(torqueNm, 0);
+      return;
+    }
     predict(body, FrameTime.FRAME_S);
     jacobian.at(ahead, Pose.ZERO, jacobian36);
     feelAhead(body);

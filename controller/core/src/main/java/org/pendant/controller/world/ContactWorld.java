@@ -124,6 +124,11 @@ public final class ContactWorld {
     return grip;
   }
 
+  /** Whether there is nothing that could push the arm, wherever it is. */
+  public boolean pushesNothing() {
+    return surfaces.length == 0 && applied.equals(Wrench.ZERO) && !grip.holds();
+  }
+
   /** Whether the tool touched anything when {@link #wrench} was asked last. */
   public boolean inContact() {
     return clearanceM < 0;

@@ -44,6 +44,19 @@ final class ContactWorldTest {
   }
 
   @Test
+  void nothingPushesUntilThereIsAnObjectOrAHand() {
+    ContactWorld empty = new ContactWorld(Scene.EMPTY);
+    assertTrue(empty.pushesNothing());
+    assertFalse(ToolInWorld.among(TABLE).world.pushesNothing());
+    empty.apply(new Wrench(0, 0, 1, 0, 0, 0));
+    assertFalse(empty.pushesNothing());
+    empty.release();
+    assertTrue(empty.pushesNothing());
+    empty.grip().push(5, new Vector3(0, 0, 0), new Vector3(0, 0, 1));
+    assertFalse(empty.pushesNothing());
+  }
+
+  @Test
   void leavingFastIsNotHeldBack() {
     assertWrench(
         ToolInWorld.among(TABLE).at(0, 0, -0.001).moving(0.3, 0, 5).feels(), 0, 0, 0, 0, 0, 0);
