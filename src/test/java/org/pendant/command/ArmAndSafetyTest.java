@@ -205,7 +205,9 @@ final class ArmAndSafetyTest {
         () -> assertEquals(2, safety.exitCode()),
         () -> assertTrue(safety.errors().contains("worse.json:1:"), safety.errors()),
         () -> assertEquals(2, missing.exitCode()),
-        () -> assertTrue(missing.errors().contains("nosuch.json: no such file"), missing.errors()),
+        () ->
+            assertTrue(
+                missing.errors().contains("nosuch.json: there is no such file"), missing.errors()),
         () -> assertEquals(2, arm.exitCode()),
         () -> assertTrue(arm.errors().contains("must be dynamic or ideal"), arm.errors()),
         () -> assertEquals(2, noise.exitCode()),

@@ -110,6 +110,6 @@ final class InstallationTest {
         result.errors());
     Result missing = Launcher.pendant(folder, "serve", "--installation", "no.pinst");
     assertEquals(2, missing.exitCode());
-    assertTrue(missing.errors().contains("no.pinst: no such file"), missing.errors());
+    assertTrue(missing.errors().contains("no.pinst: there is no such file"), missing.errors());
   }
 }

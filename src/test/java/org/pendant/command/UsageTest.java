@@ -41,9 +41,9 @@ final class UsageTest {
         Arguments.of("run --external-control pc:0 good.script", "the port is 0, must be 1 to"),
         Arguments.of("run --record missing/out.csv good.script", "missing/out.csv"),
         Arguments.of("run --force good.script", "--force goes with --record, which is missing"),
-        Arguments.of("run missing.script", "missing.script: no such file"),
+        Arguments.of("run missing.script", "missing.script: there is no such file"),
         Arguments.of("run .", "is a directory"),
-        Arguments.of("check good.script missing.script", "missing.script: no such file"),
+        Arguments.of("check good.script missing.script", "missing.script: there is no such file"),
         Arguments.of("serve --host=", "--host is empty, must be an address of this machine"),
         Arguments.of("serve --logs=good.script/x", "good.script/x, which cannot be made a folder"),
         Arguments.of("functions movje", "did you mean movej?"));

@@ -5,6 +5,9 @@ import java.io.RandomAccessFile;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.file.AccessMode;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -104,7 +107,7 @@ public final class RecordingFile {
   }
 
   private Opened read() throws IOException {
-    try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
+    try (RandomAccessFile in = reading()) {
       ArmDescription arm = header(in);
       List<InFile> stretches = new ArrayList<>();
       ProgramTexts texts = ProgramTexts.NONE;
@@ -145,6 +148,15 @@ public final class RecordingFile {
       Snapshots snapshots = new Snapshots(arm, new ForwardKinematics(arm));
       return new Opened(new Recording(stretches, lastCount, last, texts, snapshots), warning);
     }
+  }
+
+  /** The file; unlike the constructor this tells apart why it cannot be read. */
+  private RandomAccessFile reading() throws IOException {
+    file.getFileSystem().provider().checkAccess(file, AccessMode.READ);
+    if (Files.isDirectory(file)) {
+      throw new FileSystemException(file.toString(), null, "it is a folder");
+    }
+    return new RandomAccessFile(file.toFile(), "r");
   }
 
   private RecordingException refused(String why) {
@@ -269,7 +281,7 @@ public final class RecordingFile {
   }
 
   private Segment readAgain(Block block) {
-    try (RandomAccessFile in = new RandomAccessFile(file.toFile(), "r")) {
+    try (RandomAccessFile in = reading()) {
       return segment(block, in);
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -13,6 +13,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmLibrary;
@@ -266,6 +268,14 @@ final class RecordingFileTest {
     String message =
         assertThrows(RecordingException.class, () -> RecordingFile.open(file)).getMessage();
     assertTrue(message.startsWith("some.rec: ") && message.contains(why), message);
+  }
+
+  @Test
+  void whyAFileCannotBeOpenedIsToldApart() throws IOException {
+    assertThrows(
+        NoSuchFileException.class, () -> RecordingFile.open(folder.resolve("nothing.rec")));
+    IOException aFolder = assertThrows(IOException.class, () -> RecordingFile.open(folder));
+    assertEquals("it is a folder", FileTrouble.reason(aFolder));
   }
 
   @Test

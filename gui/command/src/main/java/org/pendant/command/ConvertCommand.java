@@ -1,6 +1,5 @@
 package org.pendant.command;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.disk.AtomicFile;
-import org.pendant.controller.disk.FileTrouble;
 import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.installation.file.LoadedInstallation;
@@ -174,15 +172,11 @@ final class ConvertCommand implements Subcommand {
 
   private static Result recording(String from, SourceFiles files, Console console)
       throws UsageException {
-    try {
-      RecordingFile.Opened opened = RecordingFile.open(files.path("the recording", from));
-      opened.warning().ifPresent(each -> console.complain(from + ": warning: " + each));
-      Recording all = opened.recording();
-      return new Result(
-          ExitCode.DONE,
-          Optional.of(out -> RecordingExport.toCsv(all, all.firstS(), all.lastS(), out)));
-    } catch (IOException e) {
-      throw new UsageException(from + ": " + FileTrouble.reason(e));
-    }
+    RecordingFile.Opened opened = RecordedFile.open(from, files.path("the recording", from));
+    opened.warning().ifPresent(each -> console.complain(from + ": warning: " + each));
+    Recording all = opened.recording();
+    return new Result(
+        ExitCode.DONE,
+        Optional.of(out -> RecordingExport.toCsv(all, all.firstS(), all.lastS(), out)));
   }
 }

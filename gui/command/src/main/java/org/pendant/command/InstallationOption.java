@@ -2,10 +2,8 @@ package org.pendant.command;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -63,14 +61,10 @@ final class InstallationOption {
       return new LoadedInstallation(placed(name, read.installation()), read.remarks());
     } catch (InstallationTrouble e) {
       throw new UsageException(e.getMessage());
-    } catch (NoSuchFileException e) {
-      throw new UsageException(name + ": no such file");
-    } catch (AccessDeniedException e) {
-      throw new UsageException(name + ": no permission to read it");
     } catch (InvalidPathException e) {
       throw new UsageException(name + ": not a file name, " + e.getReason());
     } catch (IOException e) {
-      throw new UsageException(name + ": cannot be read, " + e.getMessage());
+      throw SourceFiles.unreadable(name, e);
     }
   }
 

@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.pendant.controller.disk.FileTrouble;
 import org.pendant.recording.RecordingFile;
 import org.pendant.recording.compare.MalformedTable;
 import org.pendant.recording.compare.RecordedSamples;
@@ -52,28 +51,45 @@ record RecordedFile(String name, Samples samples, List<String> notes) {
    */
   static RecordedFile read(String name, Path path, OptionalDouble frequencyHz)
       throws UsageException {
+    refuseDirectory(name, path);
     try {
-      if (Files.isDirectory(path)) {
-        throw new UsageException(name + " is a directory, expected a recording");
-      }
       if (Files.isRegularFile(path) && Files.size(path) > MAX_BYTES) {
         throw new UsageException(
             name + " has " + Files.size(path) + " bytes, must have at most " + MAX_BYTES);
       }
       return name.toLowerCase(Locale.ROOT).endsWith(RECORDING)
-          ? ofRecording(name, path)
+          ? of(name, open(name, path))
           : ofTable(name, path, frequencyHz);
     } catch (MalformedTable e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
-      throw new UsageException(name + ": " + FileTrouble.reason(e));
+      throw SourceFiles.unreadable(name, e);
     }
   }
 
-  private static RecordedFile ofRecording(String name, Path path) throws IOException {
-    RecordingFile.Opened opened = RecordingFile.open(path);
+  private static RecordedFile of(String name, RecordingFile.Opened opened) {
     return new RecordedFile(
         name, RecordedSamples.of(opened.recording()), opened.warning().stream().toList());
+  }
+
+  /**
+   * Opens a {@code .rec} file.
+   *
+   * @throws UsageException when it cannot be read, or is no recording
+   */
+  static RecordingFile.Opened open(String name, Path path) throws UsageException {
+    refuseDirectory(name, path);
+    try {
+      return RecordingFile.open(path);
+    } catch (IOException e) {
+      throw SourceFiles.unreadable(name, e);
+    }
+  }
+
+  private static void refuseDirectory(String name, Path path) throws UsageException {
+    if (Files.isDirectory(path)) {
+      throw new UsageException(name + " is a directory, expected a recording");
+    }
   }
 
   private static RecordedFile ofTable(String name, Path path, OptionalDouble frequencyHz)

@@ -55,7 +55,7 @@ final class RobotName {
     } catch (JsonException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
-      throw SimulationOptions.unreadable(name, e);
+      throw SourceFiles.unreadable(name, e);
     }
   }
 

@@ -2,9 +2,7 @@ package org.pendant.command;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -128,7 +126,7 @@ final class SimulationOptions {
     } catch (JsonException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
-      throw unreadable(name, e);
+      throw SourceFiles.unreadable(name, e);
     }
   }
 
@@ -139,15 +137,7 @@ final class SimulationOptions {
     } catch (JsonException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
-      throw unreadable(name, e);
+      throw SourceFiles.unreadable(name, e);
     }
-  }
-
-  static UsageException unreadable(String name, IOException e) {
-    return switch (e) {
-      case NoSuchFileException none -> new UsageException(name + ": no such file");
-      case AccessDeniedException denied -> new UsageException(name + ": no permission to read it");
-      default -> new UsageException(name + ": cannot be read, " + e.getMessage());
-    };
   }
 }

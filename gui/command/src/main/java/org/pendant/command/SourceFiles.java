@@ -2,15 +2,15 @@ package org.pendant.command;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.recording.RecordingException;
 
 /**
  * Source files: reads the files that a command line names, and remembers them: nothing is ever
@@ -71,13 +71,18 @@ final class SourceFiles {
         }
         return bytes;
       }
-    } catch (NoSuchFileException e) {
-      throw new UsageException(name + ": no such file");
-    } catch (AccessDeniedException e) {
-      throw new UsageException(name + ": no permission to read it");
     } catch (IOException e) {
-      throw new UsageException(name + ": cannot be read, " + e.getMessage());
+      throw unreadable(name, e);
     }
+  }
+
+  /** What is said of a file that cannot be read; of all files in the same words. */
+  static UsageException unreadable(String name, IOException e) {
+    return switch (e) {
+      // says itself which file it is
+      case RecordingException damaged -> new UsageException(damaged.getMessage());
+      default -> new UsageException(name + ": " + FileTrouble.reason(e));
+    };
   }
 
   /**

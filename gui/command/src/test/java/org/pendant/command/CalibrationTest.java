@@ -139,7 +139,7 @@ class CalibrationTest {
     assertEquals(2, pendant("run", "--calibration", "none.urp", "say.script"));
     assertTrue(complaints().contains("none.urp: describes no arm"), complaints());
     assertEquals(2, pendant("run", "--calibration", "missing.conf", "say.script"));
-    assertTrue(complaints().contains("missing.conf: no such file"), complaints());
+    assertTrue(complaints().contains("missing.conf: there is no such file"), complaints());
   }
 
   @Test
@@ -159,7 +159,8 @@ class CalibrationTest {
     assertEquals(said(), ofInstallation);
     Files.delete(folder.resolve("cells/calibration.conf"));
     assertEquals(2, pendant("run", "--installation", "cells/cell.pinst", "say.script"));
-    assertTrue(complaints().contains("cells/calibration.conf: no such file"), complaints());
+    assertTrue(
+        complaints().contains("cells/calibration.conf: there is no such file"), complaints());
   }
 
   private static String poses(int count) throws CalibrationTrouble {
