@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
 import org.pendant.models.arm.ArmDescription;
@@ -36,14 +37,39 @@ final class CalibrationOption {
     return name.isPresent() ? read(name.get(), arguments.files(), model) : Calibration.NONE;
   }
 
-  private static Calibration read(String name, SourceFiles files, ArmDescription model)
+  /**
+   * The file that the command line names.
+   *
+   * @param model of which the arm is; empty where that shows later, and the file is only looked at
+   * @throws UsageException if it cannot be read, or is no calibration of the model
+   */
+  static Optional<Path> file(Arguments arguments, Optional<ArmDescription> model)
       throws UsageException {
+    Optional<String> name = arguments.value(OPTION);
+    if (name.isEmpty()) {
+      return Optional.empty();
+    }
+    if (model.isPresent()) {
+      read(name.get(), arguments.files(), model.get());
+    } else {
+      bytes(name.get(), arguments.files());
+    }
+    return Optional.of(Path.of(name.get()).toAbsolutePath());
+  }
+
+  private static byte[] bytes(String name, SourceFiles files) throws UsageException {
     if (!ArmCalibration.understands(name)) {
       throw new UsageException(
           OPTION.name() + " is " + name + ", must end in .yaml, .yml, .conf or .urp");
     }
+    return files.bytes("the calibration", name);
+  }
+
+  private static Calibration read(String name, SourceFiles files, ArmDescription model)
+      throws UsageException {
+    byte[] bytes = bytes(name, files);
     try {
-      return ArmCalibration.read(name, files.bytes("the calibration", name), model);
+      return ArmCalibration.read(name, bytes, model);
     } catch (CalibrationTrouble e) {
       throw new UsageException(e.getMessage());
     }

@@ -11,6 +11,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.installation.file.LoadedInstallation;
@@ -35,6 +36,17 @@ final class InstallationOption {
         : Optional.empty();
   }
 
+  /**
+   * As {@link #of}, but what it says of other files is as it stands there, as seen from the
+   * installation's own file.
+   */
+  static Optional<Installation> asWritten(Arguments arguments) throws UsageException {
+    Optional<String> name = arguments.value(OPTION);
+    return name.isPresent()
+        ? Optional.of(load(name.get(), arguments.files()).installation())
+        : Optional.empty();
+  }
+
   /** Says what of the installation that the command line names was not understood. */
   static void tell(Arguments arguments, Console console) throws UsageException {
     Optional<String> name = arguments.value(OPTION);
@@ -47,8 +59,13 @@ final class InstallationOption {
     return read.remarks().stream().map(each -> name + ": note: " + each).toList();
   }
 
-  /** Reads an installation from a file, and the values of its variables from the one beside it. */
   private static LoadedInstallation read(String name, SourceFiles files) throws UsageException {
+    LoadedInstallation read = load(name, files);
+    return new LoadedInstallation(placed(name, read.installation()), read.remarks());
+  }
+
+  /** Reads an installation from a file, and the values of its variables from the one beside it. */
+  private static LoadedInstallation load(String name, SourceFiles files) throws UsageException {
     try {
       Optional<String> variables =
           InstallationFile.variablesOf(name).filter(file -> Files.isRegularFile(Path.of(file)));
@@ -56,9 +73,7 @@ final class InstallationOption {
           variables.isPresent()
               ? Optional.of(bytes(files.path("the file of variables", variables.get())))
               : Optional.empty();
-      LoadedInstallation read =
-          InstallationFile.read(name, bytes(files.path("the installation", name)), values);
-      return new LoadedInstallation(placed(name, read.installation()), read.remarks());
+      return InstallationFile.read(name, bytes(files.path("the installation", name)), values);
     } catch (InstallationTrouble e) {
       throw new UsageException(e.getMessage());
     } catch (InvalidPathException e) {
@@ -123,10 +138,15 @@ final class InstallationOption {
    */
   static ControllerOptions in(ControllerOptions options, Installation installation)
       throws UsageException {
-    Optional<InstallationProblem> refusal = InstallationCheck.refusal(installation, options.arm());
+    refuseUnlessFor(installation, options.arm());
+    return options.withInstallation(installation);
+  }
+
+  /** Refuses an installation with which an arm cannot be set up. */
+  static void refuseUnlessFor(Installation installation, ArmDescription arm) throws UsageException {
+    Optional<InstallationProblem> refusal = InstallationCheck.refusal(installation, arm);
     if (refusal.isPresent()) {
       throw new UsageException("the installation cannot be used: " + refusal.get());
     }
-    return options.withInstallation(installation);
   }
 }

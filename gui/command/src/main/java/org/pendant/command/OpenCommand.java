@@ -11,6 +11,8 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.installation.Installation;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmLibrary;
 
 /** Command {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
@@ -23,6 +25,8 @@ final class OpenCommand implements Subcommand {
   private static final List<Option> OPTIONS =
       Stream.concat(
               Stream.of(
+                  RunOptions.ROBOT,
+                  CalibrationOption.OPTION,
                   InstallationOption.OPTION,
                   SimulationOptions.NOISE,
                   SimulationOptions.START_RAMP,
@@ -78,14 +82,14 @@ final class OpenCommand implements Subcommand {
       }
     }
     Optional<StartInstallation> installation = installation(arguments);
+    SimulationWishes wishes = wishes(arguments, installation.map(StartInstallation::installation));
     InstallationOption.tell(arguments, console);
-    return new DesktopStart(services, console)
-        .run(files, ports(arguments), installation, wishes(arguments));
+    return new DesktopStart(services, console).run(files, ports(arguments), installation, wishes);
   }
 
   private static Optional<StartInstallation> installation(Arguments arguments)
       throws UsageException {
-    Optional<Installation> read = InstallationOption.of(arguments);
+    Optional<Installation> read = InstallationOption.asWritten(arguments);
     Optional<String> file = arguments.value(InstallationOption.OPTION);
     return read.isPresent() && file.isPresent()
         ? Optional.of(new StartInstallation(Path.of(file.get()).toAbsolutePath(), read.get()))
@@ -93,8 +97,25 @@ final class OpenCommand implements Subcommand {
   }
 
   /** What the user says; otherwise the window remembers. */
-  private static SimulationWishes wishes(Arguments arguments) throws UsageException {
+  private static SimulationWishes wishes(Arguments arguments, Optional<Installation> installation)
+      throws UsageException {
+    Optional<ArmDescription> arm =
+        arguments.has(RunOptions.ROBOT)
+            ? Optional.of(RobotName.model(arguments))
+            : Optional.empty();
+    if (arm.isPresent() && installation.isPresent()) {
+      InstallationOption.refuseUnlessFor(installation.get(), arm.get());
+    }
+    Optional<ArmDescription> model =
+        arm.or(
+            () ->
+                installation
+                    .map(Installation::robot)
+                    .flatMap(ArmLibrary::find)
+                    .map(ArmLibrary::load));
     return new SimulationWishes(
+        arm,
+        CalibrationOption.file(arguments, model),
         arguments.has(SimulationOptions.NOISE)
             ? Optional.of(SimulationOptions.measuredNoise(arguments, true))
             : Optional.empty(),

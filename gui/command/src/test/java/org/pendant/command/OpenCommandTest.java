@@ -6,14 +6,103 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.command.service.DesktopLauncher;
+import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.SimulationWishes;
+import org.pendant.command.service.StartInstallation;
+import org.pendant.models.arm.ArmFile;
+import org.pendant.models.arm.ArmLibrary;
 
 final class OpenCommandTest {
+  private static final String CONF =
+      """
+      delta_theta = [0.001, 0, 0, 0, 0, 0]
+      delta_a = [0, 0, 0, 0, 0, 0]
+      delta_d = [0.0004, 0, 0, 0, 0, 0]
+      delta_alpha = [0, 0, 0, 0, 0, 0]
+      """;
   private static final DesktopServices NO_DESKTOP =
       new DesktopServices(Optional::empty, Optional::empty);
+
+  @TempDir private Path folder;
+
+  /** Keeps what it is asked to open. */
+  private static final class KeepingLauncher implements DesktopLauncher {
+    private Optional<StartInstallation> installation = Optional.empty();
+    private SimulationWishes wishes = SimulationWishes.NONE;
+
+    @Override
+    public void open(
+        List<Path> files,
+        Optional<PortWishes> ports,
+        Optional<StartInstallation> installation,
+        SimulationWishes wishes) {
+      this.installation = installation;
+      this.wishes = wishes;
+    }
+  }
+
+  /** What the desktop is asked for by a command line that it takes. */
+  private static KeepingLauncher opened(String... words) {
+    KeepingLauncher launcher = new KeepingLauncher();
+    ByteArrayOutputStream errors = new ByteArrayOutputStream();
+    ExitCode code =
+        new Pendant(
+                new Console(new ByteArrayOutputStream(), errors),
+                new DesktopServices(() -> Optional.of(launcher), Optional::empty))
+            .run(List.of(words));
+    assertEquals(ExitCode.DONE, code, () -> errors.toString(StandardCharsets.UTF_8));
+    return launcher;
+  }
+
+  private String write(String name, String text) throws IOException {
+    return Files.writeString(folder.resolve(name), text).toString();
+  }
+
+  @Test
+  void asksForTheArmAndItsCalibration() throws IOException {
+    String own = write("own.json", ArmFile.text(ArmLibrary.load("ur10e")));
+    String conf = write("calibration.conf", CONF);
+
+    SimulationWishes wishes = opened("--robot", own, "--calibration", conf).wishes;
+    assertEquals(Optional.of(ArmLibrary.load("ur10e")), wishes.arm());
+    assertEquals(Optional.of(Path.of(conf)), wishes.calibration());
+    SimulationWishes byName = opened("open", "--robot", "UR3e").wishes;
+    assertEquals(Optional.of(ArmLibrary.load("ur3e")), byName.arm());
+    assertEquals(SimulationWishes.NONE, opened("open", "a.script").wishes);
+  }
+
+  @Test
+  void theCalibrationOfAnInstallationIsLookedForBesideItOnce() throws IOException {
+    String cell = write("cell.pinst", "pendant installation 1\nrobot id=\"ur10e\" calibration=\"arm.conf\"\n");
+
+    StartInstallation start = opened("open", "--installation", cell).installation.orElseThrow();
+    assertEquals("arm.conf", start.installation().calibration());
+  }
+
+  @Test
+  void refusesAnArmThatItCannotHave() throws IOException {
+    String cell = write("cell.pinst", "pendant installation 1\nrobot id=\"ur10e\"\n");
+    String conf = write("calibration.conf", CONF.replace("0.0004", "0.04"));
+
+    assertTrue(refusal("--robot", "ur4").contains("must be one of"));
+    assertTrue(
+        refusal("--robot", "ur3e", "--installation", cell)
+            .endsWith("it is for ur10e, the arm is ur3e"));
+    assertTrue(refusal("--robot", "ur3e", "--calibration", conf).contains("from where a UR3e has"));
+    assertTrue(
+        refusal("--installation", cell, "--calibration", conf).contains("from where a UR10e has"));
+    assertTrue(refusal("--calibration", "arm.txt").contains("must end in .yaml"));
+    assertEquals("none.conf: there is no such file", refusal("--calibration", "none.conf"));
+  }
 
   private static String refusal(String... words) {
     OpenCommand command = new OpenCommand(NO_DESKTOP);
@@ -47,7 +136,7 @@ final class OpenCommandTest {
   void itsOptionsAreUnderstoodWithoutItsName() {
     assertTrue(OpenCommand.understands("--ports"));
     assertTrue(OpenCommand.understands("--host=127.0.0.1"));
-    assertFalse(OpenCommand.understands("--robot"));
+    assertFalse(OpenCommand.understands("--seed"));
     assertFalse(OpenCommand.understands("open"));
   }
 

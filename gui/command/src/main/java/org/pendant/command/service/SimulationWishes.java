@@ -1,16 +1,25 @@
 package org.pendant.command.service;
 
+import java.nio.file.Path;
 import java.util.Optional;
+import org.pendant.models.arm.ArmDescription;
 
 /**
- * Simulation wishes: what the user of a desktop says of the arm's simulation; each is empty for as
- * last time.
+ * Simulation wishes: what the user of a desktop says of the arm and its simulation; each is empty
+ * for as last time.
  *
+ * @param arm which arm there is, whatever installations say
+ * @param calibration the file that says how the arm differs from its model, in place of that of the
+ *     installation
  * @param measuredNoise whether sensors err as on recorded arms
  * @param startRamp whether programs have a start ramp
  */
-public record SimulationWishes(Optional<Boolean> measuredNoise, Optional<Boolean> startRamp) {
+public record SimulationWishes(
+    Optional<ArmDescription> arm,
+    Optional<Path> calibration,
+    Optional<Boolean> measuredNoise,
+    Optional<Boolean> startRamp) {
   /** As last time. */
   public static final SimulationWishes NONE =
-      new SimulationWishes(Optional.empty(), Optional.empty());
+      new SimulationWishes(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
 }

@@ -5,10 +5,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -19,12 +16,6 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.command.service.StateFolder;
-import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.installation.Installation;
-import org.pendant.controller.installation.InstallationCheck;
-import org.pendant.controller.installation.InstallationProblem;
-import org.pendant.controller.message.Operator;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -35,18 +26,11 @@ import org.pendant.kit.fault.FaultFile;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.ConfigurationFolder;
 import org.pendant.kit.settings.FileSettings;
-import org.pendant.kit.settings.Settings;
 import org.pendant.kit.theme.Look;
 import org.pendant.kit.theme.SystemTheme;
-import org.pendant.models.arm.ArmLibrary;
-import org.pendant.models.calibration.CalibrationTrouble;
-import org.pendant.project.calibration.ArmCalibration;
 
 /** Desktop as a whole, from its start until its window is closed. */
 public final class Desktop {
-  /** A larger file is no program that keeps a calibration. */
-  private static final int MAX_CALIBRATION_BYTES = 32 << 20;
-
   private static final String EXAMPLE = "pick_and_place.script";
 
   private final Path folder;
@@ -76,7 +60,8 @@ public final class Desktop {
    * @param installation how the controller is set up from the start, empty for as last time; with
    *     one that is for another arm than that of last time there is that arm, and with one that
    *     cannot be used the window tells why
-   * @param wishes what the user says of the arm's simulation
+   * @param wishes what the user says of the arm and its simulation; an arm or a calibration is for
+   *     this time
    * @throws java.awt.HeadlessException if there is no display
    * @throws java.awt.AWTError if the display cannot be used
    */
@@ -95,7 +80,11 @@ public final class Desktop {
               installation
                   .or(desktop::installationOfLastTime)
                   .ifPresent(start -> desktop.start = Optional.of(start));
-              return RobotSession.start(desktop.options(installation));
+              StartOptions options =
+                  StartOptions.of(
+                      desktop.settings, desktop.start, installation.isPresent(), wishes);
+              desktop.missing.addAll(options.troubles());
+              return RobotSession.start(options.controller());
             });
     Look look = new Look(desktop.settings);
     Programs programs = desktop.lastTime();
@@ -125,62 +114,6 @@ public final class Desktop {
       missing.add("Not opened again: " + e.getMessage());
       return Optional.empty();
     }
-  }
-
-  /**
-   * Options of the controller.
-   *
-   * @param wanted the installation that the user asked for; one of last time gives way to the robot
-   */
-  private ControllerOptions options(Optional<StartInstallation> wanted) {
-    ControllerOptions bare = options(settings);
-    Optional<Installation> installation = start.map(StartInstallation::installation);
-    if (installation.isEmpty()) {
-      return bare;
-    }
-    String robot = installation.get().robot();
-    ControllerOptions options =
-        wanted.isPresent() && ArmLibrary.find(robot).isPresent() ? bare.withRobot(robot) : bare;
-    Optional<InstallationProblem> refusal =
-        InstallationCheck.refusal(installation.get(), options.arm());
-    if (refusal.isPresent()) {
-      missing.add("The installation cannot be used: " + refusal.get());
-      return bare;
-    }
-    return calibrated(options, start.get()).withInstallation(installation.get());
-  }
-
-  /** With the calibration that an installation names, or without where it cannot be used. */
-  private ControllerOptions calibrated(ControllerOptions options, StartInstallation setUp) {
-    String name = setUp.installation().calibration();
-    if (name.isEmpty()) {
-      return options;
-    }
-    try (InputStream in = Files.newInputStream(setUp.file().resolveSibling(name))) {
-      byte[] bytes = in.readNBytes(MAX_CALIBRATION_BYTES);
-      return options.withCalibration(ArmCalibration.read(name, bytes, options.arm()));
-    } catch (CalibrationTrouble e) {
-      missing.add("The calibration cannot be used: " + e.getMessage());
-    } catch (InvalidPathException e) {
-      missing.add("The calibration cannot be used: " + name + " is not a file name");
-    } catch (IOException e) {
-      missing.add("The calibration cannot be used: " + name + ", " + FileTrouble.reason(e));
-    }
-    return options;
-  }
-
-  private static ControllerOptions options(Settings settings) {
-    return ControllerOptions.headless()
-        .withRobot(
-            settings
-                .get("robot.id")
-                .flatMap(ArmLibrary::find)
-                .orElse(ControllerOptions.DEFAULT_ROBOT))
-        .withMeasuredNoise(RobotChange.measuredNoise(settings))
-        .withStartRamp(RobotChange.startRamp(settings))
-        .withOperator(Operator.present())
-        .withSystemTime(InstantSource.system())
-        .withPower(settings.get("robot.power-at-start").map(Boolean::parseBoolean).orElse(true));
   }
 
   /** The programs that were open last time, or an example. */

@@ -10,7 +10,9 @@ import org.pendant.kit.settings.Settings;
 
 /** Robot change: switches the controller off and on, perhaps with another robot. */
 final class RobotChange {
-  private static final String ROBOT = "robot.id";
+  /** Name of the setting with the arm that the user has chosen last. */
+  static final String ROBOT = "robot.id";
+
   private static final String NOISE = "robot.measured-noise";
   private static final String START_RAMP = "robot.start-ramp";
 
@@ -70,7 +72,18 @@ final class RobotChange {
     ask(
         "Switching the controller off ends the program that runs.",
         "Switch off and on",
-        () -> change(session.options().robotId()));
+        this::switchOffAndOn);
+  }
+
+  /** The arm keeps its calibration and its own numbers. */
+  private void switchOffAndOn() {
+    Background.run(
+        () -> {
+          session.restart(session.options());
+          return session.options().robotId();
+        },
+        done -> tell.accept("The controller was switched off and on"),
+        failed -> tell.accept(failed.getMessage()));
   }
 
   /** The same robot again, with sensors that err if they did not, or with exact ones. */
