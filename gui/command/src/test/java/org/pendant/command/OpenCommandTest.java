@@ -82,7 +82,9 @@ final class OpenCommandTest {
 
   @Test
   void theCalibrationOfAnInstallationIsLookedForBesideItOnce() throws IOException {
-    String cell = write("cell.pinst", "pendant installation 1\nrobot id=\"ur10e\" calibration=\"arm.conf\"\n");
+    String cell =
+        write(
+            "cell.pinst", "pendant installation 1\nrobot id=\"ur10e\" calibration=\"arm.conf\"\n");
 
     StartInstallation start = opened("open", "--installation", cell).installation.orElseThrow();
     assertEquals("arm.conf", start.installation().calibration());

@@ -21,7 +21,7 @@ final class UnreadableFilesTest {
   /** The first line of complaints, with the folder left out. */
   private String complaint(String line) {
     List<String> words =
-        Arrays.stream(line.split(" "))
+        Arrays.stream(line.split(" ", -1))
             .map(word -> word.contains(".") ? folder.resolve(word).toString() : word)
             .toList();
     ByteArrayOutputStream errors = new ByteArrayOutputStream();
@@ -59,10 +59,10 @@ final class UnreadableFilesTest {
   void aFileThatIsMissingIsToldInTheSameWordsByAll(String line) throws IOException {
     Files.writeString(folder.resolve("a.script"), "sync()\n");
     String missing =
-        Arrays.stream(line.split(" ")).filter(s -> s.startsWith("none.")).toList().getFirst();
+        Arrays.stream(line.split(" ", -1)).filter(s -> s.startsWith("none.")).toList().getFirst();
 
     assertEquals(
-        "pendant " + line.split(" ")[0] + ": " + missing + ": there is no such file",
+        "pendant " + line.split(" ", -1)[0] + ": " + missing + ": there is no such file",
         complaint(line));
   }
 
@@ -74,7 +74,7 @@ final class UnreadableFilesTest {
     Files.createDirectory(folder.resolve("folder.rec"));
 
     assertEquals(
-        "pendant " + line.split(" ")[0] + ": folder.rec is a directory, expected a recording",
+        "pendant " + line.split(" ", -1)[0] + ": folder.rec is a directory, expected a recording",
         complaint(line));
   }
 
