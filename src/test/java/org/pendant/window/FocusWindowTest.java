@@ -46,7 +46,7 @@ final class FocusWindowTest {
     window.awaitFocus("palette-query");
     window.type("show");
     endTheStep();
-    window.awaitWords("program-state", "in debugger");
+    window.awaitWords("program-state", "paused");
     window.settle();
     window.awaitFocus("palette-query");
     window.type(" lo");
@@ -64,7 +64,7 @@ final class FocusWindowTest {
     window.awaitWords("program-state", "running");
     window.type("when");
     endTheStep();
-    window.awaitWords("program-state", "in debugger");
+    window.awaitWords("program-state", "paused");
     window.settle();
     window.awaitFocus("search-words");
     window.perform("Fold or unfold the dock at the bottom");
@@ -163,7 +163,7 @@ final class FocusWindowTest {
     window.press("DOWN");
     window.press("F9");
     window.press("F5");
-    window.awaitWords("program-state", "in debugger");
+    window.awaitWords("program-state", "paused");
     visitor = visited.accept();
   }
 

@@ -87,7 +87,7 @@ final class ForeignProgramWindowTest {
     window.clickRow("program-tree", "ur-wait 0.10 s");
     window.press("F9");
     window.press("F5");
-    window.awaitWords("program-state", "in debugger");
+    window.awaitWords("program-state", "paused");
     window.perform("Show Variables");
     window.awaitWords("variables-table", "count | 41");
     window.press("F5");

@@ -78,7 +78,7 @@ final class ProgramWindowTest {
     window.press("DOWN");
     window.press("F9");
     window.press("F5");
-    window.awaitWords("program-state", "in debugger");
+    window.awaitWords("program-state", "paused");
     window.perform("Show Variables");
     window.awaitWords("variables-table", "count | 1");
     window.press("F10");

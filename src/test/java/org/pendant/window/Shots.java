@@ -110,7 +110,7 @@ final class Shots {
     }
     window.press("F9");
     window.press("F5");
-    window.awaitWords("program-state", "in debugger");
+    window.awaitWords("program-state", "paused");
     window.perform("Show Variables");
     window.perform("Show Call stack");
     shoot("debug", theme);

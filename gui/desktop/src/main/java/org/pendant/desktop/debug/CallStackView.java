@@ -51,7 +51,8 @@ public final class CallStackView implements View {
     this.workbench = workbench;
     this.debug = debug;
     hold = button("Pause all", "debug.pause", "Pauses all threads, to look at them");
-    resume = button("Continue", "debug.continue", "Continues the program");
+    resume = button("Resume", "program.run", "Resumes the program");
+    resume.setName("call-stack-resume");
     steps =
         List.of(
             button("Over", "debug.step-over", "Step over: to the next statement of this function"),
@@ -136,16 +137,13 @@ public final class CallStackView implements View {
   }
 
   private void killSelected() {
-    if (debug.steps().canStep()) {
+    if (debug.steps().canKill()) {
       selectedRow().ifPresent(row -> debug.steps().kill(row.thread()));
     }
   }
 
   private void show() {
-    hold.setEnabled(debug.steps().canPause());
-    kill.setEnabled(debug.steps().canStep());
-    steps.forEach(each -> each.setEnabled(debug.steps().canStep()));
-    resume.setEnabled(debug.held());
+    enable();
     if (!debug.showsValues() && !debug.runsFree()) {
       rows.show(List.of());
       panel.showNote(NOTE);
@@ -167,6 +165,14 @@ public final class CallStackView implements View {
     } finally {
       showing = false;
     }
+  }
+
+  private void enable() {
+    Stepping stepping = debug.steps();
+    hold.setEnabled(stepping.canPause());
+    kill.setEnabled(stepping.canKill());
+    steps.forEach(each -> each.setEnabled(stepping.canStep()));
+    resume.setEnabled(debug.held() || stepping.canStep());
   }
 
   private String running() {
@@ -205,6 +211,7 @@ public final class CallStackView implements View {
   public void refresh(ControllerState state) {
     debug.refresh(state);
     debug.lookAtThreads();
+    enable();
   }
 
   /** The rows. */

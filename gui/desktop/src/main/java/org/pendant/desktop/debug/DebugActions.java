@@ -20,7 +20,6 @@ public final class DebugActions {
       Workbench workbench, DebugPresenter debug, BreakpointsView list, IntSupplier caretLine) {
     Actions actions = workbench.actions();
     Stepping steps = debug.steps();
-    add(actions, "continue", "Continue", "", debug::held, steps::resume);
     add(actions, "pause", "Pause in the debugger", "shift F6", steps::canPause, steps::pause);
     add(actions, "step-over", "Step over calls", "", steps::canStep, steps::over);
     add(actions, "step-into", "Step into calls", "F11", steps::canStep, steps::into);

@@ -28,4 +28,7 @@ public interface DebugLink {
    * dispatch thread.
    */
   <T> void ask(Request<T> request, Consumer<T> answer, Consumer<String> refusal);
+
+  /** Resumes a program that is paused, but not by the debugger; {@code refusal} as above. */
+  void resume(Consumer<String> refusal);
 }

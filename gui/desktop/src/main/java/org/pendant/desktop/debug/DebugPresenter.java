@@ -81,7 +81,7 @@ public final class DebugPresenter {
   public void refresh(ControllerState state) {
     boolean same = state.debug().equals(held.debug()) && state.program().state() == program;
     program = state.program().state();
-    steps.refresh(state.debug(), program);
+    steps.refresh(state);
     if (state.debug().held()) {
       heldFrame = state.frame();
     }

@@ -6,6 +6,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.language.source.ByteText;
@@ -51,5 +52,15 @@ final class SessionLink implements DebugLink {
                             answer.accept(found.join());
                           }
                         }));
+  }
+
+  @Override
+  public void resume(Consumer<String> refusal) {
+    var _ =
+        submit
+            .apply(new ProgramCommand.ResumeProgram())
+            .thenAccept(
+                reply ->
+                    reply.complaint().ifPresent(why -> display.execute(() -> refusal.accept(why))));
   }
 }

@@ -4,11 +4,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.ProgramControls;
+import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.debug.PauseReason;
 import org.pendant.script.value.ScriptError;
-import org.pendant.script.vm.ProgramState;
 
 /**
  * Stepping: how a program is paused and continues: steps belong to the thread that is looked at. It
@@ -19,7 +21,11 @@ public final class Stepping {
   private final IntFunction<List<Integer>> toRun;
   private final Consumer<String> tell;
   private DebugState debug = DebugState.FREE;
-  private ProgramState program = ProgramState.STOPPED;
+  private boolean running;
+
+  /** The program is paused, not by the debugger, and could be resumed. */
+  private boolean resumable;
+
   private int thread = Debugger.MAIN;
 
   /**
@@ -35,9 +41,10 @@ public final class Stepping {
   }
 
   /** Takes the newest snapshot. */
-  void refresh(DebugState debug, ProgramState program) {
-    this.debug = debug;
-    this.program = program;
+  void refresh(ControllerState state) {
+    debug = state.debug();
+    running = ProgramPhase.of(state) == ProgramPhase.RUNNING;
+    resumable = !debug.held() && ProgramControls.of(state).canResume();
   }
 
   /** Has the next steps be those of the thread of {@code scope}; the main thread without one. */
@@ -47,17 +54,17 @@ public final class Stepping {
 
   /** Whether a paused program can continue by steps; one that has failed can only end. */
   public boolean canStep() {
+    return resumable || canKill();
+  }
+
+  /** Whether threads of the program can be ended: the debugger has paused it. */
+  public boolean canKill() {
     return debug.stop().filter(stop -> !(stop.reason() instanceof PauseReason.Failed)).isPresent();
   }
 
   /** Whether there is a program to hold. */
   public boolean canPause() {
-    return program == ProgramState.RUNNING && !debug.held();
-  }
-
-  /** Lets the program continue; one that has failed ends. */
-  public void resume() {
-    send(Debugger::resume);
+    return running;
   }
 
   /** Holds all threads of the program before their next statements. */
@@ -68,19 +75,19 @@ public final class Stepping {
   /** To the next statement of the thread, in any function. */
   public void into() {
     int stepped = thread;
-    send(debugger -> debugger.stepInto(stepped));
+    step(debugger -> debugger.stepInto(stepped));
   }
 
   /** To the next statement of the same function. */
   public void over() {
     int stepped = thread;
-    send(debugger -> debugger.stepOver(stepped));
+    step(debugger -> debugger.stepOver(stepped));
   }
 
   /** To the next statement of the caller. */
   public void out() {
     int stepped = thread;
-    send(debugger -> debugger.stepOut(stepped));
+    step(debugger -> debugger.stepOut(stepped));
   }
 
   /** To a line of the program's text, from 1. */
@@ -93,7 +100,7 @@ public final class Stepping {
     }
     int next =
         wanted.stream().filter(each -> each > heldLine()).findFirst().orElse(wanted.getLast());
-    send(debugger -> debugger.runTo(stepped, next));
+    step(debugger -> debugger.runTo(stepped, next));
   }
 
   private int heldLine() {
@@ -111,6 +118,22 @@ public final class Stepping {
     void on(Debugger debugger) throws ScriptError;
   }
 
+  /**
+   * A program that the debugger has not paused itself is resumed and held where it stands first.
+   */
+  private void step(Deed deed) {
+    if (!resumable) {
+      send(deed);
+      return;
+    }
+    link.resume(this::refused);
+    send(
+        debugger -> {
+          debugger.pause();
+          deed.on(debugger);
+        });
+  }
+
   private void send(Deed deed) {
     link.ask(
         debugger -> {
@@ -118,6 +141,10 @@ public final class Stepping {
           return true;
         },
         done -> {},
-        why -> tell.accept("Refused: " + why));
+        this::refused);
+  }
+
+  private void refused(String why) {
+    tell.accept("Refused: " + why);
   }
 }

@@ -27,7 +27,7 @@ final class StopText {
               + " failed: "
               + ByteText.decoded(failed.message());
       case PauseReason.Stepped() -> "Stepped to line " + line;
-      case PauseReason.PauseRequested() -> "Paused on line " + line;
+      case PauseReason.PauseRequested() -> "Paused at line " + line;
       case PauseReason.Failed failed ->
           "Failed on line "
               + line

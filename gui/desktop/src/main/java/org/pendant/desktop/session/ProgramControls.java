@@ -4,35 +4,33 @@ import java.util.Optional;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.script.vm.ProgramState;
 
 /**
  * Program controls: what may be done with the program at the moment. A reason is empty where the
  * thing may be done.
  *
- * @param state of the program
- * @param whyNoRun why it cannot be started or continued
+ * @param phase of the program
+ * @param whyNoRun why it cannot be started or resumed
  * @param whyNoPause why it cannot be paused
  * @param whyNoStop why it cannot be stopped
  * @param whyNoStep why it cannot be held or run to its next line
  */
 public record ProgramControls(
-    ProgramState state, String whyNoRun, String whyNoPause, String whyNoStop, String whyNoStep) {
+    ProgramPhase phase, String whyNoRun, String whyNoPause, String whyNoStop, String whyNoStep) {
 
   /** What {@code state} allows. */
   public static ProgramControls of(ControllerState state) {
-    ProgramState program = state.program().state();
-    boolean held = state.debug().held();
-    boolean running = program == ProgramState.RUNNING && !held;
-    boolean paused = program == ProgramState.PAUSED && !held;
-    boolean stopped = program == ProgramState.STOPPED;
-    String refusal = refusal(state).orElse("");
-    return new ProgramControls(
-        program,
-        running ? "The program is running" : held ? "" : refusal,
-        running ? "" : held ? "The debugger has paused the program" : "No program is running",
-        stopped ? "No program is running" : "",
-        paused ? "The program is paused: resume it first" : stopped ? refusal : "");
+    ProgramPhase phase = ProgramPhase.of(state);
+    // What the debugger has paused continues in the middle of a frame, whatever the arm does.
+    String refusal = state.debug().held() ? "" : refusal(state).orElse("");
+    return switch (phase) {
+      case STOPPED ->
+          new ProgramControls(
+              phase, refusal, "No program is running", "No program is running", refusal);
+      case RUNNING -> new ProgramControls(phase, "The program is running", "", "", "");
+      case PAUSED ->
+          new ProgramControls(phase, refusal, "The program is paused already", "", refusal);
+    };
   }
 
   private static Optional<String> refusal(ControllerState state) {
@@ -51,12 +49,12 @@ public record ProgramControls(
 
   /** Whether Run starts a program from its beginning. */
   public boolean canStart() {
-    return whyNoRun.isEmpty() && state == ProgramState.STOPPED;
+    return whyNoRun.isEmpty() && phase == ProgramPhase.STOPPED;
   }
 
-  /** Whether Run continues with a paused program. */
+  /** Whether Run resumes a paused program. */
   public boolean canResume() {
-    return whyNoRun.isEmpty() && state != ProgramState.STOPPED;
+    return whyNoRun.isEmpty() && phase == ProgramPhase.PAUSED;
   }
 
   /** Whether Run does anything. */

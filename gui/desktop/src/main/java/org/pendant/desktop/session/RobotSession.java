@@ -37,6 +37,7 @@ public final class RobotSession implements AutoCloseable {
   private final List<FrameListener> listeners = new CopyOnWriteArrayList<>();
   private final List<SwitchListener> switchListeners = new CopyOnWriteArrayList<>();
   private final ProgramOrigin origin = new ProgramOrigin();
+  private final RunClock runClock = new RunClock();
   private final ReentrantLock switching = new ReentrantLock();
   private volatile DrivenController driven;
   private volatile Optional<Branching> branching = Optional.empty();
@@ -44,6 +45,7 @@ public final class RobotSession implements AutoCloseable {
 
   private RobotSession(ControllerOptions options) {
     listeners.add(origin);
+    listeners.add(runClock);
     driven = new DrivenController(SwitchedOn.with(options), Pace.REAL_TIME, listeners);
   }
 
@@ -110,6 +112,11 @@ public final class RobotSession implements AutoCloseable {
   /** Whether the program that runs, or ran last, came from others. */
   public boolean strangerLast() {
     return origin.strangerLast();
+  }
+
+  /** How long the program that was started last has run. */
+  public RunTime runTime() {
+    return runClock.time();
   }
 
   /** Pauses the program. */
@@ -194,6 +201,7 @@ public final class RobotSession implements AutoCloseable {
     switchListeners.forEach(each -> Faults.guard(each::switchingOff));
     driven.close();
     origin.goBack(next.controller().state().frame());
+    runClock.goBack(next.controller().state());
     driven = new DrivenController(next, pace, listeners);
     // clients that had taken signals are gone with the ports; a new controller knows of none
     for (String owner : next.journal().owners()) {

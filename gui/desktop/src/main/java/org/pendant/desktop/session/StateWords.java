@@ -3,7 +3,6 @@ package org.pendant.desktop.session;
 import java.util.Locale;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
-import org.pendant.script.vm.ProgramState;
 
 /** State words: modes and states as people read them. */
 public final class StateWords {
@@ -17,11 +16,6 @@ public final class StateWords {
   /** Such as {@code protective stop}. */
   public static String of(SafetyMode mode) {
     return lower(mode);
-  }
-
-  /** Such as {@code running}. */
-  public static String of(ProgramState state) {
-    return lower(state);
   }
 
   private static String lower(Enum<?> word) {

@@ -16,6 +16,7 @@ import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.shell.run.RunProgram;
 import org.pendant.desktop.timeline.HeldView;
@@ -201,13 +202,27 @@ final class PastViews {
     }
 
     @Override
-    public Optional<String> name() {
-      return lookBack.back()
-          ? lookBack
-              .past()
-              .map(state -> ByteText.decoded(state.program().name()))
-              .map(name -> name.isEmpty() ? "No program yet" : name)
-          : live.name();
+    public Optional<String> next() {
+      return lookBack.back() ? Optional.empty() : live.next();
+    }
+
+    @Override
+    public String name(ControllerState state) {
+      if (!lookBack.back()) {
+        return live.name(state);
+      }
+      String name = ByteText.decoded(state.program().name());
+      return name.isEmpty() ? "No program yet" : name;
+    }
+
+    @Override
+    public boolean left(ControllerState state) {
+      return !lookBack.back() && live.left(state);
+    }
+
+    @Override
+    public RunTime time() {
+      return lookBack.back() ? RunTime.NONE : live.time();
     }
 
     @Override

@@ -13,6 +13,7 @@ import org.pendant.controller.command.Reply;
 import org.pendant.desktop.debug.ProgramLaunch;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.background.Background;
@@ -24,7 +25,6 @@ import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.externalcontrol.ScriptRequest;
-import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.ProgramState;
@@ -42,6 +42,7 @@ final class ProgramRunner {
   private Gate gate = (document, from, run) -> run.run();
   private Texts texts =
       (document, from) -> ProgramLaunch.of(RunScript.whole(document.script().source()));
+  private Runnable stepOver = () -> {};
   private final Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.empty());
   private Optional<ScriptRequest> asked = Optional.empty();
   private boolean loading;
@@ -100,6 +101,11 @@ final class ProgramRunner {
     texts = wanted;
   }
 
+  /** Has {@code wanted} run a paused program to its next line. */
+  void stepOverBy(Runnable wanted) {
+    stepOver = wanted;
+  }
+
   /** Whether a program is about to start: it is being compiled, or a driver is asked for a part. */
   boolean loading() {
     return loading;
@@ -127,7 +133,7 @@ final class ProgramRunner {
     }
   }
 
-  /** Continues a paused program, or starts the current one as it stands. */
+  /** Resumes a paused program, or starts the current one as it stands. */
   void runOrResume() {
     if (session.state().debug().held()) {
       send(new DebugCommand.Debug(Debugger::resume));
@@ -155,14 +161,10 @@ final class ProgramRunner {
 
   /** Runs a paused program to its next line; holds one that runs, or one that it starts. */
   void step() {
-    Optional<DebugState.Stop> stop = session.state().debug().stop();
-    if (stop.isPresent()) {
-      int thread = stop.get().thread();
-      send(new DebugCommand.Debug(debugger -> debugger.stepOver(thread)));
-    } else if (session.state().program().state() == ProgramState.STOPPED) {
-      load(0, () -> send(new DebugCommand.Debug(Debugger::pause)));
-    } else {
-      send(new DebugCommand.Debug(Debugger::pause));
+    switch (ProgramPhase.of(session.state())) {
+      case STOPPED -> load(0, () -> send(new DebugCommand.Debug(Debugger::pause)));
+      case RUNNING -> send(new DebugCommand.Debug(Debugger::pause));
+      case PAUSED -> stepOver.run();
     }
   }
 

@@ -4,11 +4,11 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.pendant.desktop.program.TreeRuns;
 import org.pendant.desktop.session.ProgramControls;
+import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
-import org.pendant.script.vm.ProgramState;
 
 /** Run-from actions: start programs that are trees. */
 final class RunFrom {
@@ -67,7 +67,7 @@ final class RunFrom {
       return runner.whyLoading();
     }
     ProgramControls controls = ProgramControls.of(session.state());
-    if (controls.state() != ProgramState.STOPPED) {
+    if (controls.phase() != ProgramPhase.STOPPED) {
       return "Stop the program first";
     }
     return controls.whyNoRun().isEmpty()

@@ -11,7 +11,13 @@ import org.pendant.desktop.debug.DebugPresenter;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.program.TreeRuns;
 import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramPhase;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.shell.run.RunProgram;
+import org.pendant.language.source.ByteText;
 import org.pendant.script.vm.ProgramState;
 
 /** Started run: the program that was started last, for the Run screen. */
@@ -19,6 +25,8 @@ final class StartedRun implements RunProgram {
   /** Least time between two looks at the turns, ms. */
   private static final long PERIOD_MS = 200;
 
+  private final RobotSession session;
+  private final Programs programs;
   private final ProgramRunner runner;
   private final DebugPresenter debug;
   private final TreeRuns runs;
@@ -27,6 +35,10 @@ final class StartedRun implements RunProgram {
   private final Consumer<RunNode> showNode;
   private long lookedMs;
   private boolean ran;
+  private ProgramDocument front;
+
+  /** The run from whose program people have turned to another one. */
+  private RunTime left = RunTime.NONE;
 
   /**
    * The program that {@code runner} started last.
@@ -34,18 +46,58 @@ final class StartedRun implements RunProgram {
    * @param showLine shows a line of what runs
    */
   StartedRun(
+      RobotSession session,
+      Programs programs,
       ProgramRunner runner,
       DebugPresenter debug,
       TreeRuns runs,
       ActiveInstallation installation,
       IntConsumer showLine,
       Consumer<RunNode> showNode) {
+    this.session = session;
+    this.programs = programs;
+    front = programs.current();
+    programs.addListener(this::follow);
     this.runner = runner;
     this.debug = debug;
     this.runs = runs;
     this.installation = installation;
     this.showLine = showLine;
     this.showNode = showNode;
+  }
+
+  /** Another program may be in front. */
+  private void follow() {
+    if (front != programs.current()) {
+      front = programs.current();
+      if (ProgramPhase.of(session.state()) == ProgramPhase.STOPPED) {
+        left = session.runTime();
+      }
+    }
+  }
+
+  @Override
+  public Optional<String> next() {
+    return Optional.of(programs.current().name());
+  }
+
+  /** A program of others goes by the name that it gives itself. */
+  @Override
+  public String name(ControllerState state) {
+    String own = ByteText.decoded(state.program().name());
+    return session.strangerLast() && !own.isEmpty()
+        ? own + " (sent from outside)"
+        : runner.program().map(ProgramDocument::name).orElse(own);
+  }
+
+  @Override
+  public boolean left(ControllerState state) {
+    return ProgramPhase.of(state) == ProgramPhase.STOPPED && left.equals(time());
+  }
+
+  @Override
+  public RunTime time() {
+    return session.runTime();
   }
 
   @Override

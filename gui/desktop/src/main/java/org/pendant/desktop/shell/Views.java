@@ -86,6 +86,7 @@ final class Views {
     debug = new DebugPresenter(workbench, programs);
     link = new EditorLink(editor, debug, programs);
     runner.beforeEachRun(link::beforeRun);
+    runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
     past = new PastViews(workbench, programs, editor);
@@ -114,9 +115,10 @@ final class Views {
         new RunView(
             workbench,
             workbench.actions(),
-            programs,
             past.run(
                 new StartedRun(
+                    session,
+                    programs,
                     runner,
                     debug,
                     runs,

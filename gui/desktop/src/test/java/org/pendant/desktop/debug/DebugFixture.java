@@ -6,6 +6,7 @@ import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
@@ -15,6 +16,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.kit.settings.Settings;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.ProgramState;
 
 /** A program, a controller that the test drives, and the presenter between them. */
@@ -80,6 +82,22 @@ final class DebugFixture {
     var _ =
         submit(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
     advance();
+  }
+
+  /** Starts the program. */
+  void start() {
+    start(RunScript.whole(document.source()));
+  }
+
+  /** Resumes a program that the debugger has paused. */
+  void resume() {
+    var _ = submit(new DebugCommand.Debug(Debugger::resume));
+  }
+
+  /** Pauses the program as an operator does. */
+  void pause() {
+    var _ = submit(new ProgramCommand.PauseProgram());
+    refresh();
   }
 
   /** Runs the program until it is held or has ended. */

@@ -102,20 +102,35 @@ final class DebugPresenterTest {
   void aRunningProgramIsHeldOnRequest() {
     fixture.breakAt(9);
     fixture.run();
-    debug.steps().resume();
+    fixture.resume();
     fixture.frames(3);
     assertTrue(debug.steps().canPause());
     debug.steps().pause();
     fixture.frames(1);
-    assertEquals("Paused on line 9", debug.stopText());
+    assertEquals("Paused at line 9", debug.stopText());
     assertFalse(debug.steps().canPause());
+  }
+
+  @Test
+  void aStepFromAPauseEndsBeforeTheNextStatement() {
+    DebugFixture waiting =
+        new DebugFixture("def program():", "  sleep(1)", "  textmsg(1)", "  sleep(1)", "end");
+    waiting.start();
+    waiting.frames(3);
+    waiting.pause();
+    assertTrue(waiting.debug().steps().canStep());
+    assertFalse(waiting.debug().steps().canKill());
+    waiting.debug().steps().over();
+    waiting.advance();
+    assertEquals("Stepped to line 3", waiting.debug().stopText());
+    assertEquals(3, waiting.debug().executionLine());
   }
 
   @Test
   void valuesLingerForAStepAndGoWhenTheProgramRunsOn() {
     fixture.breakAt(9);
     fixture.run();
-    debug.steps().resume();
+    fixture.resume();
     fixture.frames(10);
     assertFalse(debug.held());
     assertTrue(debug.showsValues());
@@ -127,7 +142,7 @@ final class DebugPresenterTest {
 
   @Test
   void refusalsAreTold() {
-    debug.steps().resume();
+    debug.steps().over();
     assertEquals(List.of("Refused: the program is not paused"), fixture.told());
   }
 

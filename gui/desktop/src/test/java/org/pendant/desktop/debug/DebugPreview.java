@@ -9,6 +9,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
@@ -17,6 +18,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.theme.PreviewLook;
 import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.Program;
 
 /** Shows the panels of the debugger: {@code DebugPreview light|dark WIDTH HEIGHT held|idle}. */
@@ -100,7 +102,7 @@ public final class DebugPreview {
               ValueTree tree = debug.variables();
               tree.toggle(DebugFixture.row(tree, "parts"));
               tree.assign(DebugFixture.row(tree, "count"), "\"many\"");
-              debug.steps().resume();
+              var _ = session.submit(new DebugCommand.Debug(Debugger::resume));
             });
     later.setRepeats(false);
     later.start();

@@ -56,7 +56,7 @@ final class OpenBreakpointsTest {
     fixture.breakAt(4);
     fixture.run();
     fixture.breakAt(6);
-    debug.steps().resume();
+    fixture.resume();
     fixture.advance();
     assertEquals("Breakpoint on line 6", debug.stopText());
   }

@@ -109,7 +109,7 @@ final class PartialRunTest {
     fixture.breakAt(line(SECOND));
     fixture.run(part(0));
     assertEquals(line(SECOND), fixture.execution().line());
-    debug.steps().resume();
+    fixture.resume();
     fixture.advance();
     assertTrue(debug.held());
     assertEquals(line(SECOND), fixture.execution().line());

@@ -32,6 +32,11 @@ final class ThreadWatchTest {
             DebugLink.Request<T> request, Consumer<T> answer, Consumer<String> refusal) {
           asked.add(found -> answer.accept((T) found));
         }
+
+        @Override
+        public void resume(Consumer<String> refusal) {
+          throw new AssertionError("it only looks");
+        }
       };
 
   private final ThreadWatch watch = new ThreadWatch(link, () -> nowMs, () -> changes++);

@@ -130,6 +130,7 @@ final class ArmReadinessTest {
     send(new ProgramCommand.PauseProgram());
     assertTrue(controls().canResume());
     assertFalse(controls().canStart());
-    assertEquals("The program is paused: resume it first", controls().whyNoStep());
+    assertEquals("The program is paused already", controls().whyNoPause());
+    assertEquals("", controls().whyNoStep());
   }
 }

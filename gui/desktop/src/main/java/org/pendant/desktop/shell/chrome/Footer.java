@@ -15,7 +15,7 @@ import org.pendant.controller.Pace;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.session.ProgramControls;
+import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.action.ActionButton;
 import org.pendant.kit.action.ActionItem;
@@ -208,8 +208,7 @@ public final class Footer extends JPanel {
     frameStep.refresh();
     showRun(state);
     buttons.forEach(ActionButton::refresh);
-    String content =
-        readiness.words() + frameStep.isVisible() + ProgramControls.of(state).canResume();
+    String content = readiness.words() + frameStep.isVisible() + ProgramPhase.of(state);
     if (!content.equals(fitted)) {
       fitted = content;
       squeeze.fit();
@@ -217,7 +216,7 @@ public final class Footer extends JPanel {
   }
 
   private void showRun(ControllerState state) {
-    String word = ProgramControls.of(state).canResume() ? "Resume" : "Run";
+    String word = ProgramPhase.of(state).runWord();
     if (constraints.equals(WORDED) && !word.equals(run.getText())) {
       run.setText(word);
     }

@@ -19,12 +19,12 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Badge;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmLibrary;
-import org.pendant.script.vm.ProgramState;
 
 /** Header: which program and robot this is, and the modes. */
 @SuppressWarnings("serial") // never written to a stream
@@ -163,8 +163,7 @@ public final class Header extends JPanel {
             now.safety().robotMode(),
             now.safety().safetyMode(),
             now.safety().checksum(),
-            now.program().state(),
-            now.debug().held());
+            ProgramPhase.of(now));
     if (!modes.equals(fitted)) {
       fitted = modes;
       squeeze.fit();
@@ -185,11 +184,8 @@ public final class Header extends JPanel {
     SafetyMode safety = now.safety().safetyMode();
     safetyMode.show(safetyText(safety), color(safety));
     checksum.show(now.safety().checksum().toString(), Palette::quiet);
-    ProgramState program = now.program().state();
-    boolean held = now.debug().held();
-    programState.show(
-        words("Program ", held ? "in debugger" : StateWords.of(program)),
-        color(held ? ProgramState.PAUSED : program));
+    ProgramPhase program = ProgramPhase.of(now);
+    programState.show(words("Program ", program.word()), color(program));
   }
 
   private String words(String what, String how) {
@@ -219,8 +215,8 @@ public final class Header extends JPanel {
     };
   }
 
-  private static Supplier<Color> color(ProgramState state) {
-    return switch (state) {
+  private static Supplier<Color> color(ProgramPhase phase) {
+    return switch (phase) {
       case RUNNING -> Palette::ok;
       case PAUSED -> Palette::warning;
       case STOPPED -> Palette::quiet;

@@ -3,31 +3,37 @@ package org.pendant.desktop.shell.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.IntUnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
+import org.pendant.desktop.session.ProgramPhase;
+import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.pose.Pose;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.vm.Ending;
-import org.pendant.script.vm.ProgramState;
 
 /**
  * Run facts: what the Run screen says about a snapshot, in words.
  *
- * @param state of the program and how the last one ended
- * @param failed whether the last one ended by an error
+ * @param title the program that runs, or that will
+ * @param state of the program, or how the last one ended
+ * @param failed whether that was by an error
+ * @param elapsed how long the program has run without its pauses; empty where nobody knows
+ * @param paused how long the pauses took; empty for less than a second
  * @param line number of the line that was reached and its text; empty when no program runs
  * @param waiting how many popups and questions are open; empty for none
  * @param tcp position (mm) and rotation vector (rad) of the TCP in the base, six texts
  * @param joints joint positions in degrees, six texts
  */
 record RunFacts(
+    String title,
     String state,
     boolean failed,
+    String elapsed,
+    String paused,
     String line,
     String waiting,
     List<String> tcp,
@@ -47,22 +53,42 @@ record RunFacts(
   /**
    * The facts of a snapshot.
    *
-   * @param lineText text of the line that was reached
-   * @param shown the line that people see for one of what runs; 0 where they see none
+   * @param run the program that runs in it, or ran last
    */
-  static RunFacts of(ControllerState state, String lineText, IntUnaryOperator shown) {
+  static RunFacts of(ControllerState state, RunProgram run) {
     ProgramStatus program = state.program();
+    boolean left = run.left(state);
+    RunTime time = left ? RunTime.NONE : run.time();
+    int line = program.line();
     return new RunFacts(
-        state
-            .debug()
-            .stop()
-            .map(stop -> heldText(stop, shown))
-            .orElseGet(() -> stateText(program, shown)),
-        program.failed(),
-        line(shown.applyAsInt(program.line()), lineText),
+        title(state, run),
+        stateText(state, run),
+        program.failed() && !left,
+        time.known() ? clock(time.ranS(state.timeS())) : "",
+        pausedText(time.pausedS(state.timeS())),
+        line(run.shownLine(line), line == 0 ? "" : run.lineText(line)),
         waiting(state.openPopups().size(), state.openQuestions().size()),
         pose(state.arm().actualTcpInBase()),
         joints(state));
+  }
+
+  private static String title(ControllerState state, RunProgram run) {
+    boolean stopped = ProgramPhase.of(state) == ProgramPhase.STOPPED;
+    return run.next().filter(next -> stopped).map("Will run: "::concat).orElse(run.name(state));
+  }
+
+  private static String pausedText(double pausedS) {
+    if (pausedS < 1) {
+      return "";
+    }
+    return pausedS < 60
+        ? String.format(Locale.ROOT, "paused %d s", (int) pausedS)
+        : "paused " + clock(pausedS);
+  }
+
+  static String clock(double seconds) {
+    long tenths = Math.round(seconds * 10);
+    return String.format(Locale.ROOT, "%d:%02d.%d", tenths / 600, tenths / 10 % 60, tenths % 10);
   }
 
   private static String line(int line, String text) {
@@ -90,24 +116,37 @@ record RunFacts(
     };
   }
 
-  private static String heldText(DebugState.Stop stop, IntUnaryOperator shown) {
-    return "Paused before line " + shown.applyAsInt(stop.line());
+  private static String stateText(ControllerState state, RunProgram run) {
+    ProgramPhase phase = ProgramPhase.of(state);
+    String word = StateWords.capital(phase.word());
+    return switch (phase) {
+      case RUNNING -> word;
+      case PAUSED -> word + pausedPlace(state, run);
+      case STOPPED ->
+          state
+              .program()
+              .ending()
+              .filter(ending -> !run.left(state))
+              .map(ending -> "Last run: " + run.name(state) + ", " + ended(ending, run))
+              .orElse(word);
+    };
   }
 
-  private static String stateText(ProgramStatus program, IntUnaryOperator shown) {
-    if (program.state() != ProgramState.STOPPED) {
-      return StateWords.capital(StateWords.of(program.state()));
-    }
-    if (program.ending().isEmpty()) {
-      return "Stopped; nothing has run yet";
-    }
-    return switch (program.ending().get()) {
-      case Ending.Finished finished -> "Finished";
-      case Ending.Halted halted -> "Ended by halt";
-      case Ending.Stopped stopped -> "Stopped";
+  private static String pausedPlace(ControllerState state, RunProgram run) {
+    int line =
+        run.shownLine(
+            state.debug().stop().map(DebugState.Stop::line).orElse(state.program().line()));
+    return line == 0 ? "" : " at line " + line;
+  }
+
+  private static String ended(Ending ending, RunProgram run) {
+    return switch (ending) {
+      case Ending.Finished finished -> "finished";
+      case Ending.Halted halted -> "ended by halt";
+      case Ending.Stopped stopped -> "stopped";
       case Ending.Failed failed ->
-          "Failed in line "
-              + shown.applyAsInt(failed.failure().line())
+          "failed in line "
+              + run.shownLine(failed.failure().line())
               + ": "
               + ByteText.decoded(failed.failure().message());
     };

@@ -6,14 +6,22 @@ import java.util.OptionalLong;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.program.RunNode;
+import org.pendant.desktop.session.RunTime;
 
-/** Run program: what the Run screen asks about the program that was started last. */
+/** Run program: what the Run screen asks about the program that runs, or ran last. */
 public interface RunProgram {
 
-  /** What it is called; empty for as the program that is open. */
-  default Optional<String> name() {
-    return Optional.empty();
-  }
+  /** What the program is called that Run starts; empty while people look at the past. */
+  Optional<String> next();
+
+  /** What the program is called that runs in a snapshot, or ran last; empty before the first. */
+  String name(ControllerState state);
+
+  /** Whether people have turned to another program since the last one has ended. */
+  boolean left(ControllerState state);
+
+  /** How long it has run. */
+  RunTime time();
 
   /** Text of a line of what runs. */
   String lineText(int line);

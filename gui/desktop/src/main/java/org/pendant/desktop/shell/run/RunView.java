@@ -21,7 +21,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.VariablesView;
 import org.pendant.desktop.program.RunNode;
-import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionButton;
@@ -30,7 +30,7 @@ import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.FlushRow;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
-import org.pendant.language.source.ByteText;
+import org.pendant.script.variables.VariableSamples;
 
 /**
  * Run view: the screen to watch a program on: what it does, where the arm is, what is the matter.
@@ -44,7 +44,6 @@ public final class RunView implements View {
   private static final int NARROW_WIDTH = 660;
 
   private final Workbench workbench;
-  private final Programs programs;
   private final RunProgram run;
   private final MigLayout layout = new MigLayout(WIDE, WIDE_COLUMNS, "[][][][][grow]");
   private final JPanel content = new WideContent(layout);
@@ -52,6 +51,7 @@ public final class RunView implements View {
   private final JLabel name = new JLabel();
   private final JLabel state = new JLabel();
   private final JLabel elapsed = new JLabel();
+  private final JLabel paused = new JLabel();
   private final JLabel turns = new JLabel();
   private final JButton node = new JButton();
   private final JLabel line = new JLabel();
@@ -61,7 +61,6 @@ public final class RunView implements View {
   private final MessagesPanel messages = new MessagesPanel();
   private final NumbersPanel tcp = new NumbersPanel("run-tcp", "TCP in the base", RunFacts.POSE);
   private final NumbersPanel joints = new NumbersPanel("run-joints", "Joints", RunFacts.JOINTS);
-  private final RunTimer timer = new RunTimer();
   private Optional<RunNode> shownNode = Optional.empty();
   private final List<ActionButton> buttons;
   private boolean narrow;
@@ -69,7 +68,7 @@ public final class RunView implements View {
   /**
    * The Run screen.
    *
-   * @param run the program that was started last
+   * @param run the program that runs, or ran last
    * @param send has the controller do something, and tells when it is refused
    * @param favourites variables that come first
    * @param showBefore shows how it came to what happened at a time, s
@@ -77,13 +76,11 @@ public final class RunView implements View {
   public RunView(
       Workbench workbench,
       ActionTable actions,
-      Programs programs,
       RunProgram run,
       Consumer<Command> send,
       Favourites favourites,
       DoubleConsumer showBefore) {
     this.workbench = workbench;
-    this.programs = programs;
     this.run = run;
     variables = new VariablesPanel(favourites, () -> workbench.show(VariablesView.ID));
     stop = new StopPanel(send, run::showLine, showBefore);
@@ -128,12 +125,15 @@ public final class RunView implements View {
     name.putClientProperty("FlatLaf.styleClass", "h1");
     state.putClientProperty("FlatLaf.styleClass", "h3");
     elapsed.putClientProperty("FlatLaf.styleClass", "h2");
-    elapsed.setToolTipText("Robot time since the program was started");
+    elapsed.setToolTipText("Robot time that the program has run, without its pauses");
     line.putClientProperty("FlatLaf.styleClass", "monospaced");
     line.setToolTipText("The line that the main program has reached");
     name("run-name", name, "Program");
     name("run-state", state, "Program state");
     name("run-elapsed", elapsed, "Running time");
+    paused.putClientProperty("FlatLaf.styleClass", "h2");
+    paused.setToolTipText("Robot time in the pauses of this run");
+    name("run-paused", paused, "Paused time");
     turns.putClientProperty("FlatLaf.styleClass", "h2");
     turns.setToolTipText("How many times the main program has begun");
     name("run-turns", turns, "Turns of the main program");
@@ -151,6 +151,7 @@ public final class RunView implements View {
     card.add(state, "wmin 0");
     JPanel times = new FlushRow(24);
     times.add(elapsed);
+    times.add(paused);
     times.add(turns);
     card.add(times, "wmin 0");
     card.add(node, "wmin 0");
@@ -186,13 +187,17 @@ public final class RunView implements View {
   @Override
   public void refresh(ControllerState snapshot) {
     arrange();
-    int number = snapshot.program().line();
-    RunFacts facts = RunFacts.of(snapshot, number == 0 ? "" : run.lineText(number), run::shownLine);
-    show(name, programName(snapshot));
+    RunFacts facts = RunFacts.of(snapshot, run);
+    boolean left = run.left(snapshot);
+    show(name, facts.title());
+    name.setToolTipText(facts.title());
     show(state, facts.state());
+    state.setToolTipText(facts.state());
     state.setForeground(facts.failed() ? Palette.error() : name.getForeground());
-    show(elapsed, timer.take(snapshot));
-    show(turns, turnText(run.turns(snapshot)));
+    show(elapsed, facts.elapsed().isEmpty() ? " " : facts.elapsed());
+    show(paused, facts.paused());
+    paused.setForeground(Palette.quiet());
+    show(turns, left ? "" : turnText(run.turns(snapshot)));
     showNode(run.node(snapshot));
     show(line, facts.line().isEmpty() ? " " : facts.line());
     show(waiting, facts.waiting());
@@ -201,8 +206,12 @@ public final class RunView implements View {
     stop.refresh(snapshot);
     tcp.show(facts.tcp());
     joints.show(facts.joints());
-    variables.refresh(snapshot, run.installationVariables());
+    variables.refresh(
+        snapshot.program().name(),
+        left ? VariableSamples.NONE : snapshot.variables(),
+        run.installationVariables());
     messages.refresh(snapshot, workbench.session().robot());
+    buttons.getFirst().setText(ProgramPhase.of(workbench.session().state()).runWord());
     buttons.forEach(ActionButton::refresh);
   }
 
@@ -221,17 +230,6 @@ public final class RunView implements View {
       node.setToolTipText(now.isPresent() ? "Shows the node in the program: " + words : null);
       node.getAccessibleContext().setAccessibleName("Node " + words);
     }
-  }
-
-  /** A program of others goes by the name that it gives itself. */
-  private String programName(ControllerState snapshot) {
-    return run.name().orElseGet(() -> liveName(snapshot));
-  }
-
-  private String liveName(ControllerState snapshot) {
-    return workbench.session().strangerLast() && !snapshot.program().name().isEmpty()
-        ? ByteText.decoded(snapshot.program().name()) + " (sent from outside)"
-        : programs.current().name();
   }
 
   private static void show(JLabel label, String text) {

@@ -8,7 +8,6 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.installation.InstallationVariable;
-import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.Star;
 import org.pendant.kit.theme.Card;
@@ -82,20 +81,21 @@ final class VariablesPanel {
   }
 
   /**
-   * Shows a snapshot.
+   * Shows samples.
    *
+   * @param name of the program that they are of
    * @param installed variables that every program has
    */
-  void refresh(ControllerState state, List<InstallationVariable> installed) {
+  void refresh(String name, VariableSamples samples, List<InstallationVariable> installed) {
     none.setForeground(Palette.quiet());
     long nowMs = System.nanoTime() / 1_000_000;
-    boolean other = !state.program().name().equals(program) || !state.variables().equals(shown);
+    boolean other = !name.equals(program) || !samples.equals(shown);
     other |= !installed.equals(shownInstalled);
     if (stale || (other && nowMs - shownMs >= PERIOD_MS)) {
       stale = false;
-      shown = state.variables();
+      shown = samples;
       shownInstalled = installed;
-      program = state.program().name();
+      program = name;
       shownMs = nowMs;
       show(VariableFacts.of(shown, favourites.of(program), installed));
     }

@@ -5,19 +5,30 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.IntUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.message.Operator;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.program.RunNode;
+import org.pendant.desktop.session.RunTime;
+import org.pendant.script.debug.Debugger;
 
 final class RunFactsTest {
   private final Controller controller =
       new Controller(
           ControllerOptions.headless().withArm(ArmChoice.IDEAL).withOperator(Operator.present()));
+
+  private boolean left;
+  private RunTime time = RunTime.NONE;
 
   private void start(String text) {
     var _ =
@@ -26,8 +37,72 @@ final class RunFactsTest {
     controller.advance();
   }
 
-  private RunFacts facts(String lineText) {
-    return RunFacts.of(controller.state(), lineText, IntUnaryOperator.identity());
+  private RunFacts facts() {
+    return facts(IntUnaryOperator.identity());
+  }
+
+  private RunFacts facts(IntUnaryOperator shown) {
+    return RunFacts.of(controller.state(), new FakeRun(shown));
+  }
+
+  /** Program weld.script, which ran last, while pick.script is in front. */
+  private final class FakeRun implements RunProgram {
+    private final IntUnaryOperator shown;
+
+    FakeRun(IntUnaryOperator shown) {
+      this.shown = shown;
+    }
+
+    @Override
+    public Optional<String> next() {
+      return Optional.of("pick.script");
+    }
+
+    @Override
+    public String name(ControllerState state) {
+      return "weld.script";
+    }
+
+    @Override
+    public boolean left(ControllerState state) {
+      return left;
+    }
+
+    @Override
+    public RunTime time() {
+      return time;
+    }
+
+    @Override
+    public String lineText(int line) {
+      return "   sleep(1)";
+    }
+
+    @Override
+    public int shownLine(int line) {
+      return shown.applyAsInt(line);
+    }
+
+    @Override
+    public void showLine(int line) {}
+
+    @Override
+    public Optional<RunNode> node(ControllerState state) {
+      return Optional.empty();
+    }
+
+    @Override
+    public void show(RunNode node) {}
+
+    @Override
+    public OptionalLong turns(ControllerState state) {
+      return OptionalLong.empty();
+    }
+
+    @Override
+    public List<InstallationVariable> installationVariables() {
+      return List.of();
+    }
   }
 
   private void runFrames(int frames) {
@@ -37,67 +112,93 @@ final class RunFactsTest {
   @Test
   void beforeTheFirstProgramItSaysSo() {
     controller.advance();
-    assertEquals("Stopped; nothing has run yet", facts("").state());
-    assertEquals("", facts("").line());
-    assertEquals("-90.00\u00b0", facts("").joints().get(1));
-    assertEquals("0.00\u00b0", facts("").joints().get(0));
+    assertEquals("Will run: pick.script", facts().title());
+    assertEquals("Stopped", facts().state());
+    assertEquals("", facts().elapsed());
+    assertEquals("", facts().line());
+    assertEquals("-90.00\u00b0", facts().joints().get(1));
+    assertEquals("0.00\u00b0", facts().joints().get(0));
   }
 
   @Test
   void aRunningProgramShowsItsLine() {
     start("sleep(1)\n");
-    assertEquals("Running", facts("").state());
-    assertEquals("Line 1:  sleep(1)", facts("   sleep(1)").line());
+    assertEquals("weld.script", facts().title());
+    assertEquals("Running", facts().state());
+    assertEquals("Line 1:  sleep(1)", facts().line());
   }
 
   @Test
   void linesAreThoseThatPeopleSee() {
     start("sleep(1)\n");
-    assertEquals(
-        "Line 11:  sleep(1)",
-        RunFacts.of(controller.state(), "sleep(1)", line -> line + 10).line());
-    assertEquals("", RunFacts.of(controller.state(), "sleep(1)", line -> 0).line());
+    assertEquals("Line 11:  sleep(1)", facts(line -> line + 10).line());
+    assertEquals("", facts(line -> 0).line());
   }
 
   @Test
   void endingsAreToldApart() {
     start("sleep(0.1)\n");
     runFrames(100);
-    assertEquals("Finished", facts("").state());
+    assertEquals("Will run: pick.script", facts().title());
+    assertEquals("Last run: weld.script, finished", facts().state());
     start("halt\n");
     runFrames(10);
-    assertEquals("Ended by halt", facts("").state());
+    assertEquals("Last run: weld.script, ended by halt", facts().state());
     start("x = [1]\ny = x[3]\n");
     runFrames(10);
-    assertTrue(facts("").failed());
-    assertTrue(facts("").state().startsWith("Failed in line 2: "), facts("").state());
+    assertTrue(facts().failed());
+    assertTrue(
+        facts().state().startsWith("Last run: weld.script, failed in line 2: "), facts().state());
   }
 
   @Test
   void openPopupsAndQuestionsAreCounted() {
-    assertEquals("", facts("").waiting());
+    assertEquals("", facts().waiting());
     start("popup(\"a\")\nrequest_string_from_primary_client(\"b\")\n");
     runFrames(10);
-    assertEquals("A popup and a question open", facts("").waiting());
+    assertEquals("A popup and a question open", facts().waiting());
     var _ = controller.submit(new ProgramCommand.StopProgram());
     start("popup(\"a\")\npopup(\"b\", blocking=True)\n");
     runFrames(10);
-    assertEquals("2 popups open", facts("").waiting());
+    assertEquals("2 popups open", facts().waiting());
   }
 
   @Test
-  void theTimerStandsWhenTheProgramEnds() {
-    RunTimer timer = new RunTimer();
-    timer.take(controller.state());
-    start("sleep(2)\n");
-    timer.take(controller.state());
-    runFrames(750);
-    assertEquals("0:01.5", timer.take(controller.state()));
-    runFrames(500);
-    String end = timer.take(controller.state());
-    runFrames(500);
-    assertEquals(end, timer.take(controller.state()));
-    assertEquals("61:01.5", RunTimer.text(3661.5));
+  void theLastRunIsOverForThoseWhoHaveTurnedToAnotherProgram() {
+    start("x = [1]\ny = x[3]\n");
+    runFrames(10);
+    left = true;
+    time = new RunTime(0, 0, Double.NaN, 1);
+    assertEquals("Stopped", facts().state());
+    assertFalse(facts().failed());
+    assertEquals("", facts().elapsed());
+  }
+
+  @Test
+  void aProgramIsPausedAtItsLineWhoeverHasPausedIt() {
+    start("sleep(1)\nsleep(1)\n");
+    runFrames(600);
+    var _ = controller.submit(new ProgramCommand.PauseProgram());
+    runFrames(10);
+    assertEquals("Paused at line 2", facts().state());
+    assertEquals("Paused at line 12", facts(line -> line + 10).state());
+    assertEquals("Paused", facts(line -> 0).state());
+    var _ = controller.submit(new ProgramCommand.ResumeProgram());
+    var _ = controller.submit(new DebugCommand.Debug(Debugger::pause));
+    runFrames(1);
+    assertEquals("Paused at line 2", facts().state());
+  }
+
+  @Test
+  void thePausesOfARunAreToldApart() {
+    time = new RunTime(-20, 0, -10, Double.NaN);
+    assertEquals("0:10.0", facts().elapsed());
+    assertEquals("paused 10 s", facts().paused());
+    time = new RunTime(-20, 0.5, Double.NaN, Double.NaN);
+    assertEquals("", facts().paused());
+    time = new RunTime(-200, 65, Double.NaN, Double.NaN);
+    assertEquals("paused 1:05.0", facts().paused());
+    assertEquals("61:01.5", RunFacts.clock(3661.5));
   }
 
   @Test

@@ -1,0 +1,47 @@
+package org.pendant.desktop.session;
+
+/**
+ * Run time: how long a program has run in robot time, apart from its pauses. Times are in seconds
+ * since the controller was switched on.
+ *
+ * @param beganS when the program was started; NaN before the first
+ * @param pausedS how long the pauses before {@code pauseBeganS} took together
+ * @param pauseBeganS when the present pause began, NaN for none
+ * @param endedS when the program ended, NaN while it has not
+ */
+public record RunTime(double beganS, double pausedS, double pauseBeganS, double endedS) {
+  /** No program has run, or nobody knows since when it runs. */
+  public static final RunTime NONE = new RunTime(Double.NaN, 0, Double.NaN, Double.NaN);
+
+  static RunTime began(double timeS) {
+    return new RunTime(timeS, 0, Double.NaN, Double.NaN);
+  }
+
+  RunTime paused(double timeS) {
+    return new RunTime(beganS, pausedS, timeS, Double.NaN);
+  }
+
+  RunTime resumed(double timeS) {
+    return new RunTime(beganS, pausedS(timeS), Double.NaN, Double.NaN);
+  }
+
+  RunTime ended(double timeS) {
+    return new RunTime(beganS, pausedS(timeS), Double.NaN, timeS);
+  }
+
+  /** Whether there is a run to tell of. */
+  public boolean known() {
+    return !Double.isNaN(beganS);
+  }
+
+  /** How long the program has run until {@code timeS}, s. */
+  public double ranS(double timeS) {
+    double untilS = Double.isNaN(endedS) ? timeS : endedS;
+    return known() ? untilS - beganS - pausedS(untilS) : 0;
+  }
+
+  /** How long it was paused until {@code timeS}, s. */
+  public double pausedS(double timeS) {
+    return Double.isNaN(pauseBeganS) ? pausedS : pausedS + timeS - pauseBeganS;
+  }
+}
