@@ -18,7 +18,8 @@ import org.pendant.recording.compare.StartOfRun;
 /**
  * Recorded motion: the columns of recordings that a fit needs. Targets come before what was
  * measured: they have no noise, and the moments and currents of targets belong to them. Rows with
- * another declared payload than the last one are left out.
+ * another declared payload than the last one are left out, and those in which the drives have no
+ * target.
  */
 final class RecordedMotion {
   private static final StateQuantity TARGET_Q = StateQuantities.of("target_q");
@@ -60,7 +61,7 @@ final class RecordedMotion {
     List<Row> usable = new ArrayList<>();
     for (Samples each : this.recordings) {
       for (int row = 0; row < each.rows(); row++) {
-        if (hasLastPayload(each, row)) {
+        if (hasLastPayload(each, row) && hasTarget(each, row)) {
           usable.add(new Row(each, row));
         }
       }
@@ -78,6 +79,12 @@ final class RecordedMotion {
         .allMatch(
             each ->
                 Arrays.equals(samples.values(each, row), samples.values(each, samples.rows() - 1)));
+  }
+
+  /** Whether the drives had a target: without power, all its moments are 0. */
+  private static boolean hasTarget(Samples samples, int row) {
+    return !samples.has(TARGET_MOMENT)
+        || Arrays.stream(samples.values(TARGET_MOMENT, row)).anyMatch(moment -> moment != 0);
   }
 
   private boolean all(StateQuantity quantity) {

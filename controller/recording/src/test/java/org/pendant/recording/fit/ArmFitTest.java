@@ -1,6 +1,7 @@
 package org.pendant.recording.fit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -20,6 +21,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.FrictionCurve;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.models.identification.LoadFit;
 import org.pendant.recording.compare.Samples;
 import org.pendant.script.vm.ProgramState;
 
@@ -35,11 +37,15 @@ class ArmFitTest {
 
   private final ArmDescription arm = ArmLibrary.load("ur5e");
 
-  /** What a run of {@link #SWING} leaves of some quantities, every fourth frame. */
+  /**
+   * What a run of {@link #SWING} leaves of some quantities, every fourth frame; at first the drives
+   * have no target yet.
+   */
   private static Samples swing(String... names) {
     Controller controller = new Controller(ControllerOptions.headless());
     Samples.Builder samples =
         new Samples.Builder(Stream.of(names).map(StateQuantities::of).toList());
+    samples.add(controller.state());
     var _ =
         controller.submit(
             new ProgramCommand.StartProgram(TestController.program(controller, SWING)));
@@ -105,6 +111,15 @@ class ArmFitTest {
           2e-3,
           "joint " + i);
     }
+  }
+
+  @Test
+  void momentsAreExplainedButForThoseOfDrivesWithoutATarget() {
+    ArmFit fit =
+        fit(arm, swing("target_q", "target_qd", "target_qdd", "target_torque", "target_current"));
+
+    LoadFit.Found load = assertInstanceOf(LoadFit.Found.class, fit.load().orElseThrow());
+    assertEquals(0, load.rmsBeforeNm(), 1e-9);
   }
 
   @Test
