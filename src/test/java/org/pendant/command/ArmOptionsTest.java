@@ -75,7 +75,7 @@ final class ArmOptionsTest {
     double rampedS = endS(Launcher.pendant(folder, run("ramped.csv", "on")), "ramped.csv");
     double bareS = endS(Launcher.pendant(folder, run("bare.csv", "off")), "bare.csv");
 
-    assertEquals(0.079, rampedS - bareS, 2 * HALF_FRAME_S);
+    assertEquals(0.081, rampedS - bareS, 2 * HALF_FRAME_S);
   }
 
   private static String[] run(String table, String ramp) {

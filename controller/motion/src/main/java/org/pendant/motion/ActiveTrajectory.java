@@ -178,11 +178,11 @@ final class ActiveTrajectory {
 
   /**
    * Samples the motion a frame further, its time running evenly from one scaling to the next, and
-   * as the start of the program has it at the end of the frame.
+   * as fast as the start of the program has it when the frame begins.
    */
   private Optional<MotionFailure> sampleAfter(
       Motion motion, double framesBefore, double scalingBefore) {
-    step = 0.5 * (scalingBefore + time.scaling()) * time.start();
+    step = 0.5 * (scalingBefore + time.scaling()) * time.passes();
     frames = framesBefore + step;
     double timeS = atEnd(motion) ? motion.durationS() : frames * FrameTime.FRAME_S;
     sample.forgetFrames();

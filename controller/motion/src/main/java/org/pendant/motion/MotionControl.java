@@ -37,6 +37,8 @@ public final class MotionControl {
   private final MotionQueue motionQueue;
   private Optional<MotionFailure> fault = Optional.empty();
   private Optional<MotionFailure> newFault = Optional.empty();
+  private final JointNumbers speedBefore = new JointNumbers();
+  private final JointNumbers acceleration = new JointNumbers();
   private int framesAtRest = STEADY_FRAMES;
   private boolean startRamp;
 
@@ -183,7 +185,9 @@ public final class MotionControl {
   /** Gives the next target; step 3 of a frame. */
   public void step() {
     time.stepStartRamp();
+    speedBefore.set(jointSetpoint.speed());
     if (controlSource.guided() || controlSource.useTorque()) {
+      acceleration.setZero();
       framesAtRest = 0;
       return;
     }
@@ -199,6 +203,7 @@ public final class MotionControl {
       stopAtOnce(lost.get());
     }
     carryAside();
+    acceleration.setRate(speedBefore, jointSetpoint.speed());
     framesAtRest = jointSetpoint.speed().isZero() ? Math.min(framesAtRest + 1, STEADY_FRAMES) : 0;
   }
 
@@ -327,6 +332,7 @@ public final class MotionControl {
     motionQueue.giveUpAll(POWER_LOST);
     offsets.end();
     path.restAt(positionRad);
+    acceleration.setZero();
   }
 
   /**
@@ -353,6 +359,7 @@ public final class MotionControl {
       throw new PlanningException("robot-in-use", "the arm is moving, must be at rest");
     }
     path.restAt(positionRad);
+    acceleration.setZero();
   }
 
   /** Whether programs have a {@link StartRamp}; at first they have none. */
@@ -454,8 +461,11 @@ public final class MotionControl {
     return jointSetpoint.speed().joints();
   }
 
-  /** Target accelerations, rad/s². */
+  /**
+   * Target accelerations, rad/s²: by how much the target speeds have changed in the last frame over
+   * its time, as controllers publish them.
+   */
   public Joints accelerationRadPerS2() {
-    return jointSetpoint.acceleration().joints();
+    return acceleration.joints();
   }
 }

@@ -4,8 +4,9 @@ import org.pendant.models.time.FrameTime;
 
 /**
  * Start ramp: the time scale with which a program begins. It rises evenly from 0 to 1 while the
- * first 0.160 s of the program pass, whatever the program does in them, as on recorded arms; each
- * frame takes the scale of its end.
+ * first 0.160 s of the program pass, whatever the program does in them. As on recorded arms, to all
+ * their digits, a frame moves time on by the scale with which it begins, and its speeds are those
+ * of the scale with which it ends.
  */
 public final class StartRamp {
   /** How long it takes, s. */
@@ -17,8 +18,14 @@ public final class StartRamp {
   private double scale = 1;
   private double scaleBefore = 1;
 
-  /** A program begins. */
+  /**
+   * A program begins. One that begins a frame after another continues its ramp: in the first frame
+   * nothing moves, and programs that replace each other in every frame would never move.
+   */
   void begin() {
+    if (frame == 1) {
+      return;
+    }
     frame = 0;
     scale = 0;
     scaleBefore = 0;

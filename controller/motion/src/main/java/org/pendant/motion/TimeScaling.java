@@ -131,6 +131,11 @@ final class TimeScaling {
     return startRamp.scale();
   }
 
+  /** By how much of a frame the start of the program lets motion time run in this frame. */
+  double passes() {
+    return stopping ? 1 : startRamp.scaleBefore();
+  }
+
   /** A program begins with an arm at rest. */
   void beginStartRamp() {
     startRamp.begin();

@@ -173,7 +173,7 @@ final class JointServos implements Drives {
       middleQ[i] = (fromQ[i] + toQ[i]) / 2;
       middleQd[i] = (fromQd[i] + toQd[i]) / 2;
       meanQdd[i] = (toQd[i] - fromQd[i]) / FrameTime.FRAME_S;
-      double expected = between(i, lastQdd[i], load.qdd[i]);
+      double expected = meanBetween(i, lastQdd[i], load.qdd[i]);
       even &= Math.abs(meanQdd[i] - expected) <= EVEN_RAD_PER_S2;
     }
     if (!even) {
@@ -183,8 +183,8 @@ final class JointServos implements Drives {
       Actuator actuator = actuators.get(i);
       double speedDependentNm;
       if (even) {
-        feedNm[i] = between(i, lastMomentNm[i], load.momentNm[i]);
-        speedDependentNm = between(i, lastSpeedDependentNm[i], load.speedDependentNm[i]);
+        feedNm[i] = meanBetween(i, lastMomentNm[i], load.momentNm[i]);
+        speedDependentNm = middleBetween(i, lastSpeedDependentNm[i], load.speedDependentNm[i]);
       } else {
         feedNm[i] += actuator.rotorInertiaKgM2() * meanQdd[i];
         speedDependentNm = actuator.speedDependentNmSPerRad(middleQd[i]) * middleQd[i];
@@ -193,9 +193,14 @@ final class JointServos implements Drives {
     }
   }
 
-  /** The value in the middle of what joint {@code i} follows in this frame. */
-  private double between(int i, double last, double now) {
+  /** The value in the middle of what joint {@code i} follows in this frame, from those at ends. */
+  private double middleBetween(int i, double last, double now) {
     return last + (0.5 - lagShare[i]) * (now - last);
+  }
+
+  /** The mean in what joint {@code i} follows in this frame, from means of the target's frames. */
+  private double meanBetween(int i, double last, double now) {
+    return last + (1 - lagShare[i]) * (now - last);
   }
 
   @Override

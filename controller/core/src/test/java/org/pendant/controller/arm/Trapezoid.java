@@ -3,7 +3,10 @@ package org.pendant.controller.arm;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
-/** A straight move in joint space whose speed is a trapezoid over time. */
+/**
+ * A straight move in joint space whose speed is a trapezoid over time; its accelerations are means
+ * of frames, as those of targets are.
+ */
 record Trapezoid(Joints from, Joints to, double acceleration, double speed) {
 
   int frames() {
@@ -11,20 +14,31 @@ record Trapezoid(Joints from, Joints to, double acceleration, double speed) {
   }
 
   ArmCommand.Servo at(int frame) {
-    double t = Math.min(durationS(), frame * FrameTime.FRAME_S);
+    double t = timeS(frame);
     double left = durationS() - t;
     double rampS = speed / acceleration;
     double lengthRad = to.maxAbsDifference(from);
+    double sd = speedAt(frame);
+    double sdd = (sd - speedAt(frame - 1)) / FrameTime.FRAME_S;
     if (left == 0) {
-      return new ArmCommand.Servo(to, Joints.ZERO, Joints.ZERO);
+      return new ArmCommand.Servo(to, Joints.ZERO, along(lengthRad, 0, sdd).accelerationRadPerS2());
     }
     if (t < rampS) {
-      return along(acceleration * t * t / 2, acceleration * t, acceleration);
+      return along(acceleration * t * t / 2, sd, sdd);
     }
     if (left > rampS) {
-      return along(speed * (t - rampS / 2), speed, 0);
+      return along(speed * (t - rampS / 2), sd, sdd);
     }
-    return along(lengthRad - acceleration * left * left / 2, acceleration * left, -acceleration);
+    return along(lengthRad - acceleration * left * left / 2, sd, sdd);
+  }
+
+  private double timeS(int frame) {
+    return Math.clamp(frame * FrameTime.FRAME_S, 0, durationS());
+  }
+
+  private double speedAt(int frame) {
+    double t = timeS(frame);
+    return Math.min(speed, acceleration * Math.min(t, durationS() - t));
   }
 
   private double durationS() {
