@@ -1,12 +1,16 @@
 package org.pendant.recording;
 
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmFile;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Calibration;
 import org.pendant.models.calibration.CalibrationFile;
 import org.pendant.models.calibration.CalibrationTrouble;
+import org.pendant.models.json.JsonException;
 import org.pendant.models.time.FrameTime;
 
 /**
@@ -43,11 +47,24 @@ final class FileFormat {
 
   private FileFormat() {}
 
+  /** Where a recording comes from that a client of RTDE has made. */
+  private static final String RTDE = "rtde";
+
   /**
-   * Robot, frames per second, and the columns with the count of their numbers; then the calibration
-   * of the arm, if it has one.
+   * What a header says.
+   *
+   * @param arm that moves
+   * @param received whether a controller was listened to, instead of being looked into
    */
-  static void writeHeader(ArmDescription arm, ByteSink out) {
+  record Header(ArmDescription arm, boolean received) {}
+
+  /**
+   * Robot, frames per second, and the columns with the count of their numbers; then, as far as
+   * there is anything to be said, the calibration of the arm, the description of an arm that is not
+   * exactly its model, and where the recording comes from.
+   */
+  static void writeHeader(Header header, ByteSink out) {
+    ArmDescription arm = header.arm();
     out.text(arm.id());
     out.count(FrameTime.FRAMES_PER_SECOND);
     out.count(NumberGroup.COUNT);
@@ -59,17 +76,20 @@ final class FileFormat {
     for (SnapshotPart each : SnapshotPart.PARTS) {
       out.text(each.column());
     }
-    if (!arm.calibration().equals(Calibration.NONE)) {
-      out.text(CalibrationFile.text(arm.calibration()));
+    List<String> more = new ArrayList<>();
+    more.add(
+        arm.calibration().equals(Calibration.NONE) ? "" : CalibrationFile.text(arm.calibration()));
+    ArmDescription bare = arm.withCalibration(Calibration.NONE);
+    more.add(bare.equals(ArmLibrary.load(arm.id())) ? "" : ArmFile.text(bare));
+    more.add(header.received() ? RTDE : "");
+    while (!more.isEmpty() && more.getLast().isEmpty()) {
+      more.removeLast();
     }
+    more.forEach(out::text);
   }
 
-  /**
-   * Reads what {@link #writeHeader} has written and compares it with what this version knows.
-   *
-   * @return the arm
-   */
-  static ArmDescription readHeader(ByteSource in) throws MalformedBytes {
+  /** Reads what {@link #writeHeader} has written and compares it with what this version knows. */
+  static Header readHeader(ByteSource in) throws MalformedBytes {
     String robotId = in.text();
     if (!ArmLibrary.ids().contains(robotId)) {
       throw new MalformedBytes("its robot is not known here");
@@ -91,8 +111,30 @@ final class FileFormat {
     if (!found.equals(columns())) {
       throw new MalformedBytes("it has other columns than those of version " + VERSION);
     }
-    ArmDescription model = ArmLibrary.load(robotId);
-    return in.left() == 0 ? model : model.withCalibration(calibration(in.text()));
+    // older files end earlier, as there was nothing more that could be said
+    String calibration = in.left() == 0 ? "" : in.text();
+    String ownArm = in.left() == 0 ? "" : in.text();
+    String origin = in.left() == 0 ? "" : in.text();
+    if (!origin.isEmpty() && !origin.equals(RTDE)) {
+      throw new MalformedBytes("where it comes from is not known here");
+    }
+    ArmDescription arm = ownArm.isEmpty() ? ArmLibrary.load(robotId) : ownArm(robotId, ownArm);
+    return new Header(
+        calibration.isEmpty() ? arm : arm.withCalibration(calibration(calibration)),
+        !origin.isEmpty());
+  }
+
+  private static ArmDescription ownArm(String robotId, String text) throws MalformedBytes {
+    try {
+      ArmDescription arm =
+          ArmFile.read("its arm", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+      if (!arm.id().equals(robotId)) {
+        throw new MalformedBytes("its arm is a " + arm.id() + ", must be a " + robotId);
+      }
+      return arm;
+    } catch (JsonException e) {
+      throw new MalformedBytes("its arm cannot be read: " + e.getMessage());
+    }
   }
 
   private static Calibration calibration(String text) throws MalformedBytes {

@@ -140,6 +140,11 @@ enum NumberGroup {
     out[at] = state.executionTimeS();
   }
 
+  /** The place of a kept number among those that {@link #read} writes. */
+  static int placeOf(Column.Reading.Kept kept) {
+    return sizeOfAll(kept.group().bit() - 1) + kept.index();
+  }
+
   /** Where a component of a quantity is kept; empty if it is not. */
   static Optional<Column.Reading.Kept> keeping(StateQuantity quantity, int component) {
     for (NumberGroup group : GROUPS) {

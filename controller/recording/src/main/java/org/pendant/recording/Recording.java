@@ -9,6 +9,7 @@ import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.time.FrameTime;
+import org.pendant.script.variables.TracedVariables;
 
 /**
  * Recording: a stretch of what one controller did: of its {@link RecordingRing} at one moment, or
@@ -28,6 +29,7 @@ public final class Recording {
   private final long lastFrame;
   private final ProgramTexts texts;
   private final Snapshots snapshots;
+  private final boolean received;
 
   /** What was found when marks were asked for; empty before, or if there are none. */
   private volatile List<RecordingMark> marks = List.of();
@@ -38,23 +40,69 @@ public final class Recording {
    * @param stretches at least one, in the order of time
    * @param lastCount how many entries of the last one belong to it
    * @param lastFrame the last frame, whether it changed something or not
+   * @param received whether it is of a controller that was listened to, see {@link #received}
    */
   Recording(
       List<? extends SegmentRef> stretches,
       int lastCount,
       long lastFrame,
       ProgramTexts texts,
-      Snapshots snapshots) {
+      Snapshots snapshots,
+      boolean received) {
     this.stretches = stretches;
     this.lastCount = lastCount;
     this.texts = texts;
     this.snapshots = snapshots;
+    this.received = received;
     this.lastFrame = Math.max(lastFrame, stretches.getLast().firstFrame());
   }
 
   /** The arm that moves in it. */
   public ArmDescription arm() {
     return snapshots.arm();
+  }
+
+  /**
+   * Whether it is of a controller that was listened to, see {@link ReceivedRecording}, rather than
+   * of one of Pendant's own: what it does not tell is NaN, or nothing.
+   */
+  public boolean received() {
+    return received;
+  }
+
+  /**
+   * The columns that a controller which was listened to has sent, by their names; empty for a
+   * recording of a controller of Pendant's own.
+   */
+  public List<String> receivedColumns() {
+    return received ? atFrame(firstFrame()).traced().names() : List.of();
+  }
+
+  /** Takes what a controller has sent at once. */
+  public interface ReceivedRow {
+    /**
+     * The next row.
+     *
+     * @param numbers in the order of {@link #receivedColumns}
+     */
+    void take(TracedVariables numbers);
+  }
+
+  /** Shows the rows of {@link #receivedColumns}, oldest first, each once. */
+  public void receivedRows(ReceivedRow row) {
+    if (!received) {
+      return;
+    }
+    long[] shown = {firstFrame() - 1};
+    look(
+        firstFrame(),
+        lastFrame(),
+        entry -> {
+          if (entry.frame() > shown[0] && entry.changed(SnapshotPart.TRACED)) {
+            shown[0] = entry.frame();
+            row.take((TracedVariables) entry.part(SnapshotPart.TRACED));
+          }
+        });
   }
 
   /** Number of its first frame. */

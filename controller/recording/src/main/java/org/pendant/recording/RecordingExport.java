@@ -33,7 +33,8 @@ public final class RecordingExport {
     long to = Math.max(from, recording.frameAt(toS));
     // what was kept is kept again, however little it is
     try (out;
-        RecordingWriter writer = new RecordingWriter(out, recording.atFrame(from), 0)) {
+        RecordingWriter writer =
+            new RecordingWriter(out, recording.atFrame(from), 0, recording.received())) {
       ProgramTexts texts = recording.texts().from(from);
       for (RecordedProgram each : texts.all()) {
         if (each.frame() <= to) {

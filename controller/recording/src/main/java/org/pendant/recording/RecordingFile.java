@@ -18,7 +18,6 @@ import java.util.Optional;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 import org.pendant.language.source.Source;
-import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.time.FrameTime;
 
@@ -108,7 +107,7 @@ public final class RecordingFile {
 
   private Opened read() throws IOException {
     try (RandomAccessFile in = reading()) {
-      ArmDescription arm = header(in);
+      FileFormat.Header header = header(in);
       List<InFile> stretches = new ArrayList<>();
       ProgramTexts texts = ProgramTexts.NONE;
       long last = 0;
@@ -145,8 +144,9 @@ public final class RecordingFile {
             Optional.of(
                 file.getFileName() + " is cut off: it ends at " + Recording.timeS(last) + " s");
       }
-      Snapshots snapshots = new Snapshots(arm, new ForwardKinematics(arm));
-      return new Opened(new Recording(stretches, lastCount, last, texts, snapshots), warning);
+      Snapshots snapshots = new Snapshots(header.arm(), new ForwardKinematics(header.arm()));
+      return new Opened(
+          new Recording(stretches, lastCount, last, texts, snapshots, header.received()), warning);
     }
   }
 
@@ -167,7 +167,7 @@ public final class RecordingFile {
     return refused("block at byte " + block.place() + ": " + why);
   }
 
-  private ArmDescription header(RandomAccessFile in) throws IOException {
+  private FileFormat.Header header(RandomAccessFile in) throws IOException {
     byte[] bytes = new byte[FileFormat.MAGIC.length + 3 * Integer.BYTES];
     boolean whole = fill(in, bytes);
     if (!Arrays.equals(

@@ -78,7 +78,7 @@ public final class RecordingRing {
     ProgramTexts then = texts;
     Segment[] now = segments;
     int count = now[now.length - 1].published();
-    return new Recording(Arrays.asList(now), count, last, then, snapshots);
+    return new Recording(Arrays.asList(now), count, last, then, snapshots, false);
   }
 
   /** About how much memory is taken, bytes. For the thread that drives the controller. */

@@ -38,16 +38,22 @@ public final class RecordingWriter implements Closeable {
    * @param out gets the file, and is closed with the writer
    */
   public RecordingWriter(OutputStream out, ControllerState start) throws IOException {
-    this(out, start, SnapshotEncoder.AMBIENT_FRAMES);
+    this(out, start, SnapshotEncoder.AMBIENT_FRAMES, false);
   }
 
-  /** As the public constructor, with that of {@link SnapshotEncoder}. */
-  RecordingWriter(OutputStream out, ControllerState start, int ambientFrames) throws IOException {
+  /**
+   * As the public constructor.
+   *
+   * @param ambientFrames that of {@link SnapshotEncoder}
+   * @param received whether it is of a controller that is listened to
+   */
+  RecordingWriter(OutputStream out, ControllerState start, int ambientFrames, boolean received)
+      throws IOException {
     this.out = out;
     lastFrame = start.frame();
     snapshotEncoder = new SnapshotEncoder(start, next -> {}, full::add, ambientFrames);
     ByteSink header = new ByteSink();
-    FileFormat.writeHeader(start.arm().description(), header);
+    FileFormat.writeHeader(new FileFormat.Header(start.arm().description(), received), header);
     out.write(FileFormat.MAGIC);
     out.write(
         littleEndian(3 * Integer.BYTES)

@@ -36,6 +36,11 @@ record OutputFile(String name, Path path, boolean force) {
         : Optional.empty();
   }
 
+  /** As the other one, for one of the values of an option that may be given several times. */
+  static OutputFile of(Option option, String name, Arguments arguments) throws UsageException {
+    return at(option.name() + " " + name, name, arguments);
+  }
+
   /** As {@link #of}, for one that is named without an option. */
   static OutputFile at(String name, Arguments arguments) throws UsageException {
     return at(name, name, arguments);

@@ -1,31 +1,24 @@
 package org.pendant.command;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.OutputStreamWriter;
-import java.io.Writer;
 import java.net.ConnectException;
 import java.net.InetSocketAddress;
 import java.net.NoRouteToHostException;
 import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
-import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.disk.GrowingFile;
 import org.pendant.protocols.rtde.ReceivedField;
 import org.pendant.protocols.rtde.RtdeClient;
 
 /**
  * Command {@code pendant record}: writes what a controller, of Pendant or of a real robot, sends by
- * RTDE to a table.
+ * RTDE to a table or a recording.
  */
 final class RecordCommand implements Subcommand {
   /** A controller that sends nothing for so long is gone. */
@@ -43,7 +36,7 @@ final class RecordCommand implements Subcommand {
 
   @Override
   public String summary() {
-    return "write what a robot does to a table, by RTDE";
+    return "write what a robot does to a table or a .rec, by RTDE";
   }
 
   @Override
@@ -121,72 +114,56 @@ final class RecordCommand implements Subcommand {
       Interruption interruption,
       Console console)
       throws UsageException {
-    Optional<FileDraft> draft = Optional.empty();
+    List<ReceivedFile> files = new ArrayList<>();
     try {
-      OutputStream out;
-      if (options.out().replaces()) {
-        draft = Optional.of(FileDraft.replacing(options.out().path()));
-        out = draft.get().out();
-      } else {
-        out = GrowingFile.create(options.out().path());
+      for (OutputFile each : options.out()) {
+        files.add(
+            RecordOptions.isRecording(each)
+                ? ReceivedFile.recording(each, fields, options.arm().orElseThrow())
+                : ReceivedFile.table(each, fields, options.separator()));
       }
-      ExitCode code;
-      try (Writer table =
-          new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.US_ASCII))) {
-        code = new Rows(client, fields, options, table).write(interruption, console);
-      }
-      if (draft.isPresent()) {
-        draft.get().commit();
+      ExitCode code = new Rows(client, options, files).write(interruption, console);
+      for (ReceivedFile each : files) {
+        each.end();
       }
       return code;
-    } catch (IOException e) {
-      throw new UsageException(
-          options.out().name() + ": cannot be written, " + FileTrouble.reason(e));
     } finally {
-      if (draft.isPresent()) {
-        close(draft.get());
+      for (ReceivedFile each : files) {
+        close(each);
       }
     }
   }
 
-  private static void close(FileDraft draft) throws UsageException {
+  private static void close(ReceivedFile file) throws UsageException {
     try {
-      draft.close();
+      file.close();
     } catch (IOException e) {
-      throw new UsageException("the draft of the table stays: " + FileTrouble.reason(e));
+      throw new UsageException(
+          "the draft of " + file.shortName() + " stays: " + FileTrouble.reason(e));
     }
   }
 
-  /** The rows of the table. */
+  /** What the controller sends, row by row. */
   private static final class Rows {
     private static final int ROWS_A_FLUSH = 64;
 
     private final RtdeClient client;
-    private final List<ReceivedField> fields;
     private final RecordOptions options;
-    private final Writer table;
-    private final StringBuilder row = new StringBuilder();
+    private final List<ReceivedFile> files;
     private long count;
 
-    Rows(RtdeClient client, List<ReceivedField> fields, RecordOptions options, Writer table) {
+    Rows(RtdeClient client, RecordOptions options, List<ReceivedFile> files) {
       this.client = client;
-      this.fields = fields;
       this.options = options;
-      this.table = table;
+      this.files = files;
     }
 
     /**
      * Writes rows until there are enough, people want no more, or the controller is gone.
      *
-     * @throws IOException if the table cannot be written
+     * @throws UsageException if a file cannot be written
      */
-    ExitCode write(Interruption interruption, Console console) throws IOException {
-      String separator = String.valueOf(options.separator());
-      table.write(
-          fields.stream()
-              .flatMap(each -> each.columns().stream())
-              .collect(Collectors.joining(separator, "", "\n")));
-      table.flush();
+    ExitCode write(Interruption interruption, Console console) throws UsageException {
       double wanted = options.seconds().orElse(Double.POSITIVE_INFINITY) * options.frequencyHz();
       Optional<String> lost = Optional.empty();
       try {
@@ -209,14 +186,13 @@ final class RecordCommand implements Subcommand {
           lost = Optional.of("it sends nothing any more");
         }
       }
-      table.flush();
       String written =
           String.format(
               Locale.ROOT,
               "%d rows, %.1f s, are in %s",
               count,
               count / options.frequencyHz(),
-              options.out().path().getFileName());
+              files.stream().map(ReceivedFile::shortName).collect(Collectors.joining(", ")));
       if (lost.isPresent()) {
         console.complain("pendant record: the connection is lost, " + lost.get() + "; " + written);
         return ExitCode.UNAVAILABLE;
@@ -225,18 +201,13 @@ final class RecordCommand implements Subcommand {
       return ExitCode.DONE;
     }
 
-    private void write(ByteBuffer data) throws IOException {
-      row.setLength(0);
-      for (ReceivedField each : fields) {
-        if (!row.isEmpty()) {
-          row.append(options.separator());
-        }
-        each.append(data, options.separator(), row);
-      }
-      table.append(row.append('\n'));
+    private void write(ByteBuffer data) throws UsageException {
       count++;
-      if (count % ROWS_A_FLUSH == 0) {
-        table.flush();
+      for (ReceivedFile each : files) {
+        each.write(data);
+        if (count % ROWS_A_FLUSH == 0) {
+          each.flush();
+        }
       }
     }
   }

@@ -1,11 +1,16 @@
 package org.pendant.command;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.protocols.rtde.RtdeServer;
+import org.pendant.recording.ReceivedRecording;
 
 /**
  * Record options: what {@code pendant record} was asked for.
@@ -16,8 +21,9 @@ import org.pendant.protocols.rtde.RtdeServer;
  * @param chosen whether people have named the fields
  * @param frequencyHz how often a row is written
  * @param seconds how long; empty for until Ctrl-C
- * @param out the table
- * @param separator between its cells
+ * @param out tables and recordings
+ * @param separator between the cells of tables
+ * @param arm that the controller has; empty where that does not matter
  */
 record RecordOptions(
     String host,
@@ -26,8 +32,9 @@ record RecordOptions(
     boolean chosen,
     double frequencyHz,
     OptionalDouble seconds,
-    OutputFile out,
-    char separator) {
+    List<OutputFile> out,
+    char separator,
+    Optional<ArmDescription> arm) {
 
   /** What tells how an arm moves, and what a comparison needs. */
   static final List<String> STANDARD_FIELDS =
@@ -61,7 +68,14 @@ record RecordOptions(
           "robot_mode",
           "safety_mode",
           "runtime_state",
-          "script_control_line");
+          "script_control_line",
+          "actual_digital_input_bits",
+          "actual_digital_output_bits");
+
+  /** What a recording cannot do without. */
+  private static final List<String> NEEDED = List.of(ReceivedRecording.TIME, "actual_q");
+
+  private static final String RECORDING = ".rec";
 
   private static final double MAX_HZ = 500;
   private static final int MAX_PORT = 65_535;
@@ -88,8 +102,12 @@ record RecordOptions(
       Option.of("--seconds", RunOptions.SECONDS, "how long, default until Ctrl-C")
           .documented("20", "how long; without it until Ctrl-C");
   private static final Option OUT =
-      Option.output("--out", "FILE.csv", "the table to write")
-          .documented("mine.csv", "the table to write; must be given");
+      Option.output("--out", "FILE", "what to write: FILE.csv a table, FILE.rec a recording")
+          .repeated()
+          .documented(
+              "mine.csv",
+              "what to write: a table, or a [recording](recording.md) where the name ends in"
+                  + " `.rec`; must be given, and may be repeated to have both");
   private static final Option SEPARATOR =
       Option.of(
               "--separator",
@@ -101,36 +119,76 @@ record RecordOptions(
               "`space` (default, as UR's `record.py` has it), `comma`, `semicolon`, `tab`");
 
   static final List<Option> ALL =
-      List.of(HOST, PORT, FIELDS, FREQUENCY, SECONDS, OUT, OutputFile.FORCE, SEPARATOR);
+      List.of(
+          HOST,
+          PORT,
+          FIELDS,
+          FREQUENCY,
+          SECONDS,
+          OUT,
+          OutputFile.FORCE,
+          SEPARATOR,
+          RunOptions.ROBOT,
+          CalibrationOption.OPTION);
+
+  RecordOptions {
+    out = List.copyOf(out);
+  }
+
+  /** Whether a file is a {@code .rec}, by its name. */
+  static boolean isRecording(OutputFile file) {
+    return file.path().toString().toLowerCase(Locale.ROOT).endsWith(RECORDING);
+  }
 
   static RecordOptions of(Arguments arguments) throws UsageException {
-    Optional<OutputFile> out = OutputFile.of(OUT, arguments);
+    List<String> names = arguments.values(OUT);
+    Optional<ArmDescription> arm = arm(arguments);
+    List<OutputFile> out = new ArrayList<>();
+    for (String each : names) {
+      out.add(OutputFile.of(OUT, each, arguments));
+    }
     Optional<String> host = arguments.value(HOST);
     if (host.isEmpty() || host.get().isBlank()) {
       throw new UsageException("no controller named, expected " + HOST.usage());
     }
     if (out.isEmpty()) {
-      throw new UsageException("no table named, expected " + OUT.usage());
+      throw new UsageException("no file named, expected " + OUT.usage());
     }
-    if (out.get().path().toString().endsWith(".rec")) {
-      throw new UsageException(
-          OUT.name()
-              + " "
-              + out.get().path().getFileName()
-              + ": a .rec has everything that is in a controller, which RTDE does not tell; name a"
-              + " .csv");
+    if (new HashSet<>(names).size() < names.size()) {
+      throw new UsageException(OUT.name() + " names the same file twice");
     }
     Optional<String> named = arguments.value(FIELDS);
+    List<String> fields = named.isPresent() ? fields(named.get()) : STANDARD_FIELDS;
+    if (out.stream().anyMatch(RecordOptions::isRecording)) {
+      if (arm.isEmpty()) {
+        throw new UsageException(
+            "a .rec says which arm it is of, and RTDE does not tell: "
+                + RunOptions.ROBOT.usage()
+                + " is missing");
+      }
+      if (!fields.containsAll(NEEDED)) {
+        throw new UsageException(
+            FIELDS.name() + " must have " + String.join(" and ", NEEDED) + " for a .rec");
+      }
+    }
     OptionalInt port = arguments.whole(PORT);
     return new RecordOptions(
         host.get(),
         port.orElseThrow(),
-        named.isPresent() ? fields(named.get()) : STANDARD_FIELDS,
+        fields,
         named.isPresent(),
         arguments.number(FREQUENCY).orElseThrow(),
         arguments.number(SECONDS),
-        out.get(),
-        separator(arguments.word(SEPARATOR).orElseThrow()));
+        out,
+        separator(arguments.word(SEPARATOR).orElseThrow()),
+        arm);
+  }
+
+  private static Optional<ArmDescription> arm(Arguments arguments) throws UsageException {
+    ArmDescription model = RobotName.model(arguments);
+    ArmDescription arm =
+        model.withCalibration(CalibrationOption.of(arguments, Optional.empty(), model));
+    return arguments.has(RunOptions.ROBOT) ? Optional.of(arm) : Optional.empty();
   }
 
   private static List<String> fields(String text) throws UsageException {

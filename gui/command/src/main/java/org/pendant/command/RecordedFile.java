@@ -67,9 +67,21 @@ record RecordedFile(String name, Samples samples, List<String> notes) {
     }
   }
 
-  private static RecordedFile of(String name, RecordingFile.Opened opened) {
-    return new RecordedFile(
-        name, RecordedSamples.of(opened.recording()), opened.warning().stream().toList());
+  private static RecordedFile of(String name, RecordingFile.Opened opened) throws UsageException {
+    Samples samples = RecordedSamples.of(opened.recording());
+    if (samples.rows() < 2) {
+      throw new UsageException(name + " has " + samples.rows() + " samples, must be 2 or more");
+    }
+    return withSpeeds(name, samples, opened.warning().stream().toList());
+  }
+
+  private static RecordedFile withSpeeds(String name, Samples samples, List<String> notes) {
+    Samples withSpeeds = StartOfRun.withSpeeds(samples);
+    List<String> all = new ArrayList<>(notes);
+    if (!withSpeeds.equals(samples)) {
+      all.add("there are no joint speeds, they are worked out from the positions");
+    }
+    return new RecordedFile(name, withSpeeds, all);
   }
 
   /**
@@ -102,12 +114,7 @@ record RecordedFile(String name, Samples samples, List<String> notes) {
         new BufferedReader(
             new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8))) {
       SampleTable.Read read = SampleTable.read(name, in, periodS);
-      Samples withSpeeds = StartOfRun.withSpeeds(read.samples());
-      List<String> notes = new ArrayList<>(read.notes());
-      if (!withSpeeds.equals(read.samples())) {
-        notes.add("there are no joint speeds, they are worked out from the positions");
-      }
-      return new RecordedFile(name, withSpeeds, notes);
+      return withSpeeds(name, read.samples(), read.notes());
     }
   }
 }

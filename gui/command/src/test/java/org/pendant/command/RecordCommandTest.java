@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -14,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -23,6 +25,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.WallClock;
+import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.StateBroadcaster;
@@ -30,6 +33,8 @@ import org.pendant.protocols.rtde.RtdeServer;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
 import org.pendant.protocols.server.ServerContext;
+import org.pendant.recording.RecordingFile;
+import org.pendant.recording.compare.Samples;
 
 /** {@code pendant record} with a controller of Pendant's own. */
 @Tag("slow")
@@ -131,6 +136,65 @@ final class RecordCommandTest {
     assertEquals(ExitCode.DONE, code, complaints());
   }
 
+  private void start() {
+    var _ =
+        controller.submit(
+            new ProgramCommand.StartProgram(
+                controller.load(Source.of("move.script", PROGRAM)).program().orElseThrow(),
+                Optional.empty()));
+  }
+
+  private static Samples samples(Path file) throws UsageException {
+    return RecordedFile.read(file.toString(), file, OptionalDouble.empty()).samples();
+  }
+
+  @Test
+  void aRecordingHasTheColumnsOfTheTable() throws IOException, UsageException {
+    Path table = folder.resolve("out.csv");
+    Path out = folder.resolve("out.rec");
+    start();
+
+    ExitCode code =
+        record(port(), table, "--out", out.toString(), "--robot", "ur5e", "--seconds", "2");
+
+    assertEquals(ExitCode.DONE, code, complaints());
+    assertTrue(complaints().contains("250 rows, 2.0 s, are in out.csv, out.rec"), complaints());
+    Samples inTable = samples(table);
+    Samples inRecording = samples(out);
+    assertEquals(250, inTable.rows());
+    assertEquals(inTable.quantities(), inRecording.quantities());
+    assertEquals(inTable.rows(), inRecording.rows());
+    for (int row = 0; row < inTable.rows(); row++) {
+      assertEquals(inTable.timeS(row), inRecording.timeS(row));
+      for (StateQuantity each : inTable.quantities()) {
+        assertArrayEquals(
+            inTable.values(each, row), inRecording.values(each, row), each.name() + " " + row);
+      }
+    }
+    List<String> headings = List.of(Files.readAllLines(table).getFirst().split(" ", -1));
+    assertEquals(headings, RecordingFile.open(out).recording().receivedColumns());
+  }
+
+  @Test
+  void aRecordingCanBeComparedFittedAndMadeATable() throws IOException {
+    Path out = folder.resolve("out.rec");
+    Path program = Files.writeString(folder.resolve("move.script"), PROGRAM);
+    start();
+    assertEquals(
+        ExitCode.DONE, record(port(), out, "--robot", "ur5e", "--seconds", "2.5"), complaints());
+
+    assertEquals(
+        ExitCode.DONE,
+        pendant(List.of("compare", "--limit", "path-max=5", out.toString(), program.toString())),
+        complaints());
+    assertEquals(ExitCode.DONE, pendant(List.of("fit", out.toString())), complaints());
+    Path table = folder.resolve("made.csv");
+    assertEquals(
+        ExitCode.DONE, pendant(List.of("convert", out.toString(), table.toString())), complaints());
+    assertTrue(
+        Files.readAllLines(table).getFirst().contains(",var:timestamp,var:target_q_0"), "columns");
+  }
+
   @Test
   void fieldsThatThereAreNotAreRefused() {
     Path out = folder.resolve("out.csv");
@@ -160,8 +224,14 @@ final class RecordCommandTest {
     assertEquals(ExitCode.WRONG_USAGE, record(port(), out));
     assertTrue(complaints().contains("--force replaces it"), complaints());
     assertEquals("mine", Files.readString(out));
-    assertEquals(ExitCode.WRONG_USAGE, record(port(), folder.resolve("out.rec")));
-    assertTrue(complaints().contains("name a .csv"), complaints());
+    Path recording = folder.resolve("out.rec");
+    assertEquals(ExitCode.WRONG_USAGE, record(port(), recording));
+    assertTrue(complaints().contains("RTDE does not tell: --robot"), complaints());
+    assertEquals(
+        ExitCode.WRONG_USAGE,
+        record(port(), recording, "--robot", "ur5e", "--fields", "timestamp,target_q"));
+    assertTrue(complaints().contains("must have timestamp and actual_q"), complaints());
+    assertFalse(Files.exists(recording), "nothing was written");
     assertEquals(ExitCode.WRONG_USAGE, pendant(List.of("record")));
     assertTrue(complaints().contains("expected --host ROBOT"), complaints());
     assertEquals(ExitCode.DONE, record(port(), out, "--force", "--seconds", "0.1"), complaints());

@@ -13,7 +13,8 @@ import org.pendant.controller.rtde.FieldType;
  */
 public record ReceivedField(String name, FieldType type) {
 
-  private int count() {
+  /** How many numbers a value has. */
+  public int count() {
     return switch (type) {
       case BOOL, UINT8, UINT32, UINT64, INT32, DOUBLE -> 1;
       case VECTOR3D -> 3;
@@ -26,6 +27,27 @@ public record ReceivedField(String name, FieldType type) {
     return count() == 1
         ? List.of(name)
         : IntStream.range(0, count()).mapToObj(i -> name + "_" + i).toList();
+  }
+
+  /**
+   * Reads a value as numbers: 1 and 0 for true and false.
+   *
+   * @param data from which the value is taken
+   * @param numbers gets {@link #count} of them
+   * @param at the place of the first
+   */
+  public void read(ByteBuffer data, double[] numbers, int at) {
+    for (int i = 0; i < count(); i++) {
+      numbers[at + i] =
+          switch (type) {
+            case BOOL -> data.get() != 0 ? 1 : 0;
+            case UINT8 -> Byte.toUnsignedInt(data.get());
+            case UINT32, VECTOR6UINT32 -> Integer.toUnsignedLong(data.getInt());
+            case UINT64 -> data.getLong();
+            case INT32, VECTOR6INT32 -> data.getInt();
+            case DOUBLE, VECTOR3D, VECTOR6D -> data.getDouble();
+          };
+    }
   }
 
   /**
