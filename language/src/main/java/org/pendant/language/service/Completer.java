@@ -2,8 +2,10 @@ package org.pendant.language.service;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.pendant.language.check.FunctionScope;
@@ -24,7 +26,15 @@ final class Completer {
   private final List<Ranked> found = new ArrayList<>();
   private final Set<String> offered = new HashSet<>();
 
-  private record Ranked(Completion completion, Matching matching) {}
+  /** How often this text uses each name. */
+  private final Map<String, Integer> uses = new HashMap<>();
+
+  /**
+   * What is offered, and how near it is.
+   *
+   * @param rank among those of its kind, the least first
+   */
+  private record Ranked(Completion completion, Matching matching, int rank) {}
 
   private Completer(ScriptAnalysis analysis, int offset) {
     this.analysis = analysis;
@@ -41,12 +51,16 @@ final class Completer {
         .sorted(
             Comparator.comparing(Ranked::matching)
                 .thenComparing(ranked -> ranked.completion().kind())
+                .thenComparingInt(Ranked::rank)
                 .thenComparing(ranked -> ranked.completion().label()))
         .map(Ranked::completion)
         .toList();
   }
 
   private void collect() {
+    for (Occurrence each : analysis.index().all()) {
+      uses.merge(each.symbol().name(), 1, Integer::sum);
+    }
     switch (place.role()) {
       case NOTHING -> {}
       case OPERATOR -> keywords(Keywords.operators());
@@ -121,7 +135,9 @@ final class Completer {
           offer.label(),
           offer.description(),
           "",
-          pattern);
+          pattern,
+          List.of(),
+          0);
     }
   }
 
@@ -140,7 +156,9 @@ final class Completer {
             parameter.name() + "=",
             HoverTexts.described(parameter),
             "",
-            parameter.name() + "=" + Keywords.CARET);
+            parameter.name() + "=" + Keywords.CARET,
+            List.of(),
+            i);
       }
     }
   }
@@ -166,14 +184,39 @@ final class Completer {
   }
 
   private void name(Completion.Kind kind, String name) {
-    offer(kind, name, "", "", name + Keywords.CARET);
+    offer(kind, name, "", "", name + Keywords.CARET, List.of(), -uses.getOrDefault(name, 0));
   }
 
   private void call(Completion.Kind kind, Signature signature) {
     String name = signature.name();
     boolean empty = signature.parameters().isEmpty() && !name.equals(SymbolWalk.STRUCT);
     String pattern = parenthesised ? name + "|" : empty ? name + "()|" : name + "(|)";
-    offer(kind, name, detail(signature), firstSentence(signature.documentation()), pattern);
+    List<String> arguments =
+        parenthesised
+            ? List.of()
+            : signature.parameters().stream()
+                .filter(Parameter::required)
+                .map(Parameter::name)
+                .toList();
+    offer(
+        kind,
+        name,
+        detail(signature),
+        firstSentence(signature.documentation()),
+        pattern,
+        arguments,
+        rank(kind, signature));
+  }
+
+  /** What this text calls, most often first, then what other programs do; deprecated ones last. */
+  private int rank(Completion.Kind kind, Signature signature) {
+    int used = uses.getOrDefault(signature.name(), 0);
+    if (kind != Completion.Kind.BUILTIN || used > 0) {
+      return -used;
+    }
+    return signature.deprecated().isEmpty()
+        ? CommonFunctions.rank(signature.name())
+        : Integer.MAX_VALUE;
   }
 
   /** The head with the units of its parameters: {@code (q, a=1.4 rad/s², ...)}. */
@@ -200,7 +243,13 @@ final class Completer {
   }
 
   private void offer(
-      Completion.Kind kind, String label, String detail, String documentation, String pattern) {
+      Completion.Kind kind,
+      String label,
+      String detail,
+      String documentation,
+      String pattern,
+      List<String> arguments,
+      int rank) {
     Matching matching = Matching.of(place.prefix(), label);
     if (matching == Matching.NONE || !offered.add(kind + label)) {
       return;
@@ -209,7 +258,9 @@ final class Completer {
     String insert = pattern.substring(0, caret) + pattern.substring(caret + 1);
     found.add(
         new Ranked(
-            new Completion(kind, label, detail, documentation, place.word(), insert, caret),
-            matching));
+            new Completion(
+                kind, label, detail, documentation, place.word(), insert, caret, arguments),
+            matching,
+            rank));
   }
 }

@@ -1,5 +1,6 @@
 package org.pendant.language.service;
 
+import java.util.List;
 import org.pendant.language.source.SourceRange;
 
 /**
@@ -11,6 +12,8 @@ import org.pendant.language.source.SourceRange;
  * @param replaced what {@code insert} takes the place of: the word at the caret
  * @param insert the new text, which may have several lines
  * @param caret where in {@code insert} the caret belongs
+ * @param arguments names of the arguments that a call cannot do without, which an editor may put at
+ *     the caret, separated by commas, as places to fill in; empty if there are none
  */
 public record Completion(
     Kind kind,
@@ -19,9 +22,18 @@ public record Completion(
     String documentation,
     SourceRange replaced,
     String insert,
-    int caret) {
+    int caret,
+    List<String> arguments) {
 
-  /** What is offered, nearest first: among equally good matches the earlier kind comes first. */
+  /** Copies the names. */
+  public Completion {
+    arguments = List.copyOf(arguments);
+  }
+
+  /**
+   * What is offered, nearest first: among equally good matches the earlier kind comes first, and
+   * among those of a kind what this text, and then what programs at large use most.
+   */
   public enum Kind {
     /** {@code name=} in a call. */
     ARGUMENT,

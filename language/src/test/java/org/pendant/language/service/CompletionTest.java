@@ -48,6 +48,29 @@ final class CompletionTest {
   }
 
   @Test
+  void whatTheTextCallsMostComesFirstAndThenWhatProgramsCallMost() {
+    assertEquals(List.of("movej", "movel"), labels(inBody("mov|")));
+    assertEquals(
+        List.of("movel", "movej"), labels(inBody("movel(p1)\n  mov|"), Kind.BUILTIN).subList(0, 2));
+    assertEquals(
+        List.of("set_standard_digital_out", "set_analog_out", "set_digital_out"),
+        labels(inBody("set|"), Kind.BUILTIN));
+  }
+
+  @Test
+  void argumentsThatACallCannotDoWithoutArePlacesToFillIn() {
+    assertEquals(List.of("q"), offer(inBody("mo|"), "movej").arguments());
+    assertEquals(List.of("n", "b"), offer(inBody("ssdo|"), "set_standard_digital_out").arguments());
+    assertEquals(List.of(), offer(inBody("sy|"), "sync").arguments());
+    assertEquals(List.of(), offer(inBody("mo|([0, 0, 0, 0, 0, 0])"), "movej").arguments());
+  }
+
+  @Test
+  void namesOfArgumentsComeInTheirOrder() {
+    assertEquals(List.of("q=", "a=", "v="), labels(inBody("movej(|)"), Kind.ARGUMENT));
+  }
+
+  @Test
   void bracketsThatStandThereAreNotDoubled() {
     assertEquals("movej", offer(inBody("mo|([0, 0, 0, 0, 0, 0])"), "movej").insert());
     assertEquals("sync()", offer(inBody("sy|"), "sync").insert());

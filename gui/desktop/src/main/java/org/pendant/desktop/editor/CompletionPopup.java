@@ -184,10 +184,13 @@ final class CompletionPopup {
       return;
     }
     int caret = area.getCaretPosition();
-    Insertion insertion = Insertion.of(chosen, area.getText(), wordStart, caret);
+    Insertion insertion = Insertion.withArguments(chosen, area.getText(), wordStart, caret);
     inserting = true;
     area.make(List.of(insertion.edit()));
     area.setCaretPosition(insertion.caret());
+    if (!insertion.arguments().isEmpty()) {
+      area.tabStops().begin(insertion.arguments());
+    }
     inserting = false;
     inserted.run();
   }

@@ -47,6 +47,7 @@ final class ScriptArea extends RSyntaxTextArea {
   private IntConsumer typed = c -> {};
   private ExecutionBand band;
   private ScriptTyping typing;
+  private final TabStops tabStops;
   private int zoom;
 
   /**
@@ -92,6 +93,12 @@ final class ScriptArea extends RSyntaxTextArea {
     setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, Set.of());
     setToolTipText("");
     band = new ExecutionBand(this);
+    tabStops = new TabStops(this);
+  }
+
+  /** The arguments of completed calls that TAB goes to. */
+  TabStops tabStops() {
+    return tabStops;
   }
 
   /** Marks where the program is, and puts its note there. */

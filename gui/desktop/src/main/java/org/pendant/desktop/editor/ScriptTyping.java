@@ -43,6 +43,11 @@ final class ScriptTyping {
     int start = area.getSelectionStart();
     int end = area.getSelectionEnd();
     String selected = area.text(new TextSpan(start, end));
+    if (start < end && area.tabStops().selected()) {
+      area.insertPlain("");
+      write(c);
+      return;
+    }
     if (start < end) {
       boolean around = BracketPairs.surrounds(c) && selected.indexOf('\n') < 0;
       area.insertPlain(around ? own + selected + BracketPairs.closing(c) : own);

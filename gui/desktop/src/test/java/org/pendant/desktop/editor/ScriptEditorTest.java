@@ -1,12 +1,16 @@
 package org.pendant.desktop.editor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.KeyListener;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,6 +24,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 
 @Tag("slow")
@@ -87,6 +92,58 @@ final class ScriptEditorTest {
           "  if a == 1:\n    sync()\n    end".chars().forEach(this::type);
           assertEquals("  end", area.text(area.line(5)));
         });
+  }
+
+  @Test
+  void tabGoesFromOneArgumentOfACompletedCallToTheNextAndOut()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.setText("f(n, b)");
+          area.tabStops().begin(List.of(new TextSpan(2, 3), new TextSpan(5, 6)));
+          assertEquals("n", area.getSelectedText());
+          type('[');
+          type('1');
+          assertEquals("f([1], b)", area.getText());
+          press(KeyEvent.VK_TAB, 0);
+          assertEquals("b", area.getSelectedText());
+          press(KeyEvent.VK_TAB, InputEvent.SHIFT_DOWN_MASK);
+          assertEquals("[1]", area.getSelectedText());
+          press(KeyEvent.VK_TAB, 0);
+          "True".chars().forEach(this::type);
+          press(KeyEvent.VK_TAB, 0);
+          assertEquals("f([1], True)", area.getText());
+          assertEquals(area.getText().length(), area.getCaretPosition());
+          assertFalse(press(KeyEvent.VK_TAB, 0), "behind the call TAB is the text's again");
+        });
+  }
+
+  @Test
+  void aCallInAnArgumentIsFilledInBeforeTheNextArgument()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.setText("f(n, b)");
+          area.tabStops().begin(List.of(new TextSpan(2, 3), new TextSpan(5, 6)));
+          area.replaceRange("g(x)", 2, 3);
+          area.tabStops().begin(List.of(new TextSpan(4, 5)));
+          assertEquals("x", area.getSelectedText());
+          press(KeyEvent.VK_TAB, 0);
+          press(KeyEvent.VK_TAB, 0);
+          assertEquals("b", area.getSelectedText());
+          area.setCaretPosition(0);
+          assertFalse(press(KeyEvent.VK_TAB, 0), "outside of the call TAB is the text's");
+        });
+  }
+
+  /** Whether the key did not get to the text itself. */
+  private boolean press(int key, int modifiers) {
+    KeyEvent event =
+        new KeyEvent(area, KeyEvent.KEY_PRESSED, 0, modifiers, key, KeyEvent.CHAR_UNDEFINED);
+    for (KeyListener each : area.getKeyListeners()) {
+      each.keyPressed(event);
+    }
+    return event.isConsumed();
   }
 
   @Test

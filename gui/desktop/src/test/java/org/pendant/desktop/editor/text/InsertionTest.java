@@ -2,6 +2,7 @@ package org.pendant.desktop.editor.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.service.Completion;
@@ -29,6 +30,26 @@ final class InsertionTest {
   void functionsComeWithParenthesesAndTheCaretBetween() {
     assertEquals(
         "def main():\n  textmsg(|)\nend\n", chosen("def main():\n  text|\nend\n", "textmsg"));
+  }
+
+  @Test
+  void argumentsThatAreNeededStandBetweenThem() {
+    String text = "def main():\n  set_standard_dig\nend\n";
+    int caret = text.indexOf("\nend");
+    Completion completion =
+        AnalysedText.of("test.script", text, StandardBuiltins.create()).completions(caret).stream()
+            .filter(each -> each.label().equals("set_standard_digital_out"))
+            .findFirst()
+            .orElseThrow();
+    Insertion insertion =
+        Insertion.withArguments(completion, text, Insertion.wordStart(text, caret), caret);
+    String after = Edit.apply(text, List.of(insertion.edit()));
+    assertEquals("def main():\n  set_standard_digital_out(n, b)\nend\n", after);
+    assertEquals(
+        List.of("n", "b"),
+        insertion.arguments().stream()
+            .map(each -> after.substring(each.start(), each.end()))
+            .toList());
   }
 
   @Test
