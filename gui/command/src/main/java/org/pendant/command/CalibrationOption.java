@@ -60,7 +60,10 @@ final class CalibrationOption {
   private static byte[] bytes(String name, SourceFiles files) throws UsageException {
     if (!ArmCalibration.understands(name)) {
       throw new UsageException(
-          OPTION.name() + " is " + name + ", must end in .yaml, .yml, .conf or .urp");
+          OPTION.name()
+              + " is "
+              + name
+              + ", must end in .yaml, .yml, .conf, .urp or .installation");
     }
     return files.bytes("the calibration", name);
   }

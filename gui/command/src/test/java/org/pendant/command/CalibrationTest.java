@@ -118,6 +118,60 @@ class CalibrationTest {
   }
 
   @Test
+  void theKinematicsOfAnInstallationOfPolyScopeAreACalibration() throws IOException {
+    write("say.script", SAY);
+    write("calibration.conf", CONF);
+    Files.createDirectory(folder.resolve("cells"));
+    write(
+        "cells/default.installation",
+        """
+        <Installation><kinematics status="LINEARIZED" validChecksum="true">
+        <deltaTheta value="-2.41E-7, 1.60233952386695, -1.68607190752171, 0.0837331147700119, 0.0, 0.0"/>
+        <a value="2.122E-5, 0.0193171326277006, -0.569251663611088, -4.614E-5, -6.393E-5, 0.0"/>
+        <d value="0.180539811714259, 439.140974079901, -446.027059806332, 7.0603368964236, 0.11985, 0.11655"/>
+        <alpha value="1.5701463267948966, 0.0013941666682559, 0.00693818880325995, 1.5699847267948966, -1.5703852267948966, 0.0"/>
+        <jointChecksum value="1, 2, 3, 4, 5, 6"/></kinematics></Installation>
+        """);
+    assertEquals(
+        0, pendant("run", "--robot", "ur10e", "--calibration", "calibration.conf", "say.script"));
+    String expected = said();
+    assertEquals(
+        0,
+        pendant(
+            "run",
+            "--robot",
+            "ur10e",
+            "--installation",
+            "cells/default.installation",
+            "say.script"));
+    assertEquals("", complaints());
+    assertEquals(expected, said());
+    assertEquals(
+        0,
+        pendant(
+            "run",
+            "--robot",
+            "ur10e",
+            "--calibration",
+            "cells/default.installation",
+            "say.script"));
+    assertEquals(expected, said());
+    assertEquals(0, pendant("convert", "cells/default.installation", "cells/cell.pinst"));
+    assertEquals(
+        0, pendant("run", "--robot", "ur10e", "--installation", "cells/cell.pinst", "say.script"));
+    assertEquals(expected, said());
+  }
+
+  @Test
+  void anInstallationOfPolyScopeWithoutKinematicsIsNoCalibration() throws IOException {
+    write("say.script", SAY);
+    write("bare.installation", "<Installation/>");
+    assertEquals(0, pendant("run", "--installation", "bare.installation", "say.script"));
+    assertEquals(2, pendant("run", "--calibration", "bare.installation", "say.script"));
+    assertTrue(complaints().contains("bare.installation: describes no arm"), complaints());
+  }
+
+  @Test
   void aCalibrationThatIsNoneOfTheArmIsRefused() throws IOException {
     write("say.script", SAY);
     write("arm.conf", CONF.replace("439.14", "439.2"));
@@ -134,7 +188,8 @@ class CalibrationTest {
         complaints());
     assertEquals(2, pendant("run", "--calibration", "arm.txt", "say.script"));
     assertTrue(
-        complaints().contains("arm.txt, must end in .yaml, .yml, .conf or .urp"), complaints());
+        complaints().contains("arm.txt, must end in .yaml, .yml, .conf, .urp or .installation"),
+        complaints());
     write("none.urp", "<URProgram name=\"none\"><children/></URProgram>");
     assertEquals(2, pendant("run", "--calibration", "none.urp", "say.script"));
     assertTrue(complaints().contains("none.urp: describes no arm"), complaints());

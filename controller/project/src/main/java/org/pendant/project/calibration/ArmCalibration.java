@@ -7,6 +7,7 @@ import org.pendant.models.arm.Calibration;
 import org.pendant.models.calibration.CalibrationFile;
 import org.pendant.models.calibration.CalibrationTrouble;
 import org.pendant.models.kinematics.NominalDeviation;
+import org.pendant.project.installation.urp.UrInstallations;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.program.urp.UrpCalibration;
 import org.pendant.project.program.urp.UrpPrograms;
@@ -17,7 +18,7 @@ public final class ArmCalibration {
 
   /** True if the name is that of a file for {@link #read}. */
   public static boolean understands(String name) {
-    return isProgram(name) || CalibrationFile.understands(name);
+    return isProgram(name) || isInstallation(name) || CalibrationFile.understands(name);
   }
 
   /**
@@ -30,7 +31,9 @@ public final class ArmCalibration {
   public static Calibration read(String name, byte[] bytes, ArmDescription model)
       throws CalibrationTrouble {
     Calibration read =
-        isProgram(name) ? ofProgram(name, bytes, model) : CalibrationFile.read(name, bytes);
+        isProgram(name) || isInstallation(name)
+            ? ofPolyScope(name, bytes, model)
+            : CalibrationFile.read(name, bytes);
     Optional<String> refusal = NominalDeviation.refusal(model.withCalibration(read));
     if (refusal.isPresent()) {
       throw new CalibrationTrouble(name + " " + refusal.get());
@@ -42,16 +45,23 @@ public final class ArmCalibration {
     return name.toLowerCase(Locale.ROOT).endsWith(UrpPrograms.ENDING);
   }
 
-  private static Calibration ofProgram(String name, byte[] bytes, ArmDescription model)
+  private static boolean isInstallation(String name) {
+    return name.toLowerCase(Locale.ROOT).endsWith(UrInstallations.ENDING);
+  }
+
+  private static Calibration ofPolyScope(String name, byte[] bytes, ArmDescription model)
       throws CalibrationTrouble {
     try {
-      return UrpCalibration.read(bytes, model)
-          .orElseThrow(
-              () ->
-                  new CalibrationTrouble(
-                      name
-                          + ": describes no arm, expected kinematics with deltaTheta, a, d and"
-                          + " alpha"));
+      Optional<Calibration> read =
+          isProgram(name)
+              ? UrpCalibration.read(bytes, model)
+              : UrInstallations.calibration(bytes, model);
+      return read.orElseThrow(
+          () ->
+              new CalibrationTrouble(
+                  name
+                      + ": describes no arm, expected kinematics with deltaTheta, a, d and"
+                      + " alpha"));
     } catch (UnreadableFile e) {
       throw new CalibrationTrouble(name + ": " + e.getMessage());
     }

@@ -3,6 +3,7 @@ package org.pendant.project.installation.file;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -79,15 +80,24 @@ public final class InstallationFile {
     } catch (UnreadableFile e) {
       throw wrong(name, e);
     }
+    Installation installation =
+        read.calibrated()
+            ? read.installation().with(parts -> parts.calibration = lastPart(name))
+            : read.installation();
     if (variables.isEmpty()) {
-      return new LoadedInstallation(read.installation(), read.remarks());
+      return new LoadedInstallation(installation, read.remarks());
     }
     try {
       List<InstallationVariable> values = UrInstallations.variables(variables.get());
-      return new LoadedInstallation(read.installation().withVariables(values), read.remarks());
+      return new LoadedInstallation(installation.withVariables(values), read.remarks());
     } catch (UnreadableFile e) {
       throw wrong(variablesName, e);
     }
+  }
+
+  /** The name of a file in its folder. */
+  private static String lastPart(String name) {
+    return Path.of(name).getFileName().toString();
   }
 
   private static InstallationTrouble wrong(String name, UnreadableFile why) {

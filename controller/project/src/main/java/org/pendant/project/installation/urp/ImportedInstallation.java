@@ -8,8 +8,10 @@ import org.pendant.controller.installation.Installation;
  *
  * @param installation what was understood; the rest is as in a new one
  * @param remarks what was not understood
+ * @param calibrated whether the file describes the arm that it was made on
  */
-public record ImportedInstallation(Installation installation, List<String> remarks) {
+public record ImportedInstallation(
+    Installation installation, List<String> remarks, boolean calibrated) {
   public ImportedInstallation {
     remarks = List.copyOf(remarks);
   }

@@ -14,6 +14,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.polyscope.xml.XmlElement;
+import org.pendant.project.program.urp.UrpCalibration;
 
 /** Installation reader: takes out of one file what is known of its form. */
 final class InstallationReader {
@@ -70,9 +71,11 @@ final class InstallationReader {
                   top("SafetySettings").flatMap(each -> SafetySettingsReader.read(each, remarks));
               parts.transitionHardness = hardness().orElse(parts.transitionHardness);
             });
+    Optional<XmlElement> arm = UrpCalibration.element(root);
+    arm.ifPresent(each -> understood.add(each.name()));
     actionsOfOlderFiles();
     tellTheRest();
-    return new ImportedInstallation(installation, remarks);
+    return new ImportedInstallation(installation, remarks, arm.isPresent());
   }
 
   private Optional<XmlElement> top(String... names) {

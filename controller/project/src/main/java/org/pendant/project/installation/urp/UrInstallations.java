@@ -3,10 +3,14 @@ package org.pendant.project.installation.urp;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Calibration;
 import org.pendant.project.polyscope.xml.PackedXml;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
+import org.pendant.project.program.urp.UrpCalibration;
 
 /**
  * Installation import: reads installations of PolyScope and the values of their variables. Their
@@ -19,6 +23,8 @@ public final class UrInstallations {
   /** Ending of the names of files with values of variables. */
   public static final String VARIABLES_ENDING = ".variables";
 
+  private static final String ROOT = "Installation";
+
   private UrInstallations() {}
 
   /**
@@ -28,7 +34,21 @@ public final class UrInstallations {
    * @throws UnreadableFile if it is no installation
    */
   public static ImportedInstallation read(byte[] bytes) throws UnreadableFile {
-    return new InstallationReader(PackedXml.read(bytes, "Installation")).read();
+    return new InstallationReader(PackedXml.read(bytes, ROOT)).read();
+  }
+
+  /**
+   * Reads the calibration of the arm that an installation was made on, in the form that programs
+   * have. Public installations have none; see docs/calibration.md.
+   *
+   * @param bytes of the file, compressed or plain XML
+   * @param model the arm that it should be of
+   * @return empty if the installation describes no arm
+   * @throws UnreadableFile if it is no installation
+   */
+  public static Optional<Calibration> calibration(byte[] bytes, ArmDescription model)
+      throws UnreadableFile {
+    return UrpCalibration.of(PackedXml.read(bytes, ROOT), model);
   }
 
   /**

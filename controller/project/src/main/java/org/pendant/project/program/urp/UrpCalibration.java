@@ -10,8 +10,11 @@ import org.pendant.project.polyscope.xml.PackedXml;
 import org.pendant.project.polyscope.xml.UnreadableFile;
 import org.pendant.project.polyscope.xml.XmlElement;
 
-/** Calibration of the arm that a program of PolyScope 5 was made on. */
+/** Calibration of the arm that a program or an installation of PolyScope 5 was made on. */
 public final class UrpCalibration {
+  /** Names of the element that describes an arm: of a program, and of the places in it. */
+  private static final String[] KINEMATICS = {"kinematics", "Kinematics"};
+
   private UrpCalibration() {}
 
   /**
@@ -24,11 +27,26 @@ public final class UrpCalibration {
    */
   public static Optional<Calibration> read(byte[] bytes, ArmDescription model)
       throws UnreadableFile {
-    Optional<XmlElement> kinematics =
-        PackedXml.read(bytes, UrpProgramReader.ROOT).child("kinematics");
-    return kinematics.flatMap(
-        element ->
-            Arms.described(element, model).map(arm -> withChecksums(element, arm.calibration())));
+    return of(PackedXml.read(bytes, UrpProgramReader.ROOT), model);
+  }
+
+  /**
+   * Reads the calibration below the root of a file.
+   *
+   * @param model the arm that it should be of
+   * @return empty if the file describes no arm
+   */
+  public static Optional<Calibration> of(XmlElement root, ArmDescription model) {
+    return root.child(KINEMATICS)
+        .flatMap(
+            element ->
+                Arms.described(element, model)
+                    .map(arm -> withChecksums(element, arm.calibration())));
+  }
+
+  /** The element that describes an arm below the root of a file; empty if none does. */
+  public static Optional<XmlElement> element(XmlElement root) {
+    return root.child(KINEMATICS).filter(each -> Arms.described(each, Arms.of("")).isPresent());
   }
 
   private static Calibration withChecksums(XmlElement kinematics, Calibration calibration) {
