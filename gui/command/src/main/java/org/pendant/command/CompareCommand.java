@@ -132,8 +132,9 @@ final class CompareCommand implements Subcommand {
     String name = operands.getFirst();
     Path path = arguments.files().path(RECORDING, name);
     RunnableFile program = RunnableFile.read(arguments, operands.subList(1, 2)).getFirst();
-    RunOptions options = RunOptions.of(arguments, program.installation(), program.robot());
     RecordedFile recorded = RecordedFile.read(name, path, arguments.number(RecordedFile.FREQUENCY));
+    RunOptions options =
+        RunOptions.of(arguments, program.installation(), program.robot(), recorded.arm());
     InstallationOption.tell(arguments, console);
     program.tell(console);
     PayloadOptions carried = payload.or(recorded.samples());

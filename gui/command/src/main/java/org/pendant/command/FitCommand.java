@@ -6,11 +6,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmFile;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Gravity;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.identification.DriveFit;
 import org.pendant.models.identification.LoadFit;
@@ -51,7 +56,13 @@ final class FitCommand implements Subcommand {
   @Override
   public List<Option> options() {
     return Stream.concat(
-            Stream.of(RunOptions.ROBOT, OUT, OutputFile.FORCE, RecordedFile.FREQUENCY),
+            Stream.of(
+                RunOptions.ROBOT,
+                CalibrationOption.OPTION,
+                InstallationOption.OPTION,
+                OUT,
+                OutputFile.FORCE,
+                RecordedFile.FREQUENCY),
             PayloadOptions.ALL.stream())
         .toList();
   }
@@ -61,7 +72,12 @@ final class FitCommand implements Subcommand {
     if (arguments.operands().isEmpty()) {
       throw new UsageException("expected one recording or more, there is none");
     }
-    ArmDescription model = RobotName.model(arguments);
+    Optional<Installation> installation = InstallationOption.of(arguments);
+    Optional<ArmDescription> named =
+        arguments.has(RunOptions.ROBOT)
+            ? Optional.of(RobotName.model(arguments))
+            : installed(installation);
+    CalibrationOption.file(arguments, named);
     PayloadOptions payload = PayloadOptions.of(arguments);
     List<Path> paths = new ArrayList<>();
     for (String name : arguments.operands()) {
@@ -77,12 +93,15 @@ final class FitCommand implements Subcommand {
       file.notes().forEach(note -> console.print("note: " + file.name() + ": " + note));
       files.add(file);
     }
+    InstallationOption.tell(arguments, console);
+    ArmDescription model = arm(arguments, named, installation, files);
+    Gravity gravity = gravity(installation, files);
     List<Samples> recordings = files.stream().map(RecordedFile::samples).toList();
     Samples first = recordings.getFirst();
     Payload assumed = payload(payload.or(first.rows(first.rows() - 1, first.rows())));
     Optional<Payload> given =
         payload.massKg().isPresent() ? Optional.of(assumed) : Optional.empty();
-    ArmFit fit = ArmFit.of(model, recordings, given, assumed);
+    ArmFit fit = ArmFit.of(model, gravity, recordings, given, assumed);
     fit.notes().forEach(note -> console.print("note: " + note));
     print(model, fit, given, console);
     if (out.isPresent()) {
@@ -91,6 +110,64 @@ final class FitCommand implements Subcommand {
       out.get().write(stream -> stream.write(bytes));
     }
     return ExitCode.DONE;
+  }
+
+  private static Optional<ArmDescription> installed(Optional<Installation> installation) {
+    return installation.map(Installation::robot).flatMap(ArmLibrary::find).map(ArmLibrary::load);
+  }
+
+  /**
+   * The arm to begin with: the one that is named, or else that of the recordings, with its
+   * calibration.
+   */
+  private static ArmDescription arm(
+      Arguments arguments,
+      Optional<ArmDescription> named,
+      Optional<Installation> installation,
+      List<RecordedFile> files)
+      throws UsageException {
+    Optional<ArmDescription> recorded = Optional.empty();
+    for (RecordedFile each : files) {
+      if (named.isEmpty() && each.arm().isPresent()) {
+        ArmDescription arm = each.arm().get();
+        if (recorded.isPresent() && !recorded.get().equals(arm)) {
+          throw new UsageException(
+              each.name()
+                  + " is of another arm than a recording before it; "
+                  + RunOptions.ROBOT.usage()
+                  + " says which one is fitted");
+        }
+        recorded = Optional.of(arm);
+      }
+    }
+    ArmDescription model =
+        named.orElse(
+            recorded
+                .map(each -> each.withCalibration(Calibration.NONE))
+                .orElse(ArmLibrary.load(ControllerOptions.DEFAULT_ROBOT)));
+    Calibration calibration = CalibrationOption.of(arguments, installation, model);
+    return model.withCalibration(
+        calibration.equals(Calibration.NONE)
+            ? recorded.map(ArmDescription::calibration).orElse(Calibration.NONE)
+            : calibration);
+  }
+
+  /** As the installation says that the arm is mounted, or else as recordings do; upright else. */
+  private static Gravity gravity(Optional<Installation> installation, List<RecordedFile> files)
+      throws UsageException {
+    if (installation.isPresent()) {
+      Vector3 felt = installation.get().mounting().gravityInBaseMPerS2();
+      return new Gravity(felt.x(), felt.y(), felt.z());
+    }
+    List<Gravity> told =
+        files.stream().flatMap(each -> each.gravity().stream()).distinct().toList();
+    if (told.size() > 1) {
+      throw new UsageException(
+          "the arm is mounted in different ways in these recordings; "
+              + InstallationOption.OPTION.usage()
+              + " says how it is");
+    }
+    return told.isEmpty() ? Gravity.UPRIGHT : told.getFirst();
   }
 
   private static void refuseIfLacking(RecordedFile file) throws UsageException {

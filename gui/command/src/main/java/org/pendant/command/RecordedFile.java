@@ -9,7 +9,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.dynamics.Gravity;
+import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingFile;
 import org.pendant.recording.compare.MalformedTable;
 import org.pendant.recording.compare.RecordedSamples;
@@ -22,8 +26,10 @@ import org.pendant.recording.compare.StartOfRun;
  *
  * @param samples with joint speeds
  * @param notes what people should know of it
+ * @param recording what a {@code .rec} has besides
  */
-record RecordedFile(String name, Samples samples, List<String> notes) {
+record RecordedFile(
+    String name, Samples samples, List<String> notes, Optional<Recording> recording) {
   /** How often a row of a table without times was written. */
   static final Option FREQUENCY =
       Option.of(
@@ -72,16 +78,18 @@ record RecordedFile(String name, Samples samples, List<String> notes) {
     if (samples.rows() < 2) {
       throw new UsageException(name + " has " + samples.rows() + " samples, must be 2 or more");
     }
-    return withSpeeds(name, samples, opened.warning().stream().toList());
+    return withSpeeds(
+        name, samples, opened.warning().stream().toList(), Optional.of(opened.recording()));
   }
 
-  private static RecordedFile withSpeeds(String name, Samples samples, List<String> notes) {
+  private static RecordedFile withSpeeds(
+      String name, Samples samples, List<String> notes, Optional<Recording> recording) {
     Samples withSpeeds = StartOfRun.withSpeeds(samples);
     List<String> all = new ArrayList<>(notes);
     if (!withSpeeds.equals(samples)) {
       all.add("there are no joint speeds, they are worked out from the positions");
     }
-    return new RecordedFile(name, withSpeeds, all);
+    return new RecordedFile(name, withSpeeds, all, recording);
   }
 
   /**
@@ -96,6 +104,27 @@ record RecordedFile(String name, Samples samples, List<String> notes) {
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
+  }
+
+  /** The arm that moves in it, where that is told: in a {@code .rec}. */
+  Optional<ArmDescription> arm() {
+    return recording.map(Recording::arm);
+  }
+
+  /**
+   * Gravity as the arm felt it at the end, where that is told: in a {@code .rec} of a controller of
+   * Pendant's own.
+   */
+  Optional<Gravity> gravity() {
+    return recording
+        .filter(each -> !each.received())
+        .map(each -> each.atFrame(each.lastFrame()).readings().mounting())
+        .map(
+            mounting ->
+                new Gravity(
+                    mounting.gravityXMPerS2(),
+                    mounting.gravityYMPerS2(),
+                    mounting.gravityZMPerS2()));
   }
 
   private static void refuseDirectory(String name, Path path) throws UsageException {
@@ -114,7 +143,7 @@ record RecordedFile(String name, Samples samples, List<String> notes) {
         new BufferedReader(
             new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8))) {
       SampleTable.Read read = SampleTable.read(name, in, periodS);
-      return withSpeeds(name, read.samples(), read.notes());
+      return withSpeeds(name, read.samples(), read.notes(), Optional.empty());
     }
   }
 }

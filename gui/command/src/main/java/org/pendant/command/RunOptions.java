@@ -22,7 +22,9 @@ import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.language.source.ByteText;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
 
@@ -164,8 +166,22 @@ record RunOptions(
   static RunOptions of(
       Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
+    return of(arguments, ofProgram, armOfProgram, Optional.empty());
+  }
+
+  /**
+   * As the other one.
+   *
+   * @param recorded the arm of a recording, which counts unless the command line names another
+   */
+  static RunOptions of(
+      Arguments arguments,
+      Optional<Installation> ofProgram,
+      Optional<String> armOfProgram,
+      Optional<ArmDescription> recorded)
+      throws UsageException {
     ControllerOptions controller =
-        controller(arguments, ofProgram, armOfProgram)
+        controller(arguments, ofProgram, armOfProgram, recorded)
             .withOperator(Operator.headless(answers(arguments)));
     Optional<Double> speedFactor = speedFactor(arguments);
     if (speedFactor.isPresent()) {
@@ -185,17 +201,26 @@ record RunOptions(
 
   /** What {@link #OF_CONTROLLER} say. */
   static ControllerOptions controller(Arguments arguments) throws UsageException {
-    return controller(arguments, Optional.empty(), Optional.empty());
+    return controller(arguments, Optional.empty(), Optional.empty(), Optional.empty());
   }
 
   private static ControllerOptions controller(
-      Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
+      Arguments arguments,
+      Optional<Installation> ofProgram,
+      Optional<String> armOfProgram,
+      Optional<ArmDescription> recorded)
       throws UsageException {
     Optional<Installation> installation = InstallationOption.of(arguments).or(() -> ofProgram);
-    ControllerOptions model = robot(arguments, installation, armOfProgram);
+    boolean asRecorded = recorded.isPresent() && !arguments.has(ROBOT);
+    ControllerOptions model =
+        asRecorded
+            ? ControllerOptions.headless().withRobot(recorded.get())
+            : robot(arguments, installation, armOfProgram);
+    Calibration named = CalibrationOption.of(arguments, installation, model.arm());
     ControllerOptions controller =
         model
-            .withCalibration(CalibrationOption.of(arguments, installation, model.arm()))
+            .withCalibration(
+                asRecorded && named.equals(Calibration.NONE) ? recorded.get().calibration() : named)
             .withSeed(seed(arguments))
             .withInputs(safetyInputs(arguments))
             .withSignals(signals(arguments))

@@ -2,6 +2,7 @@ package org.pendant.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -18,9 +19,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmFile;
+import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Calibration;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.JsonFile;
+import org.pendant.recording.RecordingFile;
 
 /** {@code pendant compare}, mostly with recordings that Pendant has made itself. */
 @Tag("slow")
@@ -124,6 +130,52 @@ final class CompareCommandTest {
     assertEquals("ur5e", json(file("diff.json")).text("robot").value());
     String page = Files.readString(file("diff.html"));
     assertTrue(page.contains("<svg") && !page.contains("href=") && !page.contains("src="), page);
+  }
+
+  @Test
+  void theArmOfARecordingIsTheOneThatIsCompared() throws Exception {
+    String text = ArmFile.text(ArmLibrary.load("ur10e"));
+    String own = text.replace("\"massKg\" : 13.051", "\"massKg\" : 25");
+    assertFalse(own.equals(text), "another arm");
+    Files.writeString(file("own.json"), own);
+    Files.writeString(
+        file("arm.conf"),
+        """
+        delta_theta = [0.001, 0, 0, 0, 0, 0]
+        delta_a = [0, 0, 0, 0, 0, 0]
+        delta_d = [0.0004, 0, 0, 0, 0, 0]
+        delta_alpha = [0, 0, 0, 0, 0, 0]
+        """);
+    Path recorded = file("own.rec");
+    assertEquals(
+        ExitCode.DONE,
+        pendant(
+            "run",
+            "--robot",
+            file("own.json"),
+            "--calibration",
+            file("arm.conf"),
+            "--record",
+            recorded,
+            file("move.script")),
+        complaints());
+    ArmDescription arm = RecordingFile.open(recorded).recording().arm();
+    assertEquals(25, arm.links().get(1).massKg());
+    assertNotEquals(Calibration.NONE, arm.calibration());
+
+    // of the first frame, before which no moments are known, 1.3 Nm rms come
+    String[] limits = {"--limit", "target_moment=2", "--limit", "path-max=0.01"};
+    assertEquals(
+        ExitCode.DONE,
+        pendant("compare", limits[0], limits[1], limits[2], limits[3], recorded, move()),
+        said() + complaints());
+    assertEquals(
+        ExitCode.LIMIT_EXCEEDED,
+        pendant("compare", "--robot", "ur10e", limits[0], limits[1], recorded, move()));
+  }
+
+  private Path move() {
+    return file("move.script");
   }
 
   @Test

@@ -151,6 +151,42 @@ final class FitCommandTest {
   }
 
   @Test
+  void anArmOnAWallIsFittedAsItIsMounted() throws Exception {
+    Path wall =
+        Files.writeString(
+            file("wall.pinst"),
+            "pendant installation 1\nmounting tilt-rad=1.5707963 rotation-rad=0.4\n");
+    Path floor = Files.writeString(file("floor.pinst"), "pendant installation 1\n");
+    Path recorded = file("swing.rec");
+    assertEquals(
+        ExitCode.DONE,
+        pendant("run", "--installation", wall, "--record", recorded, file("swing.script")),
+        complaints());
+
+    assertEquals(ExitCode.DONE, pendant("fit", recorded), complaints());
+    String asRecorded = said();
+    assertTrue(asRecorded.contains("payload: 1.5 kg at 0.02, 0, 0.08 m"), asRecorded);
+    assertEquals(ExitCode.DONE, pendant("fit", "--installation", wall, recorded), complaints());
+    assertEquals(asRecorded, said());
+    assertEquals(ExitCode.DONE, pendant("fit", "--installation", floor, recorded), complaints());
+    assertFalse(said().contains("payload: 1.5 kg"), said());
+  }
+
+  @Test
+  void theArmOfARecordingIsTheOneToBeginWith() throws Exception {
+    Path own = Files.writeString(file("worn.json"), ArmFile.text(worn()));
+    Path recorded = record(own, "swing.rec");
+
+    assertEquals(ExitCode.DONE, pendant("fit", recorded), complaints());
+    String said = said();
+    assertEquals(ExitCode.DONE, pendant("fit", "--robot", own, recorded), complaints());
+    assertEquals(said, said());
+    Path model = record(Path.of("ur5e"), "model.rec");
+    assertEquals(ExitCode.WRONG_USAGE, pendant("fit", recorded, model));
+    assertTrue(complaints().contains("is of another arm than a recording before it"), complaints());
+  }
+
+  @Test
   void aRealArmIsExplainedBetterThanByItsDescription() throws Exception {
     ExitCode code =
         pendant(

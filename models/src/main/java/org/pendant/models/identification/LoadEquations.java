@@ -9,6 +9,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.models.dynamics.Gravity;
 import org.pendant.models.dynamics.Payload;
 
 /** Load equations: the linear system of {@link LoadFit} for one arm and its samples. */
@@ -25,10 +26,11 @@ final class LoadEquations {
   private final ArmDynamics dynamics;
   private final List<Integer> accelerated = new ArrayList<>();
 
-  LoadEquations(ArmDescription arm, List<ArmSample> samples) {
+  LoadEquations(ArmDescription arm, Gravity gravity, List<ArmSample> samples) {
     this.arm = arm;
     this.samples = samples;
     dynamics = new ArmDynamics(arm);
+    gravity.applyTo(dynamics);
     for (int i = 0; i < N; i++) {
       int joint = i;
       if (samples.stream()

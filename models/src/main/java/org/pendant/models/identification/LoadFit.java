@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.dynamics.Gravity;
 import org.pendant.models.dynamics.Payload;
 
 /**
@@ -11,7 +12,7 @@ import org.pendant.models.dynamics.Payload;
  *
  * <p>With the torque of the links known, {@code moment = links + m a + h b + J qdd}: linear in mass
  * m, first moment h = m c of the payload, and rotor inertia J of each joint. What the payload's own
- * extent adds, h h / m, is taken from the solution before. The arm stands upright.
+ * extent adds, h h / m, is taken from the solution before.
  */
 public sealed interface LoadFit {
   /** A payload of less than this, kg, counts as none: its centre of gravity would be noise. */
@@ -44,11 +45,16 @@ public sealed interface LoadFit {
   /**
    * Finds the rotor inertias, and the payload too where it is not given.
    *
+   * @param gravity as the arm is mounted
    * @param given the payload, if that is known
    * @param assumed the payload that counts before it is found
    */
   static LoadFit of(
-      ArmDescription arm, List<ArmSample> samples, Optional<Payload> given, Payload assumed) {
-    return new LoadEquations(arm, samples).solve(given, assumed);
+      ArmDescription arm,
+      Gravity gravity,
+      List<ArmSample> samples,
+      Optional<Payload> given,
+      Payload assumed) {
+    return new LoadEquations(arm, gravity, samples).solve(given, assumed);
   }
 }

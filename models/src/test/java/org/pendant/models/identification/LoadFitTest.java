@@ -16,6 +16,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.models.dynamics.Gravity;
 import org.pendant.models.dynamics.Payload;
 
 class LoadFitTest {
@@ -73,7 +74,9 @@ class LoadFitTest {
     Payload payload = Payload.of(1.7, 0.03, -0.05, 0.11);
 
     LoadFit.Found found =
-        found(LoadFit.of(arm, swinging(arm, payload), Optional.empty(), Payload.NONE));
+        found(
+            LoadFit.of(
+                arm, Gravity.UPRIGHT, swinging(arm, payload), Optional.empty(), Payload.NONE));
 
     assertEquals(1.7, found.payload().massKg(), 1e-4);
     assertEquals(0.03, found.payload().cogXM(), 1e-4);
@@ -95,7 +98,9 @@ class LoadFitTest {
     ArmDescription arm = ArmLibrary.load("ur5e");
 
     LoadFit.Found found =
-        found(LoadFit.of(arm, swinging(arm, Payload.NONE), Optional.empty(), Payload.NONE));
+        found(
+            LoadFit.of(
+                arm, Gravity.UPRIGHT, swinging(arm, Payload.NONE), Optional.empty(), Payload.NONE));
 
     assertEquals(Payload.NONE, found.payload());
   }
@@ -106,7 +111,9 @@ class LoadFitTest {
     Payload payload = Payload.of(2, 0, 0, 0.05);
 
     LoadFit.Found found =
-        found(LoadFit.of(arm, swinging(arm, payload), Optional.of(payload), Payload.NONE));
+        found(
+            LoadFit.of(
+                arm, Gravity.UPRIGHT, swinging(arm, payload), Optional.of(payload), Payload.NONE));
 
     assertEquals(payload, found.payload());
     assertEquals(
@@ -122,7 +129,12 @@ class LoadFitTest {
     LoadFit.Refused refused =
         assertInstanceOf(
             LoadFit.Refused.class,
-            LoadFit.of(arm, resting(arm, Payload.of(1, 0, 0, 0)), Optional.empty(), Payload.NONE));
+            LoadFit.of(
+                arm,
+                Gravity.UPRIGHT,
+                resting(arm, Payload.of(1, 0, 0, 0)),
+                Optional.empty(),
+                Payload.NONE));
 
     assertEquals(
         "the postures do not tell the payload, must turn the tool against gravity",
@@ -143,7 +155,8 @@ class LoadFitTest {
       still.add(new ArmSample(each.positionRad(), Joints.ZERO, qdd, Joints.of(torque)));
     }
 
-    LoadFit.Found found = found(LoadFit.of(arm, still, Optional.of(Payload.NONE), Payload.NONE));
+    LoadFit.Found found =
+        found(LoadFit.of(arm, Gravity.UPRIGHT, still, Optional.of(Payload.NONE), Payload.NONE));
 
     assertEquals(2 * rotor, found.rotorInertiaKgM2().get(0).orElseThrow(), 1e-6);
     assertEquals(OptionalDouble.empty(), found.rotorInertiaKgM2().get(1));
@@ -159,7 +172,8 @@ class LoadFitTest {
 
     LoadFit.Refused refused =
         assertInstanceOf(
-            LoadFit.Refused.class, LoadFit.of(arm, light, Optional.empty(), Payload.NONE));
+            LoadFit.Refused.class,
+            LoadFit.of(arm, Gravity.UPRIGHT, light, Optional.empty(), Payload.NONE));
 
     assertTrue(refused.reason().contains("is the robot another one?"), refused.reason());
   }

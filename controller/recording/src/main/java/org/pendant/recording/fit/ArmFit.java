@@ -9,6 +9,7 @@ import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Confidence;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Gravity;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.identification.ArmSample;
 import org.pendant.models.identification.DriveFit;
@@ -61,19 +62,24 @@ public record ArmFit(
    * Fits a description to recordings.
    *
    * @param model the description to begin with
+   * @param gravity as the arm is mounted in all recordings
    * @param recordings one or more that lack nothing
    * @param given the payload, if that is known
    * @param assumed the payload that counts where the recordings do not tell it
    */
   public static ArmFit of(
-      ArmDescription model, List<Samples> recordings, Optional<Payload> given, Payload assumed) {
+      ArmDescription model,
+      Gravity gravity,
+      List<Samples> recordings,
+      Optional<Payload> given,
+      Payload assumed) {
     RecordedMotion motion = new RecordedMotion(recordings);
     List<String> notes = new ArrayList<>();
     Optional<LoadFit.Found> withPayload =
-        given.isEmpty() ? load(model, motion, given, assumed, notes) : Optional.empty();
+        given.isEmpty() ? load(model, gravity, motion, given, assumed, notes) : Optional.empty();
     Optional<LoadFit.Found> load =
         withPayload.or(
-            () -> load(model, motion, Optional.of(given.orElse(assumed)), assumed, notes));
+            () -> load(model, gravity, motion, Optional.of(given.orElse(assumed)), assumed, notes));
     if (!motion.hasMoments()) {
       notes.add(
           "no moments of the target were recorded (target_moment): payload and rotor inertias are"
@@ -93,7 +99,7 @@ public record ArmFit(
     List<ArmSample> samples =
         motion.hasMoments()
             ? motion.samples()
-            : motion.samples(model.withActuators(drives), payload);
+            : motion.samples(model.withActuators(drives), gravity, payload);
     List<JointFit> joints = new ArrayList<>();
     for (int i = 0; i < Joints.COUNT; i++) {
       Optional<DriveFit> drive = drive(drives.get(i), motion, samples, i);
@@ -109,6 +115,7 @@ public record ArmFit(
 
   private static Optional<LoadFit.Found> load(
       ArmDescription model,
+      Gravity gravity,
       RecordedMotion motion,
       Optional<Payload> given,
       Payload assumed,
@@ -116,7 +123,7 @@ public record ArmFit(
     if (!motion.hasMoments()) {
       return Optional.empty();
     }
-    return switch (LoadFit.of(model, motion.samples(), given, assumed)) {
+    return switch (LoadFit.of(model, gravity, motion.samples(), given, assumed)) {
       case LoadFit.Found found -> Optional.of(found);
       case LoadFit.Refused refused -> {
         String what =

@@ -10,6 +10,7 @@ import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.models.dynamics.Gravity;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.identification.ArmSample;
 import org.pendant.recording.compare.Samples;
@@ -125,8 +126,9 @@ final class RecordedMotion {
   }
 
   /** Motion, and the moments that an arm with a payload needs for it. */
-  List<ArmSample> samples(ArmDescription arm, Payload payload) {
+  List<ArmSample> samples(ArmDescription arm, Gravity gravity, Payload payload) {
     ArmDynamics dynamics = new ArmDynamics(arm);
+    gravity.applyTo(dynamics);
     dynamics.setPayload(payload);
     List<ArmSample> samples = new ArrayList<>();
     double[] torque = new double[Joints.COUNT];

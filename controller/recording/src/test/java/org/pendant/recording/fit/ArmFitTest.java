@@ -20,6 +20,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.FrictionCurve;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.dynamics.Gravity;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.identification.LoadFit;
 import org.pendant.recording.compare.Samples;
@@ -65,7 +66,8 @@ class ArmFitTest {
   }
 
   private static ArmFit fit(ArmDescription model, Samples samples) {
-    return ArmFit.of(model, List.of(samples), Optional.of(Payload.NONE), Payload.NONE);
+    return ArmFit.of(
+        model, Gravity.UPRIGHT, List.of(samples), Optional.of(Payload.NONE), Payload.NONE);
   }
 
   @Test
