@@ -139,7 +139,7 @@ final class PromptWindowTest {
     sharedWindow.program("sleep(0.5)", "protective_stop()", "sleep(1)");
     window.click("rail-log");
     window.press("F5");
-    window.awaitWords("stop-notice", "the program asks for it");
+    window.awaitWords("stop-notice", "The program asks for it");
     window.clickText("stop-notice", "Show what happened");
     window.awaitShown("stop-card");
     window.awaitHidden("stop-notice");

@@ -74,7 +74,7 @@ final class RobotWindowTest {
     window.press("F5");
     window.awaitWords("safety-mode", "rotective stop");
     window.awaitWords("stop-card", "C209");
-    window.awaitWords("stop-card", "the program asks for it");
+    window.awaitWords("stop-card", "The program asks for it");
     makeReady();
     window.awaitHidden("stop-card");
     window.awaitWords("safety-mode", "normal");

@@ -29,6 +29,20 @@ public record SafetyStop(
     String unit,
     String message) {
 
+  /** What happened, without code, time and what was measured. */
+  public String sentence() {
+    String sentence = message.substring(message.indexOf(": ") + 2);
+    return unit.isEmpty() ? sentence : sentence.substring(0, sentence.lastIndexOf(": "));
+  }
+
+  /** Whether it is about where the arm should go, and not about where it is. */
+  public boolean aboutTarget() {
+    return switch (code) {
+      case 150, 151, 152, 154, 200, 204 -> true;
+      default -> false;
+    };
+  }
+
   /** Code and argument as the log shows them, such as {@code C153A2}. */
   public String codeText() {
     return "C" + code + "A" + argument;

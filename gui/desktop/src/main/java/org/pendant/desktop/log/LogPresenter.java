@@ -1,6 +1,7 @@
 package org.pendant.desktop.log;
 
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.function.LongFunction;
 
 /**
@@ -22,6 +23,10 @@ final class LogPresenter {
   private long missed;
   private boolean following = true;
   private long pastPosition = Long.MAX_VALUE;
+
+  /** What was selected before the past was looked at. */
+  private OptionalLong selectedBefore = OptionalLong.empty();
+
   private int unread;
 
   /**
@@ -129,7 +134,8 @@ final class LogPresenter {
   void restart() {
     clear();
     taken = 0;
-    lookAtNow();
+    pastPosition = Long.MAX_VALUE;
+    selectedBefore = OptionalLong.empty();
   }
 
   /** How many rows there are. */
@@ -195,9 +201,14 @@ final class LogPresenter {
   /**
    * Looks at a time of what the present controller did.
    *
+   * @param selectedRow -1 for none; {@link #lookAtNow} gives it back
    * @return the row that was the newest then; -1 if none was there
    */
-  int lookAt(double timeS) {
+  int lookAt(double timeS, int selectedRow) {
+    if (pastPosition == Long.MAX_VALUE) {
+      selectedBefore =
+          selectedRow < 0 ? OptionalLong.empty() : OptionalLong.of(shown.get(selectedRow));
+    }
     int row = shown.size() - 1;
     double later = Double.POSITIVE_INFINITY;
     while (row >= 0 && row(row).timeS() > timeS && row(row).timeS() <= later) {
@@ -210,9 +221,20 @@ final class LogPresenter {
     return found ? row : -1;
   }
 
-  /** Looks at now again. */
-  void lookAtNow() {
+  /**
+   * Looks at now again.
+   *
+   * @return the row that was selected before; -1 if there was none, or it has gone
+   */
+  int lookAtNow() {
     pastPosition = Long.MAX_VALUE;
+    OptionalLong before = selectedBefore;
+    selectedBefore = OptionalLong.empty();
+    if (before.isEmpty() || shown.size() == 0) {
+      return -1;
+    }
+    int row = rowAt(before.getAsLong());
+    return shown.get(row) == before.getAsLong() ? row : -1;
   }
 
   /** Whether a row came later than what is looked at. */

@@ -74,7 +74,11 @@ final class LogTable {
     return table.getSelectedRows();
   }
 
-  /** Selects a row and brings it in sight; -1 for none. */
+  void clearSelection() {
+    table.clearSelection();
+  }
+
+  /** Selects a row and brings it in sight; nothing happens for -1. */
   void select(int row) {
     if (row >= 0) {
       boolean allInSight = table.getPreferredSize().height <= scroll.getViewport().getHeight();

@@ -88,7 +88,7 @@ public final class LogView implements View {
   /** Selects what was the newest at a time, robot time in s, and dims what came later. */
   public void lookAt(double timeS) {
     looking = OptionalDouble.of(timeS);
-    int row = presenter.lookAt(timeS);
+    int row = presenter.lookAt(timeS, table.selectedRow());
     table.select(row);
     presenter.follow(false);
     table.repaint();
@@ -122,8 +122,10 @@ public final class LogView implements View {
   /** Ends {@link #lookAt}. */
   public void lookAtNow() {
     looking = OptionalDouble.empty();
-    presenter.lookAtNow();
+    int before = presenter.lookAtNow();
+    table.clearSelection();
     table.jumpToNewest();
+    table.select(before);
     table.repaint();
   }
 

@@ -68,11 +68,22 @@ final class GoalPresenter {
             .map(q -> forward.tcpPose(q, tcpInFlange))
             .orElseGet(() -> newest.arm().actualTcpInBase());
     pose.follow(form.numbers(inFrame(tcp)));
-    showGhost();
+    showGhost(reach.q().or(this::typedJoints));
   }
 
-  private void showGhost() {
-    Optional<Joints> wanted = reach.q().or(this::typedJoints);
+  /** What was typed is forgotten. */
+  void discard() {
+    joints.reset();
+    pose.reset();
+    hide();
+  }
+
+  /** The goal is not shown until the next snapshot is taken. */
+  void hide() {
+    showGhost(Optional.empty());
+  }
+
+  private void showGhost(Optional<Joints> wanted) {
     if (!wanted.equals(ghostRad)) {
       ghostRad = wanted;
       ghost.show(wanted);

@@ -47,7 +47,7 @@ final class JointsCard {
         go, "move-go-joints", "Hold to move to the joint positions that you have typed");
     TitledCard.named(
         reset, "move-reset-joints", "Forget what you have typed and show the arm again");
-    reset.addActionListener(event -> presenter.goals().joints().reset());
+    reset.addActionListener(event -> presenter.goals().discard());
     JButton copyButton = new JButton("Copy");
     TitledCard.named(copyButton, "move-copy-joints", "Copy the joint positions as URScript");
     copyButton.addActionListener(event -> copy.accept(presenter.jointsScript()));

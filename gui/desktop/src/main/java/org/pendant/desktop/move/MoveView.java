@@ -186,12 +186,18 @@ public final class MoveView implements View {
     return stack;
   }
 
-  /** A button that is not shown cannot be held. */
+  /** A button that is not shown cannot be held, and a goal without its numbers says nothing. */
   private void hidden(HierarchyEvent event) {
     if ((event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0 && !content.isShowing()) {
       presenter.jog().release();
       presenter.freedrive().release();
+      presenter.goals().hide();
     }
+  }
+
+  /** Forgets the goal that was typed: the arm is moved by something else. */
+  public void discardGoal() {
+    presenter.goals().discard();
   }
 
   /**

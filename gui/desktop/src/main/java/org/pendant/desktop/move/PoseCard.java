@@ -89,7 +89,7 @@ final class PoseCard {
 
   private JComponent buttons(Consumer<String> copy, Consumer<String> waypoint) {
     TitledCard.named(reset, "move-reset-pose", "Forget what you have typed and show the arm again");
-    reset.addActionListener(event -> presenter.goals().pose().reset());
+    reset.addActionListener(event -> presenter.goals().discard());
     JButton copyButton = new JButton("Copy");
     TitledCard.named(copyButton, "move-copy-pose", "Copy the pose in the base as URScript");
     copyButton.addActionListener(event -> copy.accept(presenter.poseScript()));

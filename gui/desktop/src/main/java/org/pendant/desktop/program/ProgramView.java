@@ -302,7 +302,9 @@ public final class ProgramView implements View {
     }
     TreeProgram shown = wanted.get();
     if (!shown.textProblems().isEmpty()) {
-      workbench.notify(document.name() + " cannot run: it has lines that cannot be understood");
+      workbench.notify(
+          document.name() + " cannot run: it has lines that cannot be understood",
+          () -> !shown.textProblems().isEmpty());
       programs.select(document);
       workbench.show(ID);
       return;
@@ -337,7 +339,8 @@ public final class ProgramView implements View {
         shown.document().name()
             + " cannot run yet: "
             + (count == 1 ? "1 thing is" : count + " things are")
-            + " to complete");
+            + " to complete",
+        () -> shown.problems().size() == count);
     programs.select(shown.document());
     workbench.show(ID);
     asText = false;

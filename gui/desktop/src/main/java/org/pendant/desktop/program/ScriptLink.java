@@ -141,7 +141,7 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
     return keys;
   }
 
-  private static long key(GeneratedScript script, int line) {
+  static long key(GeneratedScript script, int line) {
     return line < 1 ? 0 : script.at(line).map(NodeLines::key).orElse(0L);
   }
 

@@ -112,18 +112,26 @@ public final class TreeRuns {
 
   /** The node that the program that was started last is at; empty for scripts. */
   public Optional<RunNode> now(Optional<ProgramDocument> started, ControllerState state) {
-    Optional<TreeProgram> program = started.flatMap(trees::of);
-    return program.flatMap(
-        each -> {
-          long key = link.at(each, state);
-          return each.tree()
-              .find(key)
-              .map(StepNames::label)
-              .flatMap(
-                  label ->
-                      each.script()
-                          .of(key)
-                          .map(place -> new RunNode(each.document(), key, place.number(), label)));
-        });
+    return started.flatMap(trees::of).flatMap(each -> node(each, link.at(each, state)));
+  }
+
+  /** The node of a line of the present script of a program; empty for scripts. */
+  public Optional<RunNode> node(Optional<ProgramDocument> document, int line) {
+    return document
+        .flatMap(trees::of)
+        .flatMap(each -> node(each, ScriptLink.key(each.script(), line)));
+  }
+
+  private static Optional<RunNode> node(TreeProgram program, long key) {
+    return program
+        .tree()
+        .find(key)
+        .map(StepNames::label)
+        .flatMap(
+            label ->
+                program
+                    .script()
+                    .of(key)
+                    .map(place -> new RunNode(program.document(), key, place.number(), label)));
   }
 }

@@ -10,6 +10,7 @@ import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
 import org.pendant.controller.WallClock.Lateness;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
@@ -180,8 +181,8 @@ public final class RobotSession implements AutoCloseable {
   }
 
   /**
-   * Switches the controller off and another one on, such as for a different robot. Programs end.
-   * Waits for the running frame, so not for the dispatch thread.
+   * Switches the controller off and another one on, such as for a different robot. Programs end;
+   * the speed of programs stays. Waits for the running frame, so not for the dispatch thread.
    *
    * @throws IllegalArgumentException if the robot or an input is not known; nothing has changed
    */
@@ -189,9 +190,11 @@ public final class RobotSession implements AutoCloseable {
     // Made first: where that fails, the old one continues.
     SwitchedOn next = SwitchedOn.with(options);
     cancelBranch();
+    double speedFraction = state().arm().speedFraction();
     switching.lock();
     try {
       exchange(next, pace());
+      var _ = driven.submit(new BoxCommand.SetSpeedFraction(speedFraction));
     } finally {
       switching.unlock();
     }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StopPlace;
@@ -15,7 +16,7 @@ import org.pendant.models.pose.Pose;
  * Stop card: everything to know about the stop that keeps the arm at rest.
  *
  * @param title what it is and its code, such as {@code Protective stop C157A2}
- * @param message as a sentence
+ * @param message what happened, as a sentence without numbers
  * @param facts name and value of what was measured
  * @param line of the program that was reached when the stop began, 0 for none
  * @param suggestion what to look at
@@ -25,6 +26,9 @@ public record StopCard(
   private static final List<String> JOINTS =
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
   private static final MathContext DIGITS = new MathContext(4);
+
+  /** Codes of stops because the arm could not come to rest before a limit any more. */
+  private static final Set<Integer> TRAVEL = Set.of(150, 151, 152);
 
   /** Something measured, or a limit. */
   public record Fact(String name, String value) {}
@@ -39,7 +43,7 @@ public record StopCard(
     return state.safety().stop().map(stop -> of(stop, state.safety().stopPlace()));
   }
 
-  private static StopCard of(SafetyStop stop, Optional<StopPlace> place) {
+  static StopCard of(SafetyStop stop, Optional<StopPlace> place) {
     List<Fact> facts = new ArrayList<>();
     stop.joint()
         .ifPresent(
@@ -52,15 +56,17 @@ public record StopCard(
                             + JOINTS.get(joint)
                             + place.map(each -> at(each, joint)).orElse(""))));
     if (!stop.unit().isEmpty()) {
-      facts.add(new Fact("Found", number(stop.value()) + " " + stop.unit()));
-      facts.add(new Fact("Limit", number(stop.limit()) + " " + stop.unit()));
+      String found = TRAVEL.contains(stop.code()) ? "It would come to rest at" : "Found";
+      facts.add(new Fact(found, measured(stop.value(), stop.unit())));
+      facts.add(new Fact("Limit", measured(stop.limit(), stop.unit())));
     }
-    place.ifPresent(each -> facts.add(new Fact("TCP in the base", text(each.tcpInBase()))));
+    String tcp = stop.aboutTarget() ? "TCP in the base, as commanded" : "TCP in the base";
+    place.ifPresent(each -> facts.add(new Fact(tcp, text(each.tcpInBase()))));
     facts.add(
         new Fact("Robot time", BigDecimal.valueOf(Math.round(stop.timeS() * 1000), 3) + " s"));
     return new StopCard(
         StateWords.capital(StateWords.of(stop.mode())) + " " + stop.codeText(),
-        stop.message(),
+        StateWords.capital(stop.sentence()),
         facts,
         place.map(StopPlace::line).orElse(0),
         suggestion(stop.code()));
@@ -74,10 +80,29 @@ public record StopCard(
   private static String text(Pose tcpInBase) {
     return String.format(
         Locale.ROOT,
-        "%.1f, %.1f, %.1f mm",
+        "%.2f, %.2f, %.2f mm",
         1000 * tcpInBase.x(),
         1000 * tcpInBase.y(),
         1000 * tcpInBase.z());
+  }
+
+  /** As people read it on screens. */
+  private static String measured(double value, String unit) {
+    return switch (unit) {
+      case "m" -> rounded(1000 * value, "mm");
+      case "m/s" -> rounded(1000 * value, "mm/s");
+      case "rad" -> rounded(Math.toDegrees(value), "\u00b0");
+      case "rad/s" -> rounded(Math.toDegrees(value), "\u00b0/s");
+      default -> number(value) + " " + unit;
+    };
+  }
+
+  private static String rounded(double value, String unit) {
+    // Adding 0 takes the sign from a zero.
+    double hundredths = Math.round(100 * value) / 100.0 + 0.0;
+    return String.format(Locale.ROOT, "%.2f", hundredths)
+        + (unit.startsWith("\u00b0") ? "" : " ")
+        + unit;
   }
 
   private static String number(double value) {

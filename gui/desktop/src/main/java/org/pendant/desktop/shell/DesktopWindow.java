@@ -15,6 +15,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.InstallationLink;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.RobotSession;
@@ -97,7 +98,7 @@ final class DesktopWindow {
     this.closed = closed;
     actions = new ActionTable(settings);
     workbench = new ShellWorkbench(session, actions, settings, status::tell, typing);
-    runner = new ProgramRunner(session, programs, status::tell, workbench::showSource);
+    runner = new ProgramRunner(session, programs, this::tellOfProgram, workbench::showSource);
     ProgramActions programActions = new ProgramActions(actions, session, runner);
     programActions.addProgram();
     programActions.addRobot();
@@ -278,6 +279,12 @@ final class DesktopWindow {
   void openPorts(PortWishes wishes) {
     views.openPorts(wishes);
     docks.show("ports");
+  }
+
+  /** What is told of a program is over when that is started, paused, resumed or has ended. */
+  private void tellOfProgram(String text) {
+    ProgramPhase phase = ProgramPhase.of(session.state());
+    status.tell(text, () -> ProgramPhase.of(session.state()) == phase);
   }
 
   /** Tells something at the edge of the window. */

@@ -221,6 +221,16 @@ final class PastViews {
     }
 
     @Override
+    public Optional<List<LogEntry>> recordedLog() {
+      return lookBack.log();
+    }
+
+    @Override
+    public Optional<RunNode> nodeAt(int line) {
+      return lookBack.back() ? Optional.empty() : live.nodeAt(line);
+    }
+
+    @Override
     public RunTime time() {
       return lookBack.back() ? RunTime.NONE : live.time();
     }

@@ -3,7 +3,8 @@ package org.pendant.desktop.shell;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
@@ -17,7 +18,7 @@ final class ShellWorkbench implements Workbench {
   private final RobotSession session;
   private final ActionTable actions;
   private final Settings settings;
-  private final Consumer<String> tell;
+  private final BiConsumer<String, BooleanSupplier> tell;
   private DockFrame docks;
   private final Typing typing;
   private Optional<Supplier<View>> sourceView = Optional.empty();
@@ -28,7 +29,7 @@ final class ShellWorkbench implements Workbench {
       RobotSession session,
       ActionTable actions,
       Settings settings,
-      Consumer<String> tell,
+      BiConsumer<String, BooleanSupplier> tell,
       Typing typing) {
     this.typing = typing;
     this.session = session;
@@ -102,7 +103,7 @@ final class ShellWorkbench implements Workbench {
   }
 
   @Override
-  public void notify(String text) {
-    tell.accept(text);
+  public void notify(String text, BooleanSupplier holds) {
+    tell.accept(text, holds);
   }
 }

@@ -6,6 +6,7 @@ import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.DebugPresenter;
 import org.pendant.desktop.program.RunNode;
@@ -93,6 +94,16 @@ final class StartedRun implements RunProgram {
   @Override
   public boolean left(ControllerState state) {
     return ProgramPhase.of(state) == ProgramPhase.STOPPED && left.equals(time());
+  }
+
+  @Override
+  public Optional<List<LogEntry>> recordedLog() {
+    return Optional.empty();
+  }
+
+  @Override
+  public Optional<RunNode> nodeAt(int line) {
+    return runs.node(runner.program(), debug.lineNow(line));
   }
 
   @Override

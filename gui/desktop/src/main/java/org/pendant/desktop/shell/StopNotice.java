@@ -44,7 +44,7 @@ final class StopNotice {
   private void tell(StopCard card) {
     notices.ask(
         NAME,
-        card.message(),
+        card.title() + ": " + card.message(),
         List.of(new Choice("Show what happened", explain), new Choice("Close", () -> {})));
   }
 }

@@ -85,7 +85,6 @@ final class Views {
             new DesktopPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
     debug = new DebugPresenter(workbench, programs);
     link = new EditorLink(editor, debug, programs);
-    runner.beforeEachRun(link::beforeRun);
     runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
@@ -93,6 +92,11 @@ final class Views {
     ScenePanel scene = new ScenePanel(workbench, past::past);
     MoveView move =
         new MoveView(workbench, scene, line -> insertLine(programs.current().isTree(), line));
+    runner.beforeEachRun(
+        (document, script) -> {
+          move.discardGoal();
+          link.beforeRun(document, script);
+        });
     program = programScreen(workbench, programs, move, scene);
     installation.addListener(
         () -> {

@@ -2,6 +2,7 @@ package org.pendant.desktop.workbench;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.settings.Settings;
@@ -28,5 +29,10 @@ public interface Workbench {
   List<Path> openFiles();
 
   /** Tells something at the edge of the window, without stopping the user. */
-  void notify(String text);
+  default void notify(String text) {
+    notify(text, () -> true);
+  }
+
+  /** As the other one, and takes it back as soon as {@code holds} says that it is no longer so. */
+  void notify(String text, BooleanSupplier holds);
 }

@@ -190,13 +190,27 @@ final class LogPresenterTest {
     sayAt(2, "b");
     sayAt(3, "c");
     take(presenter);
-    assertEquals(1, presenter.lookAt(2.5));
+    assertEquals(1, presenter.lookAt(2.5, -1));
     assertFalse(presenter.later(1));
     assertTrue(presenter.later(2));
-    assertEquals(-1, presenter.lookAt(0.5));
+    assertEquals(-1, presenter.lookAt(0.5, -1));
     assertTrue(presenter.later(0));
     presenter.lookAtNow();
     assertFalse(presenter.later(2));
+  }
+
+  @Test
+  void whatWasSelectedBeforeTheLookBackIsSelectedAfterIt() {
+    LogPresenter presenter = new LogPresenter(10);
+    sayAt(1, "a");
+    sayAt(2, "b");
+    sayAt(3, "c");
+    take(presenter);
+    presenter.lookAt(1, 2);
+    presenter.lookAt(2, 0);
+    assertEquals(2, presenter.lookAtNow());
+    presenter.lookAt(1, -1);
+    assertEquals(-1, presenter.lookAtNow());
   }
 
   @Test
@@ -206,10 +220,10 @@ final class LogPresenterTest {
     sayAt(1, "a");
     sayAt(2, "b");
     take(presenter);
-    assertEquals(1, presenter.lookAt(1.5));
+    assertEquals(1, presenter.lookAt(1.5, -1));
     assertFalse(presenter.later(0));
     assertTrue(presenter.later(2));
-    assertEquals(-1, presenter.lookAt(0.5));
+    assertEquals(-1, presenter.lookAt(0.5, -1));
     assertFalse(presenter.later(0));
   }
 

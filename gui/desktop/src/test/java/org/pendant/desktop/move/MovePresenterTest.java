@@ -187,6 +187,22 @@ final class MovePresenterTest {
   }
 
   @Test
+  void theGhostOfAGoalIsHiddenWithItAndGoesWhenItIsDiscarded() {
+    refresh(1);
+    presenter.goals().joints().type(0, "20");
+    refresh(1);
+    presenter.goals().hide();
+    assertEquals(Optional.empty(), ghosts.getLast());
+    refresh(1);
+    assertTrue(ghosts.getLast().isPresent());
+    presenter.goals().discard();
+    assertEquals(Optional.empty(), ghosts.getLast());
+    refresh(1);
+    assertEquals(Optional.empty(), ghosts.getLast());
+    assertFalse(presenter.goals().joints().edited());
+  }
+
+  @Test
   void aJointBeyondItsRangeIsToldAtItsFieldInTheUnitShown() {
     refresh(1);
     presenter.goals().joints().type(2, "400");

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionTable;
@@ -80,7 +81,7 @@ public class PreviewWorkbench implements Workbench {
   }
 
   @Override
-  public void notify(String text) {
+  public void notify(String text, BooleanSupplier holds) {
     told.add(text);
   }
 

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -15,7 +17,13 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.controller.safety.SafetyMode;
+import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.safety.StopCategory;
+import org.pendant.controller.state.StopPlace;
 import org.pendant.desktop.session.ArmReadiness.Light;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
 
 final class ArmReadinessTest {
   private final Controller controller =
@@ -88,13 +96,42 @@ final class ArmReadinessTest {
     assertEquals("Protective stop C209A0", card.title());
     assertEquals(2, card.line());
     assertEquals("The program asked for this stop.", card.suggestion());
+    assertEquals("The program asks for it", card.message());
     assertEquals(
-        "491.9, -133.3, 487.9 mm",
+        "491.90, -133.30, 487.90 mm",
         card.facts().stream()
             .filter(each -> each.name().equals("TCP in the base"))
             .findAny()
             .orElseThrow()
             .value());
+  }
+
+  @Test
+  void theStopCardHasEachNumberOnceAndOfWhatTheSafetyFunctionsLookedAt() {
+    SafetyStop stop =
+        new SafetyStop(
+            SafetyMode.PROTECTIVE_STOP,
+            StopCategory.TWO,
+            152,
+            0,
+            OptionalInt.empty(),
+            1.5,
+            -0.00006,
+            0,
+            "m",
+            "C152A0 protective stop at 1.500 s: tool comes too close to safety plane \"a: b\":"
+                + " -0.00006 m, limit 0 m");
+    StopPlace place = new StopPlace(3, new Pose(0.1, 0, 0.25, 0, 0, 0), Joints.ZERO);
+    StopCard card = StopCard.of(stop, Optional.of(place));
+    assertEquals("Protective stop C152A0", card.title());
+    assertEquals("Tool comes too close to safety plane \"a: b\"", card.message());
+    assertEquals(
+        List.of(
+            new StopCard.Fact("It would come to rest at", "-0.06 mm"),
+            new StopCard.Fact("Limit", "0.00 mm"),
+            new StopCard.Fact("TCP in the base, as commanded", "100.00, 0.00, 250.00 mm"),
+            new StopCard.Fact("Robot time", "1.500 s")),
+        card.facts());
   }
 
   @Test

@@ -131,6 +131,16 @@ final class RobotSessionTest {
   }
 
   @Test
+  void anotherRobotKeepsTheSpeedOfPrograms() throws Exception {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
+      ask(session.submit(new BoxCommand.SetSpeedFraction(0.4)));
+      session.restart(session.options().withRobot("ur20"));
+      ask(session.stop());
+      assertEquals(0.4, session.state().arm().speedFraction());
+    }
+  }
+
+  @Test
   void aRobotThatIsNotKnownChangesNothing() throws Exception {
     try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
       ControllerOptions wrong = session.options().withRobot("ur99");

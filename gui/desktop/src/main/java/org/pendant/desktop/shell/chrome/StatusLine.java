@@ -9,6 +9,7 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Locale;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -55,6 +56,7 @@ public final class StatusLine extends JPanel {
   private Pace lastPace = Pace.REAL_TIME;
   private int calls;
   private String last = "";
+  private BooleanSupplier holds = () -> true;
   private Consumer<String> alsoTold = text -> {};
 
   /**
@@ -101,6 +103,12 @@ public final class StatusLine extends JPanel {
 
   /** Shows a sentence for eight seconds, or until the next one. */
   public void tell(String text) {
+    tell(text, () -> true);
+  }
+
+  /** As the other one, and as long as {@code stillHolds} says that it is so. */
+  public void tell(String text, BooleanSupplier stillHolds) {
+    holds = stillHolds;
     show(text);
     if (!text.isBlank()) {
       history.addFirst(TIME.format(LocalTime.now(ZoneId.systemDefault())) + "  " + text);
@@ -149,13 +157,18 @@ public final class StatusLine extends JPanel {
   }
 
   /**
-   * Shows whether robot time keeps its pace; called 30 times a second.
+   * Takes back a sentence that no longer holds, and shows whether robot time keeps its pace; called
+   * 30 times a second.
    *
    * @param pace what robot time should keep
    * @param behindS by how much robot time has fallen behind the wall clock, s
    * @param held whether a debugger has paused the program
    */
   public void refresh(Lateness lateness, Pace pace, double behindS, boolean held) {
+    if (!holds.getAsBoolean()) {
+      holds = () -> true;
+      show("");
+    }
     calls++;
     if (calls % REFRESHES != 1) {
       return;

@@ -1,6 +1,8 @@
 package org.pendant.desktop.shell.run;
 
 import java.awt.Color;
+import java.util.List;
+import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -27,10 +29,26 @@ final class MessagesPanel {
     return card;
   }
 
-  void refresh(ControllerState state, Robot robot) {
-    if (messages.take(state.newestEntry(), robot::logSince)) {
+  /**
+   * Shows the newest messages of a snapshot.
+   *
+   * @param recorded the log of a recording that the snapshot is of; empty for that of the robot
+   */
+  void refresh(ControllerState state, Robot robot, Optional<List<LogEntry>> recorded) {
+    Object whose = recorded.<Object>map(log -> log).orElse(robot);
+    boolean others =
+        messages.take(
+            whose,
+            state.newestEntry(),
+            number ->
+                recorded.map(log -> after(log, number)).orElseGet(() -> robot.logSince(number)));
+    if (others) {
       fill();
     }
+  }
+
+  private static List<LogEntry> after(List<LogEntry> log, long number) {
+    return log.stream().filter(entry -> entry.number() > number).toList();
   }
 
   private void fill() {

@@ -1,9 +1,8 @@
 package org.pendant.desktop.shell.run;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.LongFunction;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.language.source.ByteText;
@@ -12,30 +11,28 @@ import org.pendant.language.source.ByteText;
 final class RecentMessages {
   private static final int MOST = 8;
 
-  private final Deque<LogEntry> last = new ArrayDeque<>();
+  private List<LogEntry> last = List.of();
+  private Optional<Object> source = Optional.empty();
   private long newest;
 
   /**
-   * Looks for new lines.
+   * Looks for other lines than before.
    *
-   * @param number of the newest line that there is
-   * @param since gives the lines after a number
-   * @return whether there is anything new
+   * @param whose what keeps the log; lines of another one have nothing to do with those of before
+   * @param number of the newest line that is wanted
+   * @param since gives the lines after a number, also those after the newest that is wanted
+   * @return whether there are other lines
    */
-  boolean take(long number, LongFunction<List<LogEntry>> since) {
-    if (number == newest) {
+  boolean take(Object whose, long number, LongFunction<List<LogEntry>> since) {
+    if (number == newest && source.filter(whose::equals).isPresent()) {
       return false;
     }
-    if (number < newest) {
-      // Another controller.
-      last.clear();
-      newest = 0;
-    }
-    since.apply(Math.max(newest, number - MOST)).forEach(last::addLast);
-    while (last.size() > MOST) {
-      last.removeFirst();
-    }
+    source = Optional.of(whose);
     newest = number;
+    last =
+        since.apply(Math.max(0, number - MOST)).stream()
+            .filter(entry -> entry.number() <= number)
+            .toList();
     return true;
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.RunTime;
@@ -19,6 +20,12 @@ public interface RunProgram {
 
   /** Whether people have turned to another program since the last one has ended. */
   boolean left(ControllerState state);
+
+  /** The log of the recording that people look at; empty for that of the robot. */
+  Optional<List<LogEntry>> recordedLog();
+
+  /** The node where a line of what runs is; empty for scripts. */
+  Optional<RunNode> nodeAt(int line);
 
   /** How long it has run. */
   RunTime time();

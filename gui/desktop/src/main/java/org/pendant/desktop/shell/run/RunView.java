@@ -83,7 +83,7 @@ public final class RunView implements View {
     this.workbench = workbench;
     this.run = run;
     variables = new VariablesPanel(favourites, () -> workbench.show(VariablesView.ID));
-    stop = new StopPanel(send, run::showLine, showBefore);
+    stop = new StopPanel(send, run, showBefore);
     buttons =
         List.of(
             button(actions, "program.run", "Run", Glyph.PLAY.icon(28, Palette.ok())),
@@ -210,7 +210,7 @@ public final class RunView implements View {
         snapshot.program().name(),
         left ? VariableSamples.NONE : snapshot.variables(),
         run.installationVariables());
-    messages.refresh(snapshot, workbench.session().robot());
+    messages.refresh(snapshot, workbench.session().robot(), run.recordedLog());
     buttons.getFirst().setText(ProgramPhase.of(workbench.session().state()).runWord());
     buttons.forEach(ActionButton::refresh);
   }

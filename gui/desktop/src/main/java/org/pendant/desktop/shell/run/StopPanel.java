@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
-import java.util.function.IntConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -35,8 +34,10 @@ final class StopPanel {
   private Optional<StopCard> shown = Optional.empty();
   private Optional<Command> command = Optional.empty();
   private OptionalDouble stopS = OptionalDouble.empty();
+  private final RunProgram run;
 
-  StopPanel(Consumer<Command> send, IntConsumer showLine, DoubleConsumer showBefore) {
+  StopPanel(Consumer<Command> send, RunProgram run, DoubleConsumer showBefore) {
+    this.run = run;
     panel.setName("stop-card");
     panel.setVisible(false);
     title.putClientProperty("FlatLaf.styleClass", "h3");
@@ -44,9 +45,8 @@ final class StopPanel {
     remedy.setName("stop-remedy");
     remedy.addActionListener(event -> command.ifPresent(send));
     source.setName("stop-source");
-    source.setToolTipText("Shows the line that the program has reached");
-    source.addActionListener(
-        event -> shown.filter(card -> card.line() > 0).ifPresent(c -> showLine.accept(c.line())));
+    source.setToolTipText("Shows where the program was");
+    source.addActionListener(event -> shown.ifPresent(this::showSource));
     recording.setName("stop-recording");
     recording.setToolTipText("Shows the two seconds before the stop on the timeline");
     recording.getAccessibleContext().setAccessibleName(recording.getText());
@@ -111,9 +111,20 @@ final class StopPanel {
     }
     suggestion.setText(card.suggestion());
     source.setVisible(card.line() > 0);
-    source.setText("Show line " + card.line());
+    source.setText("Show " + place(card.line()));
     source.getAccessibleContext().setAccessibleName(source.getText());
     panel.revalidate();
+  }
+
+  /** The node of a tree, the line of a script. */
+  private String place(int line) {
+    return run.nodeAt(line)
+        .map(node -> "node " + node.number() + " " + node.label())
+        .orElseGet(() -> "line " + run.shownLine(line));
+  }
+
+  private void showSource(StopCard card) {
+    run.nodeAt(card.line()).ifPresentOrElse(run::show, () -> run.showLine(card.line()));
   }
 
   private void showRemedy(ArmReadiness readiness) {

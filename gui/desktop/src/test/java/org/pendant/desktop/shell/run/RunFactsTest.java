@@ -16,6 +16,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.program.RunNode;
@@ -66,6 +67,16 @@ final class RunFactsTest {
     @Override
     public boolean left(ControllerState state) {
       return left;
+    }
+
+    @Override
+    public Optional<List<LogEntry>> recordedLog() {
+      return Optional.empty();
+    }
+
+    @Override
+    public Optional<RunNode> nodeAt(int line) {
+      return Optional.empty();
     }
 
     @Override
@@ -204,12 +215,33 @@ final class RunFactsTest {
   @Test
   void onlyTheLastMessagesAreShown() {
     RecentMessages messages = new RecentMessages();
-    assertFalse(messages.take(0, controller::logSince));
+    assertTrue(messages.take(controller, 0, controller::logSince));
     start("i = 0\nwhile i < 20:\n  textmsg(\"n \", i)\n  i = i + 1\nend\n");
     runFrames(50);
-    assertTrue(messages.take(controller.state().newestEntry(), controller::logSince));
-    List<String> lines = messages.messages().stream().map(RecentMessages.Message::line).toList();
+    long newest = controller.state().newestEntry();
+    assertTrue(messages.take(controller, newest, controller::logSince));
+    assertFalse(messages.take(controller, newest, controller::logSince));
+    List<String> lines = lines(messages);
     assertEquals(8, lines.size());
     assertEquals("n 19", lines.getLast());
+  }
+
+  @Test
+  void messagesOfThePastAreThoseUntilThenAndNoneIsThereTwice() {
+    RecentMessages messages = new RecentMessages();
+    start("textmsg(\"a\")\ntextmsg(\"b\")\ntextmsg(\"c\")\n");
+    runFrames(10);
+    long newest = controller.state().newestEntry();
+    messages.take(controller, newest, controller::logSince);
+    messages.take(controller, newest - 1, controller::logSince);
+    assertEquals(List.of("a", "b"), lines(messages));
+    messages.take(controller, newest, controller::logSince);
+    assertEquals(List.of("a", "b", "c"), lines(messages));
+    messages.take("a recording", newest, number -> List.of());
+    assertEquals(List.of(), lines(messages));
+  }
+
+  private static List<String> lines(RecentMessages messages) {
+    return messages.messages().stream().map(RecentMessages.Message::line).toList();
   }
 }
