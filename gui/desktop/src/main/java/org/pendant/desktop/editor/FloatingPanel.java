@@ -9,7 +9,9 @@ import javax.swing.JComponent;
 import javax.swing.JLayeredPane;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
+import javax.swing.LookAndFeel;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -21,6 +23,9 @@ final class FloatingPanel {
 
   private final JComponent owner;
   private final JPanel frame = new JPanel(new BorderLayout());
+
+  /** Whose colours it has: a change of the theme does not reach what is not in the window. */
+  private LookAndFeel look = UIManager.getLookAndFeel();
 
   /** One over the window of {@code owner}. */
   FloatingPanel(JComponent owner, JComponent content) {
@@ -48,6 +53,7 @@ final class FloatingPanel {
     JLayeredPane layers = root.getLayeredPane();
     if (!layers.equals(frame.getParent())) {
       hide();
+      takeLook();
       layers.add(frame, JLayeredPane.POPUP_LAYER);
     }
     Dimension size = frame.getPreferredSize();
@@ -63,6 +69,14 @@ final class FloatingPanel {
     frame.setBounds(x, y, width, height);
     frame.validate();
     frame.repaint();
+  }
+
+  private void takeLook() {
+    LookAndFeel now = UIManager.getLookAndFeel();
+    if (!now.equals(look)) {
+      look = now;
+      SwingUtilities.updateComponentTreeUI(frame);
+    }
   }
 
   void hide() {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.ActionEvent;
@@ -19,6 +20,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
+import javax.swing.JLabel;
 import javax.swing.text.DefaultEditorKit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -26,6 +28,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.kit.theme.PreviewLook;
 
 @Tag("slow")
 final class ScriptEditorTest {
@@ -133,6 +136,22 @@ final class ScriptEditorTest {
           assertEquals("b", area.getSelectedText());
           area.setCaretPosition(0);
           assertFalse(press(KeyEvent.VK_TAB, 0), "outside of the call TAB is the text's");
+        });
+  }
+
+  @Test
+  void whatFloatsOverTheTextHasTheColoursOfAThemeThatWasChosenMeanwhile()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          JLabel label = new JLabel("takes");
+          FloatingPanel panel = new FloatingPanel(area, label);
+          Color before = label.getForeground();
+          PreviewLook.install(true);
+          panel.show(area.place(0), false);
+          assertEquals(new JLabel().getForeground(), label.getForeground());
+          assertNotEquals(before, label.getForeground());
+          PreviewLook.install(false);
         });
   }
 
