@@ -182,7 +182,7 @@ final class ActiveTrajectory {
    */
   private Optional<MotionFailure> sampleAfter(
       Motion motion, double framesBefore, double scalingBefore) {
-    step = 0.5 * (scalingBefore + time.scaling()) * time.passes();
+    step = 0.5 * (scalingBefore + time.scaling()) * time.startBefore();
     frames = framesBefore + step;
     double timeS = atEnd(motion) ? motion.durationS() : frames * FrameTime.FRAME_S;
     sample.forgetFrames();

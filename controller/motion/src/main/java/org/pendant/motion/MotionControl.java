@@ -35,10 +35,13 @@ public final class MotionControl {
   private final ActiveTrajectory activeTrajectory;
   private final TimeScaling time;
   private final MotionQueue motionQueue;
+  private final JointNumbers speedBefore = new JointNumbers();
+
+  /** What {@link #accelerationRadPerS2} answers. */
+  private final JointNumbers acceleration = new JointNumbers();
+
   private Optional<MotionFailure> fault = Optional.empty();
   private Optional<MotionFailure> newFault = Optional.empty();
-  private final JointNumbers speedBefore = new JointNumbers();
-  private final JointNumbers acceleration = new JointNumbers();
   private int framesAtRest = STEADY_FRAMES;
   private boolean startRamp;
 

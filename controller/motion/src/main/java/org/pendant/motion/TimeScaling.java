@@ -131,8 +131,8 @@ final class TimeScaling {
     return startRamp.scale();
   }
 
-  /** By how much of a frame the start of the program lets motion time run in this frame. */
-  double passes() {
+  /** The same as {@link #start} at the end of the frame before; 0 in the first of a program. */
+  double startBefore() {
     return stopping ? 1 : startRamp.scaleBefore();
   }
 

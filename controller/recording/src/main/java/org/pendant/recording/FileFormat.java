@@ -45,10 +45,10 @@ final class FileFormat {
   /** How often Deflate can make anything smaller, at most. */
   static final int MAX_RATIO = 1040;
 
-  private FileFormat() {}
-
   /** Where a recording comes from that a client of RTDE has made. */
   private static final String RTDE = "rtde";
+
+  private FileFormat() {}
 
   /**
    * What a header says.

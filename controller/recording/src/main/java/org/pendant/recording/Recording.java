@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.ArmDescription;
@@ -78,18 +79,12 @@ public final class Recording {
     return received ? atFrame(firstFrame()).traced().names() : List.of();
   }
 
-  /** Takes what a controller has sent at once. */
-  public interface ReceivedRow {
-    /**
-     * The next row.
-     *
-     * @param numbers in the order of {@link #receivedColumns}
-     */
-    void take(TracedVariables numbers);
-  }
-
-  /** Shows the rows of {@link #receivedColumns}, oldest first, each once. */
-  public void receivedRows(ReceivedRow row) {
+  /**
+   * Shows the rows of {@link #receivedColumns}, oldest first, each once.
+   *
+   * @param row gets the numbers of a row, in the order of the columns
+   */
+  public void receivedRows(Consumer<TracedVariables> row) {
     if (!received) {
       return;
     }
@@ -100,7 +95,7 @@ public final class Recording {
         entry -> {
           if (entry.frame() > shown[0] && entry.changed(SnapshotPart.TRACED)) {
             shown[0] = entry.frame();
-            row.take((TracedVariables) entry.part(SnapshotPart.TRACED));
+            row.accept((TracedVariables) entry.part(SnapshotPart.TRACED));
           }
         });
   }
