@@ -6,6 +6,7 @@ import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.JointAngles;
 
 /**
  * Arm dynamics: torques that a motion needs, and the motion that torques give (manual 16.12,
@@ -42,12 +43,20 @@ public final class ArmDynamics {
 
   /** Dynamics of an arm without payload, upright and at rest. */
   public ArmDynamics(ArmDescription arm) {
+    this(arm, new JointAngles());
+  }
+
+  /**
+   * As {@link #ArmDynamics(ArmDescription)}.
+   *
+   * @param angles of the posture that is computed, shared with others that compute the same one
+   */
+  public ArmDynamics(ArmDescription arm, JointAngles angles) {
     for (int i = 0; i < N; i++) {
       bodies[i] = RigidBody.of(arm.links().get(i));
       rotor[i] = arm.actuators().get(i).rotorInertiaKgM2();
     }
     lastLink = bodies[N - 1];
-    JointAngles angles = new JointAngles();
     newtonEuler = new NewtonEuler(arm.dh(), bodies, angles);
     composite = new CompositeBodies(arm.dh(), bodies, angles);
     mount();
@@ -89,7 +98,21 @@ public final class ArmDynamics {
     newtonEuler.torques(q, qd, qdd, true, torque);
   }
 
-  /** How the flange moves in the latest call of {@link #inverse}; the same object always. */
+  /**
+   * Takes the motion of {@link #flangeMotion} alone, in half the time of {@link #inverse}.
+   *
+   * @param q six joint positions, rad
+   * @param qd six joint speeds, rad/s
+   * @param qdd six joint accelerations, rad/s²
+   */
+  public void moveFlange(double[] q, double[] qd, double[] qdd) {
+    newtonEuler.moveFlange(q, qd, qdd);
+  }
+
+  /**
+   * How the flange moves in the latest call of {@link #inverse} or {@link #moveFlange}; the same
+   * object always.
+   */
   public FlangeMotion flangeMotion() {
     return newtonEuler.flange;
   }

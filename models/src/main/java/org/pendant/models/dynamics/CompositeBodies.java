@@ -3,6 +3,7 @@ package org.pendant.models.dynamics;
 import org.ejml.data.DMatrix3x3;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.JointAngles;
 
 /**
  * Composite bodies, by which the mass matrix is found: each joint moves all links after it as one
@@ -71,8 +72,8 @@ final class CompositeBodies {
       for (int i = joint - 1; i >= 0; i--) {
         double ca = COS_ALPHA[i];
         double sa = SIN_ALPHA[i];
-        double c = angles.cos[i];
-        double s = angles.sin[i];
+        double c = angles.cos(i);
+        double s = angles.sin(i);
         double t = ca * fy - sa * fz;
         fz = sa * fy + ca * fz;
         fy = s * fx + c * t;
@@ -104,8 +105,8 @@ final class CompositeBodies {
     for (int i = N - 1; i >= 0; i--) {
       double t = COS_ALPHA[i] * y - SIN_ALPHA[i] * z;
       z = SIN_ALPHA[i] * y + COS_ALPHA[i] * z;
-      double c = angles.cos[i];
-      double s = angles.sin[i];
+      double c = angles.cos(i);
+      double s = angles.sin(i);
       y = s * x + c * t + qd[i] * behind[i][1];
       x = c * x - s * t - qd[i] * behind[i][2];
     }
@@ -154,8 +155,8 @@ final class CompositeBodies {
   private void gather(double[] q) {
     angles.at(q);
     for (int i = N - 1; i >= 0; i--) {
-      double c = angles.cos[i];
-      double s = angles.sin[i];
+      double c = angles.cos(i);
+      double s = angles.sin(i);
       double[] own = moments[i];
       double m = own[0];
       double hx = own[1];

@@ -4,6 +4,7 @@ import org.ejml.data.DMatrix3;
 import org.ejml.dense.fixed.CommonOps_DDF3;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.JointAngles;
 
 /**
  * The recursive Newton-Euler method in the links' Denavit-Hartenberg frames: speeds and
@@ -70,6 +71,17 @@ final class NewtonEuler {
   }
 
   void torques(double[] q, double[] qd, double[] qdd, boolean withBase, double[] torque) {
+    outwards(q, qd, qdd, withBase, true);
+    back(torque);
+  }
+
+  /** Only how the flange moves, as {@link #torques} does with the acceleration of the base. */
+  void moveFlange(double[] q, double[] qd, double[] qdd) {
+    outwards(q, qd, qdd, true, false);
+  }
+
+  private void outwards(
+      double[] q, double[] qd, double[] qdd, boolean withBase, boolean withForces) {
     angles.at(q);
     double wx = 0;
     double wy = 0;
@@ -81,8 +93,8 @@ final class NewtonEuler {
     double py = withBase ? baseY : 0;
     double pz = withBase ? baseZ : 0;
     for (int i = 0; i < N; i++) {
-      double c = angles.cos[i];
-      double s = angles.sin[i];
+      double c = angles.cos(i);
+      double s = angles.sin(i);
       double ca = COS_ALPHA[i];
       double sa = SIN_ALPHA[i];
       // the angular acceleration gets qdd z + qd w x z before the frame is turned
@@ -118,6 +130,9 @@ final class NewtonEuler {
       py += (xy + ez) * x + (yz - ex) * z - (xx + zz) * y;
       pz += (xz - ey) * x + (yz + ex) * y - (xx + yy) * z;
 
+      if (!withForces) {
+        continue;
+      }
       RigidBody body = bodies[i];
       x = body.cx();
       y = body.cy();
@@ -135,7 +150,6 @@ final class NewtonEuler {
     }
     flange.setAngular(wx, wy, wz, ex, ey, ez);
     flange.setFelt(px, py, pz);
-    back(torque);
   }
 
   private void back(double[] torque) {
@@ -162,8 +176,8 @@ final class NewtonEuler {
       double sa = SIN_ALPHA[i];
       torque[i] = sa * uy + ca * uz;
       if (i > 0) {
-        double c = angles.cos[i];
-        double s = angles.sin[i];
+        double c = angles.cos(i);
+        double s = angles.sin(i);
         double t = ca * gy - sa * gz;
         gz = sa * gy + ca * gz;
         gy = s * gx + c * t;

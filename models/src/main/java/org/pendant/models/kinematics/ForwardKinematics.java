@@ -73,16 +73,54 @@ public final class ForwardKinematics {
     }
     double c1 = Math.cos(q[0]);
     double s1 = Math.sin(q[0]);
-    double q23 = q[1] + q[2];
-    double c234 = Math.cos(q23 + q[3]);
-    double s234 = Math.sin(q23 + q[3]);
+    double c2 = Math.cos(q[1]);
+    double s2 = Math.sin(q[1]);
     double c5 = Math.cos(q[4]);
     double s5 = Math.sin(q[4]);
     double c6 = Math.cos(q[5]);
     double s6 = Math.sin(q[5]);
+    nominalFlange(q, c1, s1, c2, s2, c5, s5, c6, s6, transform);
+  }
 
-    double u = dh.a2() * Math.cos(q[1]) + dh.a3() * Math.cos(q23) + dh.d5() * s234;
-    double v = dh.d1() + dh.a2() * Math.sin(q[1]) + dh.a3() * Math.sin(q23) - dh.d5() * c234;
+  /**
+   * As {@link #flange(double[], double[])}.
+   *
+   * @param angles cosines and sines of {@code q}
+   */
+  public void flange(double[] q, JointAngles angles, double[] transform) {
+    if (!nominal) {
+      chain.flange(q, transform);
+      return;
+    }
+    nominalFlange(
+        q,
+        angles.cos(0),
+        angles.sin(0),
+        angles.cos(1),
+        angles.sin(1),
+        angles.cos(4),
+        angles.sin(4),
+        angles.cos(5),
+        angles.sin(5),
+        transform);
+  }
+
+  private void nominalFlange(
+      double[] q,
+      double c1,
+      double s1,
+      double c2,
+      double s2,
+      double c5,
+      double s5,
+      double c6,
+      double s6,
+      double[] transform) {
+    double q23 = q[1] + q[2];
+    double c234 = Math.cos(q23 + q[3]);
+    double s234 = Math.sin(q23 + q[3]);
+    double u = dh.a2() * c2 + dh.a3() * Math.cos(q23) + dh.d5() * s234;
+    double v = dh.d1() + dh.a2() * s2 + dh.a3() * Math.sin(q23) - dh.d5() * c234;
     flange(c1, s1, u, v, c234, s234, c5, s5, c6, s6, transform);
   }
 

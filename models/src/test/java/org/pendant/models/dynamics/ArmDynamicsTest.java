@@ -211,6 +211,26 @@ final class ArmDynamicsTest {
     }
   }
 
+  @Test
+  void theMotionOfTheFlangeIsTheSameWithoutTorques() {
+    ArmDynamics alone = new ArmDynamics(arm);
+    alone.setGravity(1, 2, 9);
+    dynamics.setGravity(1, 2, 9);
+    for (int n = 0; n < 100; n++) {
+      double[] q = random(3);
+      double[] qd = random(2);
+      double[] qdd = random(5);
+      dynamics.inverse(q, qd, qdd, new double[N]);
+      alone.moveFlange(q, qd, qdd);
+      double[] expected = new double[6];
+      double[] load = new double[6];
+      Payload payload = payload(random);
+      dynamics.flangeMotion().loadOf(payload, expected);
+      alone.flangeMotion().loadOf(payload, load);
+      assertArrayEquals(expected, load);
+    }
+  }
+
   private static double[] moved(double[] q, double[] qd, double[] qdd, double timeS) {
     double[] moved = new double[N];
     for (int i = 0; i < N; i++) {

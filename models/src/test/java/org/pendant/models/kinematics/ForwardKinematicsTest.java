@@ -45,6 +45,21 @@ class ForwardKinematicsTest {
   }
 
   @Test
+  void anglesThatAreKnownGiveTheSameFlange() {
+    Random random = new Random(43);
+    JointAngles angles = new JointAngles();
+    double[] expected = new double[Transforms.SIZE];
+    double[] flange = new double[Transforms.SIZE];
+    for (int n = 0; n < 100; n++) {
+      double[] q = Arms.joints(random).toArray();
+      angles.at(q);
+      forward.flange(q, expected);
+      forward.flange(q, angles, flange);
+      assertArrayEquals(expected, flange);
+    }
+  }
+
+  @Test
   void tcpPoseIsTheFlangeMovedByTheOffset() {
     Random random = new Random(42);
     for (int n = 0; n < 1000; n++) {

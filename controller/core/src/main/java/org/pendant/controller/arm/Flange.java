@@ -1,26 +1,26 @@
 package org.pendant.controller.arm;
 
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.FlangeMotion;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.kinematics.JointAngles;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
 /** Flange: where it is, and what an accelerometer in it and bodies on it feel of its motion. */
 final class Flange {
   private final ForwardKinematics forward;
+  private final JointAngles angles = new JointAngles();
   private final ArmDynamics dynamics;
   private final double[] inBase12 = new double[Transforms.SIZE];
-  private final double[] torque = new double[Joints.COUNT];
   private final double[] load6 = new double[6];
 
   /** The flange of an arm that stands upright. */
   Flange(ArmDescription arm) {
     forward = new ForwardKinematics(arm);
-    dynamics = new ArmDynamics(arm);
+    dynamics = new ArmDynamics(arm, angles);
   }
 
   /**
@@ -32,8 +32,8 @@ final class Flange {
 
   /** Takes positions (rad), speeds (rad/s) and accelerations (rad/s²) of the joints. */
   void update(double[] q, double[] qd, double[] qdd) {
-    forward.flange(q, inBase12);
-    dynamics.inverse(q, qd, qdd, torque);
+    dynamics.moveFlange(q, qd, qdd);
+    forward.flange(q, angles, inBase12);
   }
 
   /** Writes the flange in the base frame. */
