@@ -34,7 +34,7 @@ final class AccessWindowTest {
         assertEquals("", window.nameless(), title);
       }
     }
-    window.perform("Fold or unfold the dock at the bottom");
+    window.perform("Show the dock at the bottom");
   }
 
   @Test

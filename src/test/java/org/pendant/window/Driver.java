@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
+import javax.swing.JFrame;
 import javax.swing.JTabbedPane;
 import javax.swing.RepaintManager;
 import org.pendant.command.service.SimulationWishes;
@@ -155,6 +156,9 @@ final class Driver {
       }
       case "named" -> {
         return Places.dispatched(() -> Eyes.named(what));
+      }
+      case "menus" -> {
+        return Places.dispatched(() -> Eyes.menus((JFrame) Places.find("pendant")));
       }
       case "nameless" -> {
         return Places.dispatched(() -> Eyes.nameless(Places.find(what)));

@@ -18,13 +18,18 @@ import javax.accessibility.AccessibleContext;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTree;
 import javax.swing.ListCellRenderer;
 import javax.swing.SwingUtilities;
+import javax.swing.event.MenuEvent;
+import javax.swing.event.MenuListener;
 import javax.swing.text.JTextComponent;
 
 /** Finds what is visible and reads it. Only the dispatch thread calls it. */
@@ -169,6 +174,34 @@ final class Eyes {
             .map(Component::getName)
             .filter(name -> name != null && name.startsWith(prefix))
             .toList());
+  }
+
+  /** Every entry of every menu that is there, with the menus it is in, a line each. */
+  static String menus(JFrame frame) {
+    List<String> lines = new ArrayList<>();
+    for (int i = 0; i < frame.getJMenuBar().getMenuCount(); i++) {
+      JMenu menu = frame.getJMenuBar().getMenu(i);
+      if (menu.isVisible()) {
+        for (MenuListener each : menu.getMenuListeners()) {
+          each.menuSelected(new MenuEvent(menu));
+        }
+        addMenu(menu, menu.getText(), lines);
+      }
+    }
+    return String.join("\n", lines);
+  }
+
+  private static void addMenu(JMenu menu, String path, List<String> lines) {
+    for (int i = 0; i < menu.getItemCount(); i++) {
+      JMenuItem item = menu.getItem(i);
+      if (item != null) {
+        String name = path + " > " + item.getText();
+        lines.add(name);
+        if (item instanceof JMenu inner) {
+          addMenu(inner, name, lines);
+        }
+      }
+    }
   }
 
   /** What keys can reach in {@code component} and a screen reader has no name for. */

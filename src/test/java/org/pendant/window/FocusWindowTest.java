@@ -67,7 +67,7 @@ final class FocusWindowTest {
     window.awaitWords("program-state", "paused");
     window.settle();
     window.awaitFocus("search-words");
-    window.perform("Fold or unfold the dock at the bottom");
+    window.perform("Show the dock at the bottom");
   }
 
   @Test

@@ -208,6 +208,11 @@ final class OpenWindow implements AutoCloseable {
     return ask("named", prefix).lines().toList();
   }
 
+  /** What the menus have, a line for each entry: {@code File > Export > Save as script}. */
+  List<String> menus() {
+    return ask("menus", "pendant").lines().toList();
+  }
+
   /** What keys can reach in the window and a screen reader has no name for; empty if nothing. */
   String nameless() {
     return ask("nameless", "pendant");

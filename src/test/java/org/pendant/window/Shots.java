@@ -117,7 +117,7 @@ final class Shots {
     window.press("shift F5");
     window.awaitWords("program-state", "stopped");
     window.perform("Show 3D");
-    window.perform("Fold or unfold the dock at the bottom");
+    window.perform("Show the dock at the bottom");
   }
 
   private void tree(String theme) throws IOException {

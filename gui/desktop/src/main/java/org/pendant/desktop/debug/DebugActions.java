@@ -57,13 +57,13 @@ public final class DebugActions {
         "control shift F9",
         () -> !breakpoints.all().isEmpty(),
         breakpoints::removeAll);
-    add(
-        actions,
-        "break-on-errors",
-        "Stop at errors, or not",
-        "",
-        () -> true,
-        () -> breakpoints.setOnErrors(!breakpoints.onErrors()));
+    actions.add(
+        Action.of(
+                "debug.break-on-errors",
+                "Stop at errors",
+                "",
+                () -> breakpoints.setOnErrors(!breakpoints.onErrors()))
+            .checked(breakpoints::onErrors));
   }
 
   private static void add(

@@ -147,10 +147,11 @@ public final class LogView implements View {
     actions.add(Action.of(ID + ".clear", "Log: clear", "", this::clear));
     actions.add(
         Action.of(
-            ID + ".follow",
-            "Log: follow newest, or no longer",
-            "",
-            () -> table.follow(!presenter.following())));
+                ID + ".follow",
+                "Log: follow newest",
+                "",
+                () -> table.follow(!presenter.following()))
+            .checked(presenter::following));
     key("control F", "log-search", bar::focusSearch);
     key("F3", "log-next-match", () -> step(true));
     key("shift F3", "log-previous-match", () -> step(false));

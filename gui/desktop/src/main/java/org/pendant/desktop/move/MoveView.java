@@ -121,21 +121,24 @@ public final class MoveView implements View {
     for (JogSize each : JogSize.values()) {
       actions.add(
           Action.of(
-              "move.step-" + each.name().toLowerCase(Locale.ROOT),
-              "Move by hand: " + each.meaning().toLowerCase(Locale.ROOT),
-              "",
-              () -> presenter.jog().setSize(each)));
+                  "move.step-" + each.name().toLowerCase(Locale.ROOT),
+                  "Move by hand: " + each.meaning().toLowerCase(Locale.ROOT),
+                  "",
+                  () -> presenter.jog().setSize(each))
+              .chosen(() -> presenter.jog().size() == each));
     }
     for (JogAxes each : JogAxes.values()) {
       actions.add(
           Action.of(
-              "move.axes-" + each.name().toLowerCase(Locale.ROOT),
-              "Move by hand along the axes of " + each.meaning(),
-              "",
-              () -> presenter.jog().setAxes(each)));
+                  "move.axes-" + each.name().toLowerCase(Locale.ROOT),
+                  "Move by hand along the axes of " + each.meaning(),
+                  "",
+                  () -> presenter.jog().setAxes(each))
+              .chosen(() -> presenter.jog().axes() == each));
     }
     actions.add(
-        Action.of("move.freedrive", "Switch freedrive on or off", "", this::switchFreedrive));
+        Action.of("move.freedrive", "Freedrive", "", this::switchFreedrive)
+            .checked(() -> presenter.freedrive().on()));
     actions.add(Action.of("move.home-here", "Set home to here", "", presenter::setHomeHere));
     actions.add(
         Action.of(

@@ -63,8 +63,11 @@ public final class PlotView implements View {
   private void declareActions() {
     var actions = workbench.actions();
     actions.add(Action.of(ID + ".search", "Plots: add a quantity", "", this::goToSearch));
-    actions.add(Action.of(ID + ".pause", "Plots: pause or resume", "", this::togglePause));
-    actions.add(Action.of(ID + ".cursors", "Plots: cursors on or off", "", this::toggleCursors));
+    actions.add(
+        Action.of(ID + ".pause", "Plots: pause", "", this::togglePause).checked(presenter::paused));
+    actions.add(
+        Action.of(ID + ".cursors", "Plots: cursors", "", this::toggleCursors)
+            .checked(() -> presenter.cursors().isPresent()));
     actions.add(Action.of(ID + ".export", "Plots: export\u2026", "", this::export));
   }
 

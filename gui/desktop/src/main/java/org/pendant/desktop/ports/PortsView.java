@@ -67,13 +67,14 @@ public final class PortsView implements View {
         .actions()
         .add(
             Action.of(
-                "robot.ports-switch",
-                "Open or close the ports for other programs",
-                "",
-                () -> {
-                  workbench.show(ID);
-                  presenter.toggle();
-                }));
+                    "robot.ports-switch",
+                    "Ports open for other programs",
+                    "",
+                    () -> {
+                      workbench.show(ID);
+                      presenter.toggle();
+                    })
+                .checked(presenter::on));
     show();
   }
 

@@ -468,6 +468,11 @@ public final class ProgramView implements View {
     }
   }
 
+  /** Whether the running node is kept in sight. */
+  boolean follows() {
+    return follow;
+  }
+
   void toggleFollow() {
     follow = !follow;
     workbench.settings().put(FOLLOW, String.valueOf(follow));

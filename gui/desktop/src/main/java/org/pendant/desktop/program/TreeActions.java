@@ -130,7 +130,14 @@ final class TreeActions {
     add("script", "Show the node in the script", "", commands::ready, view::showInScript);
     add("as-text", "Edit the program file as text", "", view::canEditText, view::editAsText);
     add("close", "Close the program in front", "control W", () -> view.hasProgram(), view::close);
-    add("follow", "Follow the program in the tree, or not", "", () -> true, view::toggleFollow);
+    actions.add(
+        new Action(
+                PREFIX + "follow",
+                "Follow the running program in the tree",
+                "",
+                () -> view.component().isShowing(),
+                view::toggleFollow)
+            .checked(view::follows));
   }
 
   private void node(String id, String title, String keys, Runnable run) {

@@ -4,7 +4,9 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
@@ -72,6 +74,7 @@ final class DesktopWindow {
   private final RobotChange robot;
   private final StillArm stillArm = new StillArm();
   private final Footer footer;
+  private final Menus menus;
   private final Timer refresh = Faults.timer(REFRESH_MS, this::refresh);
   private final Timer keep = Faults.timer(KEEP_MS, this::keep);
   private final Runnable closed;
@@ -152,8 +155,23 @@ final class DesktopWindow {
     startPanel = new StartPanel(docks.component(), views.start());
     stopNotice = new StopNotice(notices, () -> views.showing("run"), () -> docks.show("run"));
     KeyBindings.bind(window.frame().getRootPane(), actions);
+    menus = menus();
     build();
     follow();
+  }
+
+  private Menus menus() {
+    Set<String> screens = views.screens().keySet();
+    List<String> panels =
+        views.all().stream().map(View::id).filter(id -> !screens.contains(id)).toList();
+    return new Menus(
+        actions,
+        MenuPlan.of(List.copyOf(screens), panels),
+        Map.of(
+            "Recent programs",
+            () -> Menus.items(files.recent(), files::open),
+            "Recent installations",
+            () -> Menus.items(installationFiles.recent(), installationFiles::open)));
   }
 
   private void addActions(ProgramActions programActions) {
@@ -164,13 +182,11 @@ final class DesktopWindow {
     actions.add(Action.of("file.quit", "Quit", "control Q", closeDialog::ask));
     actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
     actions.add(
-        Action.of("robot.noise", "Switch the noise of sensors on or off", "", robot::switchNoise));
+        Action.of("robot.noise", "Noise of sensors", "", robot::switchNoise)
+            .checked(() -> session.options().noise().measured()));
     actions.add(
-        Action.of(
-            "robot.start-ramp",
-            "Switch the start ramp of programs on or off",
-            "",
-            robot::switchStartRamp));
+        Action.of("robot.start-ramp", "Start ramp of programs", "", robot::switchStartRamp)
+            .checked(() -> session.options().startRamp()));
     actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
     programActions.addSpeed();
     WindowActions windowActions = new WindowActions(actions);
@@ -196,7 +212,7 @@ final class DesktopWindow {
     frame.add(rail(), BorderLayout.WEST);
     frame.add(middle, BorderLayout.CENTER);
     frame.add(south, BorderLayout.SOUTH);
-    frame.setJMenuBar(new Menus(actions, files::recent, files::open, installationFiles).bar());
+    frame.setJMenuBar(menus.bar());
   }
 
   private Rail rail() {
@@ -232,6 +248,7 @@ final class DesktopWindow {
 
   private void showProgram() {
     header.show(programs.current());
+    menus.showFor(programs.current().isTree());
     String mark = programs.current().modified() ? "\u2022 " : "";
     window.frame().setTitle(mark + programs.current().name() + " - Pendant");
   }

@@ -91,7 +91,8 @@ final class ProgramActions {
             () -> remedy().filter(ProgramActions::powersOff).isPresent(),
             () -> runner.send(new SafetyCommand.PowerOff())));
     actions.add(
-        Action.of("clock.pause", "Pause or continue robot time", "control F6", this::pauseTime));
+        Action.of("clock.pause", "Pause robot time", "control F6", this::pauseTime)
+            .checked(() -> session.pace() instanceof Pace.Paused));
     actions.add(
         new Action(
             "clock.step-frame",

@@ -50,16 +50,17 @@ final class RunFrom {
         from::whyNot);
     actions.add(
         Action.of(
-            "program.ask-start",
-            "Ask before starting away from the first waypoint, or not",
-            "",
-            () -> {
-              start.setAsks(!start.asks());
-              tell.accept(
-                  start.asks()
-                      ? "Programs ask when the arm is not at their first waypoint"
-                      : "Programs start wherever the arm is");
-            }));
+                "program.ask-start",
+                "Ask before starting away from the first waypoint",
+                "",
+                () -> {
+                  start.setAsks(!start.asks());
+                  tell.accept(
+                      start.asks()
+                          ? "Programs ask when the arm is not at their first waypoint"
+                          : "Programs start wherever the arm is");
+                })
+            .checked(start::asks));
   }
 
   private String whyNot() {

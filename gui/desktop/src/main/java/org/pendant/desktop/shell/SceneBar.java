@@ -54,7 +54,8 @@ final class SceneBar extends JPanel {
       String key,
       BooleanSupplier on,
       Consumer<Boolean> set) {
-    actions.add(Action.of(id, "3D: " + describes, "", () -> set.accept(!on.getAsBoolean())));
+    actions.add(
+        Action.of(id, "3D: " + describes, "", () -> set.accept(!on.getAsBoolean())).checked(on));
     JToggleButton button = new JToggleButton(title);
     button.addActionListener(event -> set.accept(button.isSelected()));
     states.add(() -> button.setSelected(on.getAsBoolean()));
@@ -87,7 +88,8 @@ final class SceneBar extends JPanel {
 
   /** Something in the menu that is on or off. */
   void check(String id, String title, BooleanSupplier on, Consumer<Boolean> set) {
-    actions.add(Action.of(id, "3D: " + lower(title), "", () -> set.accept(!on.getAsBoolean())));
+    actions.add(
+        Action.of(id, "3D: " + lower(title), "", () -> set.accept(!on.getAsBoolean())).checked(on));
     JCheckBoxMenuItem item = new JCheckBoxMenuItem(title);
     item.setName(id.replace('.', '-'));
     item.addActionListener(event -> set.accept(item.isSelected()));

@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import org.pendant.desktop.timeline.TimelineView;
@@ -27,9 +28,10 @@ final class WindowActions {
     for (Dockable view : docks.views()) {
       int number = screens.indexOf(view.id()) + 1;
       String keys = number >= 1 && number <= 9 ? "alt " + number : keysOf(view);
+      Action show =
+          Action.of("view." + view.id(), "Show " + view.title(), keys, () -> docks.show(view.id()));
       actions.add(
-          Action.of(
-              "view." + view.id(), "Show " + view.title(), keys, () -> docks.show(view.id())));
+          number >= 1 ? show.chosen(() -> docks.mainView().equals(Optional.of(view.id()))) : show);
     }
   }
 
@@ -48,23 +50,23 @@ final class WindowActions {
           };
       actions.add(
           Action.of(
-              "dock.fold-" + side.word(),
-              "Fold or unfold the dock at " + side.title(),
-              key,
-              () -> docks.toggle(side)));
+                  "dock.fold-" + side.word(),
+                  "Show the dock at " + side.title(),
+                  key,
+                  () -> docks.toggle(side))
+              .checked(() -> !docks.collapsed(side)));
     }
     actions.add(
         Action.of("dock.reset", "Put all panels where they belong at first", "", docks::reset));
     for (Dockable view : docks.views()) {
       for (Side side : Side.values()) {
         actions.add(
-            new Action(
-                "arrange." + view.id() + "-" + side.word(),
-                "Move " + view.title() + " to " + side.title(),
-                "",
-                () -> docks.sideOf(view.id()) != side,
-                () -> docks.move(view.id(), side)),
-            () -> "It is there");
+            Action.of(
+                    "arrange." + view.id() + "-" + side.word(),
+                    "Move " + view.title() + " to " + side.title(),
+                    "",
+                    () -> docks.move(view.id(), side))
+                .chosen(() -> docks.sideOf(view.id()) == side));
       }
     }
   }
@@ -73,13 +75,12 @@ final class WindowActions {
   void addLook(Look look) {
     for (Theme theme : Theme.values()) {
       actions.add(
-          new Action(
-              "look." + theme.word(),
-              "Colours: " + theme.title(),
-              "",
-              () -> look.theme() != theme,
-              () -> look.setTheme(theme)),
-          () -> "Chosen");
+          Action.of(
+                  "look." + theme.word(),
+                  "Colours: " + theme.title(),
+                  "",
+                  () -> look.setTheme(theme))
+              .chosen(() -> look.theme() == theme));
     }
     actions.add(
         Action.of("look.larger", "Everything larger", "control alt EQUALS", () -> look.zoom(1)));

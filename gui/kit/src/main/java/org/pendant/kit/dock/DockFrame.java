@@ -138,6 +138,11 @@ public final class DockFrame {
     }
   }
 
+  /** Whether only the tabs of a side are shown. */
+  public boolean collapsed(Side side) {
+    return plan.collapsed(side);
+  }
+
   /** Changes between all of a side and only its tabs. */
   public void toggle(Side side) {
     setCollapsed(side, !plan.collapsed(side));

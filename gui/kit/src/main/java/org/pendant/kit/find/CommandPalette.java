@@ -138,6 +138,14 @@ public final class CommandPalette {
       add(keys, "wmin pref");
     }
 
+    /** What is on, and which of several is chosen. */
+    private static String word(Action.Mark mark) {
+      return switch (mark) {
+        case Action.Mark.Check(var on) -> on.getAsBoolean() ? "on" : "off";
+        case Action.Mark.Choice(var on) -> on.getAsBoolean() ? "chosen" : "";
+      };
+    }
+
     @Override
     public Component getListCellRendererComponent(
         JList<? extends Action> all, Action action, int index, boolean selected, boolean focus) {
@@ -146,7 +154,8 @@ public final class CommandPalette {
       Color words = selected ? all.getSelectionForeground() : all.getForeground();
       title.setText(action.title());
       title.setForeground(enabled ? words : Palette.quiet());
-      reason.setText(actions.reason(action.id()));
+      reason.setText(
+          enabled ? action.mark().map(Cell::word).orElse("") : actions.reason(action.id()));
       reason.setForeground(Palette.quiet());
       keys.setText(KeyText.shown(actions.keysOf(action.id())));
       keys.setForeground(selected ? words : Palette.quiet());

@@ -1,0 +1,364 @@
+package org.pendant.desktop.shell;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/**
+ * Menu plan: which action is in which menu. A menu has at most {@value #MOST} entries, so that all
+ * of it fits in a small window; what comes later finds a place by how its id begins.
+ */
+final class MenuPlan {
+  /** How many entries a menu has at most. */
+  static final int MOST = 14;
+
+  /** These are on the Program screen, and too many for a menu. */
+  private static final String ON_SCREEN = "tree.add-";
+
+  /** Where views may go; each view has a menu of its own for these. */
+  static final String ARRANGE = "arrange.";
+
+  private MenuPlan() {}
+
+  /** What stands in a menu. */
+  sealed interface Entry {
+    /**
+     * One of several actions that mean the same on different screens: the first that can be done
+     * now.
+     */
+    record One(List<String> ids) implements Entry {}
+
+    /** All actions whose ids begin so and that stand nowhere by their whole id. */
+    record Rest(String begin) implements Entry {}
+
+    /**
+     * A menu in a menu.
+     *
+     * @param said how the titles of its actions begin; they go without it there
+     */
+    record Sub(String title, String said, List<Entry> entries) implements Entry {}
+
+    /** A line between entries. */
+    record Line() implements Entry {}
+
+    /** Entries that are no actions, such as recent files. */
+    record Files(String title) implements Entry {}
+
+    /** Menus of the places that views may have, one for each view. */
+    record Places(String title, List<String> views) implements Entry {}
+  }
+
+  /**
+   * A menu of the bar.
+   *
+   * @param forTrees whether it is shown for programs made of nodes only
+   */
+  record Menu(String title, boolean forTrees, List<Entry> entries) {}
+
+  /**
+   * The menus of a window.
+   *
+   * @param screens the ids of its screens
+   * @param panels the ids of its panels
+   */
+  static List<Menu> of(List<String> screens, List<String> panels) {
+    return List.of(
+        menu("File", file()),
+        menu("Edit", edit()),
+        new Menu("Nodes", true, nodes()),
+        menu("Go", go()),
+        menu("View", view(screens, panels)),
+        menu("Program", program()),
+        menu("Debug", debug()),
+        menu("Robot", robot()),
+        menu("Tools", all("")),
+        menu("Help", help()));
+  }
+
+  /**
+   * Which actions stand where an entry has the rest: each where the start explains the most of its
+   * id, whole words only.
+   *
+   * @param ids of all actions
+   */
+  static Map<Entry.Rest, List<String>> sorted(List<Menu> menus, List<String> ids) {
+    List<Entry> entries = menus.stream().flatMap(menu -> flat(menu.entries())).toList();
+    Set<String> named = new HashSet<>();
+    List<Entry.Rest> rests = new ArrayList<>();
+    for (Entry each : entries) {
+      switch (each) {
+        case Entry.One one -> named.addAll(one.ids());
+        case Entry.Rest rest -> rests.add(rest);
+        case Entry.Sub _, Entry.Line _, Entry.Files _, Entry.Places _ -> {}
+      }
+    }
+    Map<Entry.Rest, List<String>> sorted = new HashMap<>();
+    for (String id : ids) {
+      if (!named.contains(id) && !id.startsWith(ON_SCREEN) && !id.startsWith(ARRANGE)) {
+        rests.stream()
+            .filter(rest -> fits(id, rest.begin()))
+            .max(Comparator.comparingInt(rest -> rest.begin().length()))
+            .ifPresent(rest -> sorted.computeIfAbsent(rest, _ -> new ArrayList<>()).add(id));
+      }
+    }
+    return sorted;
+  }
+
+  private static Stream<Entry> flat(List<Entry> entries) {
+    return entries.stream()
+        .flatMap(
+            entry ->
+                entry instanceof Entry.Sub sub
+                    ? Stream.concat(Stream.of(entry), flat(sub.entries()))
+                    : Stream.of(entry));
+  }
+
+  private static boolean fits(String id, String begin) {
+    return begin.isEmpty()
+        || id.equals(begin)
+        || id.startsWith(begin + ".")
+        || id.startsWith(begin + "-");
+  }
+
+  private static List<Entry> file() {
+    return list(
+        all("file.new", "file.new-script", "file.open"),
+        sub("Recent", "", list(all("file.recent"), line(), files("Recent programs"))),
+        line(),
+        all("file.save", "file.save-as"),
+        sub("Export", "", all("file.save-script", "file.export")),
+        all("file.reload"),
+        one("editor.close", "tree.close"),
+        all("editor.reopen"),
+        line(),
+        sub(
+            "Installation",
+            "",
+            list(
+                all("installation.new", "installation.open"),
+                sub("Recent", "", list(files("Recent installations"))),
+                line(),
+                all("installation.save", "installation.save-as", "installation.reload"))),
+        all("file.open-recording", "file"),
+        line(),
+        all("file.quit"));
+  }
+
+  private static List<Entry> edit() {
+    return list(
+        one("editor.undo", "tree.undo", "installation.undo"),
+        one("editor.redo", "tree.redo", "installation.redo"),
+        line(),
+        sub(
+            "Find",
+            "",
+            list(
+                one("editor.find", "tree.find"),
+                all("editor.replace"),
+                one("editor.find-next", "tree.find-next"),
+                one("editor.find-previous", "tree.find-previous"),
+                all("editor.find-in-files"))),
+        sub(
+            "Lines",
+            "",
+            all(
+                "editor.comment",
+                "editor.indent",
+                "editor.outdent",
+                "editor.move-up",
+                "editor.move-down",
+                "editor.duplicate",
+                "editor.delete-line")),
+        sub("Fold", "", all("editor.fold", "editor.fold-all", "editor.unfold-all")),
+        line(),
+        all(
+            "editor.complete",
+            "editor.signature",
+            "editor.quick-fix",
+            "editor.rename",
+            "editor.format"),
+        all("edit", "editor", "script"));
+  }
+
+  private static List<Entry> nodes() {
+    return list(
+        all("tree.cut", "tree.copy", "tree.paste", "tree.delete"),
+        line(),
+        all("tree.rename", "tree.duplicate", "tree.suppress", "tree.move-up", "tree.move-down"),
+        line(),
+        sub("Fold", "", all("tree.fold", "tree.fold-all", "tree.unfold-all")),
+        sub("Go to", "", all("tree.palette", "tree.form", "tree.to-tree", "tree.script")),
+        all("tree"));
+  }
+
+  private static List<Entry> go() {
+    return list(
+        all("editor.open-file", "editor.symbol", "editor.line"),
+        line(),
+        all("editor.definition", "editor.references"),
+        line(),
+        all("editor.back", "editor.forward"),
+        line(),
+        all("editor.next-tab", "editor.previous-tab"),
+        line(),
+        all("debug.show-held", "help.question", "help.notice"));
+  }
+
+  private static List<Entry> view(List<String> screens, List<String> panels) {
+    return list(
+        sub("Screens", "Show", list(shows(screens), line(), places("Move a screen", screens))),
+        sub("Panels", "Show", list(shows(panels), line(), places("Move a panel", panels))),
+        line(),
+        all("dock", "view"),
+        line(),
+        sub(
+            "3D view",
+            "3D",
+            list(
+                sub(
+                    "Look from",
+                    "3D: look from",
+                    all(
+                        "scene.iso",
+                        "scene.front",
+                        "scene.back",
+                        "scene.left",
+                        "scene.right",
+                        "scene.top")),
+                all("scene.fit", "scene.tool"),
+                line(),
+                all("scene"))),
+        sub("Variables", "Variables", all("variables")),
+        sub("Plots", "Plots", all("plot")),
+        sub("Timeline", "Timeline", all("timeline")),
+        sub("Log", "Log", all("log")),
+        line(),
+        sub("Colours", "Colours", all("look.light", "look.dark", "look.system")),
+        sub(
+            "Size",
+            "",
+            list(
+                all("look.larger", "look.smaller", "look.normal"),
+                line(),
+                all("editor.larger", "editor.smaller", "editor.usual-size"))),
+        all("look"));
+  }
+
+  private static List<Entry> program() {
+    return list(
+        all("program.run", "program.run-from", "program.pause", "program.stop"),
+        line(),
+        all("program.answer"),
+        line(),
+        sub("Speed", "", all("speed")),
+        line(),
+        all("program.ask-start", "tree.follow", "program"));
+  }
+
+  private static List<Entry> debug() {
+    return list(
+        all(
+            "program.step",
+            "debug.step-into",
+            "debug.step-out",
+            "debug.run-to-line",
+            "debug.pause",
+            "debug.step-over"),
+        line(),
+        one("editor.breakpoint", "tree.breakpoint"),
+        all("debug.conditional-breakpoint", "debug"));
+  }
+
+  private static List<Entry> robot() {
+    return list(
+        all("robot.ready", "robot.off", "robot.choose", "robot.restart"),
+        line(),
+        sub("Robot time", "", all("clock")),
+        sub("Move by hand", "Move by hand", byHand()),
+        sub("Installation", "Show installation", pages()),
+        sub("Inputs and registers", "", all("io")),
+        line(),
+        all("robot.ports", "robot.ports-switch"),
+        line(),
+        all("robot.noise", "robot.start-ramp", "robot"));
+  }
+
+  private static List<Entry> byHand() {
+    return list(
+        all("move.step-held", "move.step-fine", "move.step-medium", "move.step-coarse"),
+        line(),
+        all("move.axes-base", "move.axes-tool", "move.axes-frame"),
+        line(),
+        all("move.freedrive", "move.home-here", "move.frame-here"),
+        line(),
+        all("move"));
+  }
+
+  private static List<Entry> pages() {
+    return list(
+        all("installation"),
+        line(),
+        sub(
+            "Safety",
+            "Show installation",
+            all(
+                "installation.page-limits",
+                "installation.page-joint-limits",
+                "installation.page-planes",
+                "installation.page-tool-direction")),
+        sub(
+            "Fieldbus",
+            "Show installation",
+            all(
+                "installation.page-modbus",
+                "installation.page-ethernet-ip",
+                "installation.page-external-control")));
+  }
+
+  private static List<Entry> help() {
+    return list(all("help.palette", "help.keys", "help"));
+  }
+
+  private static List<Entry> all(String... begins) {
+    return Stream.of(begins).<Entry>map(Entry.Rest::new).toList();
+  }
+
+  private static List<Entry> shows(List<String> views) {
+    return views.stream().<Entry>map(view -> new Entry.Rest("view." + view)).toList();
+  }
+
+  private static Menu menu(String title, List<Entry> entries) {
+    return new Menu(title, false, entries);
+  }
+
+  private static List<Entry> one(String... ids) {
+    return List.of(new Entry.One(List.of(ids)));
+  }
+
+  private static List<Entry> sub(String title, String said, List<Entry> entries) {
+    return List.of(new Entry.Sub(title, said, entries));
+  }
+
+  private static List<Entry> files(String title) {
+    return List.of(new Entry.Files(title));
+  }
+
+  private static List<Entry> places(String title, List<String> views) {
+    return List.of(new Entry.Places(title, views));
+  }
+
+  private static List<Entry> line() {
+    return List.of(new Entry.Line());
+  }
+
+  @SafeVarargs
+  @SuppressWarnings("varargs") // only read
+  private static List<Entry> list(List<Entry>... parts) {
+    return Stream.of(parts).flatMap(List::stream).toList();
+  }
+}
