@@ -425,7 +425,8 @@ final class OpenWindow implements AutoCloseable {
     requests.println(verb + "\t" + what.replace("\\", "\\\\").replace("\n", "\\n"));
     try {
       String reply = replies.readLine();
-      if (reply == null) {
+      // One that closes its window may end in the middle of its answer.
+      if (reply == null || reply.indexOf('\t') < 0) {
         return Optional.empty();
       }
       String[] words = reply.split("\t", 2);

@@ -34,6 +34,7 @@ public final class EditorLink implements BreakpointListener {
     openBreakpoints.addListener(this::showMarks);
     editor.setBreakpointMemory(this::lines);
     editor.addBreakpointListener(this);
+    showMarks();
   }
 
   private SortedSet<Integer> lines(ProgramDocument program) {

@@ -12,6 +12,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.language.source.ByteText;
@@ -28,6 +29,7 @@ public final class OpenBreakpoints {
   /** Closed programs keep theirs for as long as the user may open them again. */
   private final Map<ProgramDocument, BreakpointList> lists = new WeakHashMap<>();
 
+  private Function<ProgramDocument, List<Breakpoint>> memory = program -> List.of();
   private final List<Runnable> listeners = new ArrayList<>();
   private Marks marks = this::toggleHere;
   private final StartedProgram started;
@@ -56,6 +58,11 @@ public final class OpenBreakpoints {
     this.marks = marks;
   }
 
+  /** Has a program begin with the breakpoints that {@code known} has for it. */
+  void setMemory(Function<ProgramDocument, List<Breakpoint>> known) {
+    memory = known;
+  }
+
   private void toggleHere(ProgramDocument program, int line) {
     SortedSet<Integer> lines = new TreeSet<>();
     list(program).all().forEach(each -> lines.add(each.line()));
@@ -66,7 +73,13 @@ public final class OpenBreakpoints {
   }
 
   private BreakpointList list(ProgramDocument program) {
-    return lists.computeIfAbsent(program, each -> new BreakpointList());
+    return lists.computeIfAbsent(
+        program,
+        each -> {
+          BreakpointList list = new BreakpointList();
+          memory.apply(each).forEach(list::set);
+          return list;
+        });
   }
 
   /** The script of the program in front, as it is now. */

@@ -25,6 +25,9 @@ interface EditorHost {
   /** Breakpoints have moved with the text: where each line with one is now. */
   void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves);
 
+  /** The program is being closed. */
+  void ending(ProgramEditor editor);
+
   /** The user is about to jump away from the caret's place. */
   void leaving(ProgramEditor editor);
 }

@@ -49,6 +49,7 @@ final class ProgramEditor extends JPanel {
   private final NameCommands names;
   private final LayoutCommands layout;
   private final Occurrences occurrences;
+  private final TextReturn coming;
   private boolean movingLines;
 
   ProgramEditor(
@@ -101,6 +102,7 @@ final class ProgramEditor extends JPanel {
           }
         });
     area.setEditable(!generated());
+    coming = new TextReturn(area, marks);
     area.addHierarchyListener(this::shown);
     add(head(), BorderLayout.NORTH);
     add(scroll);
@@ -118,10 +120,10 @@ final class ProgramEditor extends JPanel {
     return head;
   }
 
-  /** The tree moves the caret while the text is not shown. */
+  /** The caret may have moved while the text was not shown. */
   private void shown(HierarchyEvent event) {
     boolean shown = (event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0;
-    if (shown && area.isShowing() && generated()) {
+    if (shown && area.isShowing() && (generated() || coming.unseen())) {
       TextSpan caret = new TextSpan(area.getCaretPosition(), area.getCaretPosition());
       EventQueue.invokeLater(() -> area.show(caret));
     }
@@ -150,7 +152,7 @@ final class ProgramEditor extends JPanel {
     }
     moveLines(() -> script.setText(text), newLine);
     area.discardAllEdits();
-    if (gone) {
+    if (coming.setBreakpoints() || gone) {
       editorHost.breakpointsChanged(this);
     }
   }
@@ -249,12 +251,24 @@ final class ProgramEditor extends JPanel {
   }
 
   SortedSet<Integer> breakpoints() {
-    return marks.breakpoints();
+    return coming.breakpoints();
   }
 
   /** Sets breakpoints on lines that had them when this program was open last. */
   void restoreBreakpoints(SortedSet<Integer> lines) {
-    lines.stream().filter(line -> line <= area.getLineCount()).forEach(marks::addBreakpoint);
+    coming.bringBreakpoints(lines, generated() && script.text().isEmpty());
+  }
+
+  /** Goes to where people were when this program was open last. */
+  void restore(TextPlace place) {
+    if (!generated()) {
+      coming.go(place);
+    }
+  }
+
+  /** Where people are now. */
+  TextPlace place() {
+    return generated() ? TextPlace.START : coming.place();
   }
 
   /** Shows what others know of breakpoints, by their lines. */
@@ -308,6 +322,7 @@ final class ProgramEditor extends JPanel {
   /** Forgets the program; the editor is not used again. */
   void end() {
     hidePopups();
+    editorHost.ending(this);
     link.end();
   }
 
@@ -357,6 +372,7 @@ final class ProgramEditor extends JPanel {
       area.forceReparsing(notices);
     }
     area.getFoldManager().reparse();
+    coming.fold();
     marks.setStatementLines(analysed.statementLines());
     fixes.forget();
     fixes.refreshBulb();

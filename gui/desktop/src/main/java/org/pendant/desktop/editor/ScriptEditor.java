@@ -50,6 +50,7 @@ public final class ScriptEditor implements View {
   private final QuickOpen quickOpen;
   private Function<ProgramDocument, SortedSet<Integer>> breakpointMemory =
       program -> Collections.emptySortedSet();
+  private TextMemory memory = TextMemory.NONE;
   private PlacesSink places = (title, found) -> {};
 
   /** Where lists of places are shown. */
@@ -76,6 +77,7 @@ public final class ScriptEditor implements View {
               ProgramEditor made =
                   new ProgramEditor(program, catalogue, worker, editorHost, this::isTaken);
               made.restoreBreakpoints(breakpointMemory.apply(program));
+              memory.of(program).ifPresent(made::restore);
               return made;
             },
             closer::close,
@@ -156,9 +158,21 @@ public final class ScriptEditor implements View {
     editor(program).ifPresent(editor -> editor.showBreakpoints(looks));
   }
 
-  /** Asks {@code memory} for the breakpoints of programs that are opened again. */
-  public void setBreakpointMemory(Function<ProgramDocument, SortedSet<Integer>> memory) {
-    breakpointMemory = memory;
+  /** Asks {@code known} for the breakpoints of programs that are open, or opened again. */
+  public void setBreakpointMemory(Function<ProgramDocument, SortedSet<Integer>> known) {
+    breakpointMemory = known;
+    tabs.all().forEach(each -> each.restoreBreakpoints(known.apply(each.program())));
+  }
+
+  /** Has people come back to where they were, in programs that are open, or opened again. */
+  public void setTextMemory(TextMemory known) {
+    memory = known;
+    tabs.all().forEach(each -> known.of(each.program()).ifPresent(each::restore));
+  }
+
+  /** Where people are in the text of a program. */
+  public Optional<TextPlace> place(ProgramDocument program) {
+    return editor(program).map(ProgramEditor::place);
   }
 
   /** The lines of a program that have a breakpoint. */
@@ -324,6 +338,11 @@ public final class ScriptEditor implements View {
     @Override
     public void leaving(ProgramEditor editor) {
       navigation.left(editor);
+    }
+
+    @Override
+    public void ending(ProgramEditor editor) {
+      memory.closing(editor.program(), editor.place());
     }
 
     @Override

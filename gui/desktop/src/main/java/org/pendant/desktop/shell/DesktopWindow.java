@@ -272,6 +272,7 @@ final class DesktopWindow {
     docks.mainView().ifPresent(docks::show);
     refresh.start();
     keep.start();
+    views.keeper().notice().ifPresent(this::warn);
     autosave.offerLeftBehind();
     programs.addListener(others::look);
     others.look();
@@ -346,6 +347,7 @@ final class DesktopWindow {
     Faults.guard(autosave::look);
     Faults.guard(disk::look);
     Faults.guard(others::look);
+    Faults.guard(views.keeper()::look);
   }
 
   private void chooseRobot(String id) {
@@ -359,6 +361,7 @@ final class DesktopWindow {
     // Whatever these throw, the window closes.
     Faults.guard(autosave::end);
     Faults.guard(others::end);
+    Faults.guard(views.keeper()::look);
     window.end();
     closed.run();
   }

@@ -16,6 +16,7 @@ import org.pendant.desktop.debug.DebugActions;
 import org.pendant.desktop.debug.DebugPresenter;
 import org.pendant.desktop.debug.EditorLink;
 import org.pendant.desktop.debug.Favourites;
+import org.pendant.desktop.debug.FileKeeper;
 import org.pendant.desktop.debug.VariablesView;
 import org.pendant.desktop.debug.WatchesView;
 import org.pendant.desktop.editor.OutlineView;
@@ -58,6 +59,7 @@ final class Views {
   private final LogView log;
   private final DebugPresenter debug;
   private final EditorLink link;
+  private final FileKeeper keeper;
   private final PortsView ports;
   private final RobotSession session;
   private final Consumer<String> tell;
@@ -84,6 +86,7 @@ final class Views {
             workbench,
             new DesktopPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
     debug = new DebugPresenter(workbench, programs);
+    keeper = new FileKeeper(workbench.settings(), programs, editor, debug.breakpoints());
     link = new EditorLink(editor, debug, programs);
     runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
@@ -311,6 +314,11 @@ final class Views {
           }
         });
     Faults.guard(() -> startMove.refresh(state));
+  }
+
+  /** Has what people see of each file last until they open it again. */
+  FileKeeper keeper() {
+    return keeper;
   }
 
   /** What happens while people look at the past. */
