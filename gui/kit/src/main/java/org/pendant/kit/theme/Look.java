@@ -83,7 +83,12 @@ public final class Look {
     colors.put("ScrollBar.width", "11");
     colors.put("TabbedPane.tabHeight", "28");
     colors.put("TabbedPane.inactiveUnderlineColor", "@accentColor");
+    // Of buttons side by side the chosen one must not look like those that cannot be used.
+    colors.put("ToggleButton.selectedBackground", "@accentColor");
+    colors.put("ToggleButton.selectedForeground", dark ? "#14181C" : "#FFFFFF");
+    colors.put("ToggleButton.disabledSelectedBackground", dark ? "#2C4058" : "#D3E1EF");
     colors.put("ToggleButton.toolbar.selectedBackground", dark ? "#2C4058" : "#D3E1EF");
+    colors.put("ToggleButton.toolbar.selectedForeground", "@foreground");
     // What is chosen in a list, a table or a tree is seen as chosen while keys go elsewhere too.
     for (String kind : List.of("List", "Table", "Tree")) {
       colors.put(kind + ".selectionInactiveBackground", dark ? "#2C4058" : "#D3E1EF");

@@ -1,0 +1,49 @@
+package org.pendant.kit.theme;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.UIManager;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.pendant.kit.settings.Settings;
+
+final class LookTest {
+  private final Map<String, String> remembered = new HashMap<>();
+  private final Settings settings =
+      new Settings() {
+        @Override
+        public Optional<String> get(String name) {
+          return Optional.ofNullable(remembered.get(name));
+        }
+
+        @Override
+        public void put(String name, String text) {
+          remembered.put(name, text);
+        }
+      };
+
+  @AfterEach
+  void leaveNothing() {
+    FlatLaf.setGlobalExtraDefaults(null);
+    PreviewLook.change(false);
+  }
+
+  @Test
+  void theChosenOfButtonsSideBySideStandsOutInBothThemes() {
+    Look look = new Look(settings);
+    for (Theme theme : new Theme[] {Theme.LIGHT, Theme.DARK}) {
+      look.setTheme(theme);
+      var chosen = UIManager.getColor("ToggleButton.selectedBackground");
+      for (String other : new String[] {"background", "disabledBackground"}) {
+        double contrast = Contrast.of(chosen, UIManager.getColor("ToggleButton." + other));
+        assertTrue(contrast >= Contrast.VISIBLE, theme + ", " + other + ": " + contrast);
+      }
+      double words = Contrast.of(UIManager.getColor("ToggleButton.selectedForeground"), chosen);
+      assertTrue(words >= Contrast.READABLE, theme + ", words: " + words);
+    }
+  }
+}
