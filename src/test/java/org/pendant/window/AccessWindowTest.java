@@ -28,7 +28,7 @@ final class AccessWindowTest {
   @Test
   void everythingThatKeysReachHasANameInEveryPanel() {
     window.perform("Show Problems");
-    for (String dock : List.of("dock-tabs-right", "dock-tabs-bottom")) {
+    for (String dock : List.of("dock-tabs-right", "dock-tabs-lower", "dock-tabs-bottom")) {
       for (String title : window.tabs(dock)) {
         window.choose(dock, title);
         assertEquals("", window.nameless(), title);

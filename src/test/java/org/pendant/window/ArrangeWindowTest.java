@@ -22,9 +22,9 @@ final class ArrangeWindowTest {
 
   @Test
   void aTabIsDraggedToTheOtherSideAndComesBack() {
-    window.dragTab("dock-tabs-right", "Outline", "rail-run");
-    window.await("it is where it was", () -> window.tabs("dock-tabs-right").contains("Outline"));
-    window.dragTab("dock-tabs-right", "Outline", "dock-tabs-bottom");
+    window.dragTab("dock-tabs-lower", "Outline", "rail-run");
+    window.await("it is where it was", () -> window.tabs("dock-tabs-lower").contains("Outline"));
+    window.dragTab("dock-tabs-lower", "Outline", "dock-tabs-bottom");
     window.await("it is there", () -> window.tabs("dock-tabs-bottom").contains("Outline"));
     window.awaitShown("outline-tree");
     window.dragTab("dock-tabs-bottom", "Outline", "main-area");
@@ -36,10 +36,10 @@ final class ArrangeWindowTest {
 
   @Test
   void aTabIsDraggedAmongItsNeighbours() {
-    List<String> before = window.tabs("dock-tabs-right");
-    window.dragTab("dock-tabs-right", before.getLast(), "dock-tabs-right");
-    window.choose("dock-tabs-right", before.getFirst());
-    assertEquals(before, window.tabs("dock-tabs-right"), "dropped beside the tabs: at the end");
+    List<String> before = window.tabs("dock-tabs-lower");
+    window.dragTab("dock-tabs-lower", before.getLast(), "dock-tabs-lower");
+    window.choose("dock-tabs-lower", before.getFirst());
+    assertEquals(before, window.tabs("dock-tabs-lower"), "dropped beside the tabs: at the end");
   }
 
   @Test
@@ -49,6 +49,21 @@ final class ArrangeWindowTest {
     window.awaitHidden("scene");
     window.press("control B");
     window.awaitShown("scene");
+  }
+
+  @Test
+  void theArmAndTheVariablesAreSeenTogetherAndEachScreenKeepsWhatIsFolded() {
+    window.awaitShown("scene");
+    window.awaitShown("variables-view");
+    window.click("dock-collapse-lower");
+    window.awaitHidden("variables-view");
+    window.awaitShown("scene");
+    window.click("rail-script");
+    window.awaitShown("variables-view");
+    window.click("rail-run");
+    window.awaitHidden("variables-view");
+    window.press("control alt J");
+    window.awaitShown("variables-view");
   }
 
   @Test

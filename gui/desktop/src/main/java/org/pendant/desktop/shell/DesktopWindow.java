@@ -115,7 +115,8 @@ final class DesktopWindow {
             EventQueue::invokeLater,
             status::tell,
             runner::startByInput);
-    docks = new DockFrame(new DockPlan(settings, views.home()), views.all(), views.home());
+    docks =
+        new DockFrame(new DockPlan(settings, views.home(), Views.WIDE), views.all(), views.home());
     workbench.attach(docks);
     SaveQueue saves = new SaveQueue();
     DocumentSaver saver = new DocumentSaver(saves, notices, status::tell, this::warn);

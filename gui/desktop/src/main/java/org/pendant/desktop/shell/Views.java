@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StateFolder;
@@ -51,6 +52,9 @@ import org.pendant.kit.icon.Glyph;
 
 /** Views: everything that is in the window: a line for each view. */
 final class Views {
+  /** The screens on which people look at the arm as much as at the screen. */
+  static final Set<String> WIDE = Set.of("run", "move");
+
   private final List<Place> places;
   private final ScriptEditor editor;
   private final ProgramView program;
@@ -149,13 +153,13 @@ final class Views {
             screen(log, Glyph.LOG),
             screen(plots, Glyph.PLOT),
             panel(scene, Side.RIGHT),
-            panel(past.held(variables), Side.RIGHT),
-            panel(new WatchesView(workbench, debug), Side.RIGHT),
-            panel(new OutlineView(workbench, editor), Side.RIGHT),
-            panel(ports, Side.RIGHT),
+            panel(past.held(variables), Side.LOWER),
+            panel(new WatchesView(workbench, debug), Side.LOWER),
+            panel(new OutlineView(workbench, editor), Side.LOWER),
+            panel(ports, Side.LOWER),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
-            panel(new CallStackView(workbench, debug), Side.BOTTOM),
+            panel(new CallStackView(workbench, debug), Side.LOWER),
             panel(breakpoints, Side.BOTTOM),
             panel(past.timeline(), Side.BOTTOM));
   }

@@ -41,11 +41,12 @@ final class WindowActions {
 
   /** Moving views, and folding docks. */
   void addDocks(DockFrame docks) {
-    for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.BOTTOM)) {
+    for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.LOWER, Side.BOTTOM)) {
       String key =
           switch (side) {
             case LEFT -> "control shift B";
             case RIGHT -> "control B";
+            case LOWER -> "control alt J";
             case BOTTOM, MAIN -> "control J";
           };
       actions.add(

@@ -14,7 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import org.pendant.kit.theme.Palette;
 
-/** A line between a dock and the main area: dragged, or moved with the arrow keys. */
+/** A line between a dock and what is beside it: dragged, or moved with the arrow keys. */
 @SuppressWarnings("serial") // never written to a stream
 final class Divider extends JPanel {
   private static final int KEY_STEP = 16;
@@ -25,7 +25,7 @@ final class Divider extends JPanel {
    * @param moved told how many pixels to the right or down, after scaling
    */
   Divider(Side side, IntConsumer moved) {
-    upright = side != Side.BOTTOM;
+    upright = side == Side.LEFT || side == Side.RIGHT;
     setName("dock-divider-" + side.word());
     setToolTipText("Drag to change the size");
     getAccessibleContext().setAccessibleName("Size of the dock at " + side.title());

@@ -21,9 +21,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.plaf.LayerUI;
 import org.pendant.kit.theme.Palette;
 
-/**
- * Dock frame: the views, one in the main area, the others as tabs in docks on three sides of it.
- */
+/** Dock frame: the views, one in the main area, the others as tabs in docks around it. */
 public final class DockFrame {
   private final DockPlan plan;
   private final Map<String, Dockable> views = new LinkedHashMap<>();
@@ -51,7 +49,7 @@ public final class DockFrame {
     main.setName("main-area");
     main.add(nothing(), BorderLayout.CENTER);
     area.add(main);
-    for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.BOTTOM)) {
+    for (Side side : List.of(Side.LEFT, Side.RIGHT, Side.LOWER, Side.BOTTOM)) {
       DockPane pane = new DockPane(side, plan, views::get, this);
       Divider divider = new Divider(side, pixels -> resize(side, pixels));
       panes.put(side, pane);
@@ -184,8 +182,12 @@ public final class DockFrame {
   }
 
   private void resize(Side side, int pixels) {
-    int sign = side == Side.LEFT ? 1 : -1;
-    plan.setSize(side, plan.size(side) + UIScale.unscale(sign * pixels));
+    int moved = side == Side.LEFT ? pixels : -pixels;
+    DockPane pane = panes.get(side);
+    boolean upright = side == Side.LEFT || side == Side.RIGHT;
+    double size = upright ? pane.getWidth() : pane.getHeight();
+    double whole = upright ? area.getWidth() : area.getHeight();
+    plan.setShare(side, (size + UIScale.scale(DockLayout.DIVIDER) + moved) / Math.max(1, whole));
     area.revalidate();
   }
 
@@ -194,7 +196,11 @@ public final class DockFrame {
   Side sideAt(Point point) {
     for (Map.Entry<Side, DockPane> each : panes.entrySet()) {
       if (each.getValue().isVisible() && each.getValue().getBounds().contains(point)) {
-        return each.getKey();
+        boolean below =
+            each.getKey() == Side.RIGHT
+                && plan.views(Side.LOWER).isEmpty()
+                && point.y > area.getHeight() * 2 / 3;
+        return below ? Side.LOWER : each.getKey();
       }
     }
     if (point.x < area.getWidth() / 5) {
@@ -231,12 +237,17 @@ public final class DockFrame {
     if (panes.get(side).isVisible()) {
       return panes.get(side).getBounds();
     }
-    int size = UIScale.scale(plan.size(side));
     int width = area.getWidth();
     int height = area.getHeight();
+    boolean upright = side == Side.LEFT || side == Side.RIGHT;
+    int size = (int) Math.round(plan.share(side) * (upright ? width : height));
     return switch (side) {
       case LEFT -> new Rectangle(0, 0, size, height);
       case RIGHT -> new Rectangle(width - size, 0, size, height);
+      case LOWER -> {
+        Rectangle above = panes.get(Side.RIGHT).getBounds();
+        yield new Rectangle(above.x, height - size, above.width, size);
+      }
       case BOTTOM -> new Rectangle(main.getX(), height - size, main.getWidth(), size);
       case MAIN -> main.getBounds();
     };

@@ -15,8 +15,10 @@ final class DockLayout implements LayoutManager {
   /** The main area keeps this width and height, in pixels before scaling, as long as it can. */
   private static final int MAIN_WIDTH = 280;
 
-  private static final int MAIN_HEIGHT = 160;
-  private static final int DIVIDER = 6;
+  private static final int MAIN_HEIGHT = 260;
+
+  /** Thickness of the line between a dock and what is beside it, in pixels before scaling. */
+  static final int DIVIDER = 6;
 
   private final DockPlan plan;
   private final Component main;
@@ -36,29 +38,69 @@ final class DockLayout implements LayoutManager {
     int width = parent.getWidth();
     int height = parent.getHeight();
     int room = width - UIScale.scale(MAIN_WIDTH);
-    int right = thickness(Side.RIGHT, room);
-    int left = thickness(Side.LEFT, room - right);
-    int bottom = thickness(Side.BOTTOM, height - UIScale.scale(MAIN_HEIGHT));
+    int right = Math.max(thickness(Side.RIGHT, width, room), columnOfLower(width, room));
+    int left = thickness(Side.LEFT, width, room - right);
+    int bottom = thickness(Side.BOTTOM, height, height - UIScale.scale(MAIN_HEIGHT));
+    int lower = lower(height);
     int inner = width - left - right;
     int gap = UIScale.scale(DIVIDER);
 
     place(Side.LEFT, left, r -> r.setBounds(0, 0, left, height), gap);
-    place(Side.RIGHT, right, r -> r.setBounds(width - right, 0, right, height), gap);
+    int upper = plan.views(Side.RIGHT).isEmpty() ? 0 : right;
+    place(Side.RIGHT, upper, r -> r.setBounds(width - right, 0, right, height - lower), gap);
+    int inset = plan.collapsed(Side.RIGHT) || upper == 0 ? 0 : gap;
+    place(
+        Side.LOWER,
+        lower,
+        r -> r.setBounds(width - right + inset, height - lower, right - inset, lower),
+        gap);
+    if (upper > 0 && !plan.collapsed(Side.RIGHT)) {
+      // one line along both
+      dividers.get(Side.RIGHT).setBounds(width - right, 0, gap, height);
+    }
     place(Side.BOTTOM, bottom, r -> r.setBounds(left, height - bottom, inner, bottom), gap);
     main.setBounds(left, 0, inner, height - bottom);
   }
 
-  /** How much a dock takes with its divider; 0 for an empty one. */
-  private int thickness(Side side, int room) {
+  /** The width of the column at the right where only its lower dock has views. */
+  private int columnOfLower(int width, int room) {
+    if (plan.views(Side.LOWER).isEmpty() || !plan.views(Side.RIGHT).isEmpty()) {
+      return 0;
+    }
+    return plan.collapsed(Side.RIGHT)
+        ? panes.get(Side.LOWER).getPreferredSize().width
+        : open(Side.RIGHT, width, room);
+  }
+
+  /** The height of the lower dock at the right; all of it when it is alone there. */
+  private int lower(int height) {
+    if (plan.views(Side.LOWER).isEmpty()) {
+      return 0;
+    }
+    if (plan.views(Side.RIGHT).isEmpty()) {
+      return height;
+    }
+    if (plan.collapsed(Side.RIGHT)) {
+      return height / 2;
+    }
+    return thickness(Side.LOWER, height, height - UIScale.scale(DockPlan.SMALLEST));
+  }
+
+  /** How much a dock takes of {@code whole} with its divider; 0 for an empty one. */
+  private int thickness(Side side, int whole, int room) {
     if (plan.views(side).isEmpty()) {
       return 0;
     }
     if (plan.collapsed(side)) {
       Dimension strip = panes.get(side).getPreferredSize();
-      return side == Side.BOTTOM ? strip.height : strip.width;
+      return side == Side.BOTTOM || side == Side.LOWER ? strip.height : strip.width;
     }
+    return open(side, whole, room);
+  }
+
+  private int open(Side side, int whole, int room) {
     int smallest = UIScale.scale(DockPlan.SMALLEST);
-    int wanted = UIScale.scale(plan.size(side)) + UIScale.scale(DIVIDER);
+    int wanted = (int) Math.round(plan.share(side) * whole);
     return Math.max(smallest, Math.min(wanted, room));
   }
 
@@ -84,7 +126,7 @@ final class DockLayout implements LayoutManager {
         area.x += gap;
         area.width -= gap;
       }
-      case BOTTOM -> {
+      case LOWER, BOTTOM -> {
         line.height = gap;
         area.y += gap;
         area.height -= gap;

@@ -21,11 +21,11 @@ final class DockPane extends JPanel {
   private final transient DockFrame frame;
   private final transient TabDrag drag;
   private JTabbedPane tabs = new JTabbedPane();
-  private transient Shown shown = new Shown(List.of(), false);
+  private transient Shown shown = new Shown(List.of(), false, false);
   private boolean filling;
 
   /** What was filled in last. */
-  private record Shown(List<String> views, boolean collapsed) {}
+  private record Shown(List<String> views, boolean collapsed, boolean column) {}
 
   DockPane(Side side, DockPlan plan, Function<String, Dockable> viewOf, DockFrame frame) {
     super(new BorderLayout());
@@ -39,7 +39,7 @@ final class DockPane extends JPanel {
 
   /** Shows what the plan says; the same tabs as before stay, and what is in them. */
   void follow() {
-    Shown wanted = new Shown(plan.views(side), plan.collapsed(side));
+    Shown wanted = new Shown(plan.views(side), plan.collapsed(side), plan.collapsed(Side.RIGHT));
     filling = true;
     if (wanted.equals(shown)) {
       plan.selected(side)
@@ -98,7 +98,7 @@ final class DockPane extends JPanel {
         switch (side) {
           case LEFT -> Glyph.LEFT;
           case RIGHT -> Glyph.RIGHT;
-          case BOTTOM, MAIN -> Glyph.DOWN;
+          case LOWER, BOTTOM, MAIN -> Glyph.DOWN;
         };
     JButton button = new JButton(glyph.icon(14));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
@@ -117,6 +117,8 @@ final class DockPane extends JPanel {
         switch (side) {
           case LEFT -> JTabbedPane.LEFT;
           case RIGHT -> JTabbedPane.RIGHT;
+          // Folded with the one above it, it is a strip at the edge as well.
+          case LOWER -> plan.collapsed(Side.RIGHT) ? JTabbedPane.RIGHT : JTabbedPane.BOTTOM;
           case BOTTOM, MAIN -> JTabbedPane.BOTTOM;
         });
     tabs.putClientProperty("JTabbedPane.tabRotation", "auto");

@@ -6,33 +6,41 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.pendant.kit.settings.Settings;
 
 /**
- * Dock plan: which view is where, which one is in front, and how large the docks are. Every change
- * is remembered in the settings; what they name and is not there is left out, what they do not name
- * is where it belongs at first.
+ * Dock plan: which view is where, which one is in front, and how large the docks are. A view is at
+ * the same side on every screen; which is in front, how large the docks are and which are folded is
+ * remembered for each screen. Every change is remembered in the settings; what they name and is not
+ * there is left out, what they do not name is where it belongs at first.
  */
 public final class DockPlan {
   /** Smallest size of a dock, in pixels before scaling. */
   static final int SMALLEST = 120;
 
-  private static final int LARGEST = 4000;
+  private static final double MIN_SHARE = 0.05;
+  private static final double MAX_SHARE = 0.9;
+
+  private static final String SCREEN = "dock.screen";
 
   private final Settings settings;
+  private final Set<String> wide;
   private final Map<Side, List<String>> views = new EnumMap<>(Side.class);
-  private final Map<Side, String> selected = new EnumMap<>(Side.class);
+  private String screen = "";
 
   /**
    * The plan that was left last time.
    *
    * @param home where each view belongs at first, in the order of the views
+   * @param wide the screens that share the width evenly with the docks at the right at first
    */
-  public DockPlan(Settings settings, Map<String, Side> home) {
+  public DockPlan(Settings settings, Map<String, Side> home, Set<String> wide) {
     this.settings = settings;
+    this.wide = Set.copyOf(wide);
     for (Side side : Side.values()) {
       views.put(side, new ArrayList<>());
-      for (String id : words(settings.get(name(side, "views")).orElse(""))) {
+      for (String id : words(settings.get(viewsName(side)).orElse(""))) {
         if (home.containsKey(id) && !placed(id)) {
           views.get(side).add(id);
         }
@@ -44,12 +52,7 @@ public final class DockPlan {
             views.get(side).add(id);
           }
         });
-    for (Side side : Side.values()) {
-      settings
-          .get(name(side, "selected"))
-          .filter(views.get(side)::contains)
-          .ifPresent(id -> selected.put(side, id));
-    }
+    screen = settings.get(SCREEN).orElse("");
   }
 
   private static List<String> words(String text) {
@@ -60,8 +63,25 @@ public final class DockPlan {
     return views.values().stream().anyMatch(each -> each.contains(id));
   }
 
-  private static String name(Side side, String what) {
-    return "dock." + side.word() + "." + what;
+  private static String viewsName(Side side) {
+    return "dock." + side.word() + ".views";
+  }
+
+  /** What is remembered for the screen in the main area. */
+  private Optional<String> remembered(Side side, String what) {
+    return settings.get(name(side, what)).filter(text -> !text.isEmpty());
+  }
+
+  private void remember(Side side, String what, String text) {
+    settings.put(name(side, what), text);
+  }
+
+  private String name(Side side, String what) {
+    return name(selected(Side.MAIN).orElse("none"), side, what);
+  }
+
+  private static String name(String screen, Side side, String what) {
+    return "dock." + screen + "." + side.word() + "." + what;
   }
 
   /** The views on a side, in the order of their tabs. */
@@ -77,7 +97,7 @@ public final class DockPlan {
   /** The view in front on a side; empty where there is none. */
   public Optional<String> selected(Side side) {
     List<String> there = views.get(side);
-    return Optional.ofNullable(selected.get(side))
+    return (side == Side.MAIN ? Optional.of(screen) : remembered(side, "selected"))
         .filter(there::contains)
         .or(() -> there.stream().findFirst());
   }
@@ -87,8 +107,12 @@ public final class DockPlan {
     sideOf(id)
         .ifPresent(
             side -> {
-              selected.put(side, id);
-              settings.put(name(side, "selected"), id);
+              if (side == Side.MAIN) {
+                screen = id;
+                settings.put(SCREEN, id);
+              } else {
+                remember(side, "selected", id);
+              }
             });
   }
 
@@ -117,48 +141,74 @@ public final class DockPlan {
   }
 
   private void remember(Side side) {
-    settings.put(name(side, "views"), String.join(" ", views.get(side)));
+    settings.put(viewsName(side), String.join(" ", views.get(side)));
   }
 
-  /** Whether only the tabs of a side are shown; never so for the main area. */
+  /**
+   * Whether only the tabs of a side are shown; never so for the main area. The lower right one is
+   * folded with the right one above it.
+   */
   public boolean collapsed(Side side) {
-    Optional<String> remembered = settings.get(name(side, "collapsed")).filter(t -> !t.isEmpty());
-    return side != Side.MAIN && remembered.map(Boolean::parseBoolean).orElse(side == Side.BOTTOM);
+    if (side == Side.MAIN) {
+      return false;
+    }
+    boolean folded =
+        remembered(side, "collapsed").map(Boolean::parseBoolean).orElse(side == Side.BOTTOM);
+    return folded || (side == Side.LOWER && collapsed(Side.RIGHT));
   }
 
   /** Shows only the tabs of a side, as with the bottom at first, or all of it. */
   public void setCollapsed(Side side, boolean collapsed) {
     if (side != Side.MAIN) {
-      settings.put(name(side, "collapsed"), Boolean.toString(collapsed));
+      remember(side, "collapsed", Boolean.toString(collapsed));
+    }
+    if (side == Side.LOWER && !collapsed) {
+      setCollapsed(Side.RIGHT, false);
     }
   }
 
-  /** Width of a side, or height of the bottom, in pixels before scaling. */
-  public int size(Side side) {
-    int usual = side == Side.BOTTOM ? 200 : 420;
+  /**
+   * How much of the window's width a side takes, or of its height; of the lower right one, how much
+   * of the height of both at the right. 0.05 to 0.9.
+   */
+  public double share(Side side) {
     try {
-      int size = Integer.parseInt(settings.get(name(side, "size")).orElse(""));
-      return Math.clamp(size, SMALLEST, LARGEST);
+      double share = Integer.parseInt(remembered(side, "share").orElse("")) / 1000.0;
+      return Math.clamp(share, MIN_SHARE, MAX_SHARE);
     } catch (NumberFormatException e) {
-      return usual;
+      return usualShare(side);
     }
   }
 
-  /** Changes the size of a side. */
-  public void setSize(Side side, int size) {
-    settings.put(name(side, "size"), Integer.toString(Math.clamp(size, SMALLEST, LARGEST)));
+  private double usualShare(Side side) {
+    return switch (side) {
+      case MAIN -> 1;
+      case LEFT -> 0.25;
+      case RIGHT -> selected(Side.MAIN).filter(wide::contains).isPresent() ? 0.46 : 0.34;
+      case LOWER -> 0.42;
+      case BOTTOM -> 0.28;
+    };
   }
 
-  /** Puts everything where it belongs at first. */
+  /** Changes the share of a side. */
+  public void setShare(Side side, double share) {
+    remember(
+        side, "share", Long.toString(Math.round(1000 * Math.clamp(share, MIN_SHARE, MAX_SHARE))));
+  }
+
+  /** Puts everything where it belongs at first, on all screens. */
   public void reset(Map<String, Side> home) {
     views.values().forEach(List::clear);
     home.forEach((id, side) -> views.get(side).add(id));
-    selected.clear();
     for (Side side : Side.values()) {
       remember(side);
-      settings.put(name(side, "size"), "");
-      settings.put(name(side, "selected"), "");
-      settings.put(name(side, "collapsed"), "");
+      for (String each : home.keySet()) {
+        for (String what : List.of("share", "selected", "collapsed")) {
+          if (settings.get(name(each, side, what)).isPresent()) {
+            settings.put(name(each, side, what), "");
+          }
+        }
+      }
     }
   }
 }

@@ -8,6 +8,8 @@ public enum Side {
   MAIN("the main area"),
   LEFT("the left"),
   RIGHT("the right"),
+  /** Below the right one, as wide as that. */
+  LOWER("the lower right"),
   BOTTOM("the bottom");
 
   private final String title;

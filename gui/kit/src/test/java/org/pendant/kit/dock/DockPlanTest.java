@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.settings.Settings;
 
@@ -38,7 +39,7 @@ final class DockPlanTest {
   }
 
   private DockPlan plan() {
-    return new DockPlan(settings, home());
+    return new DockPlan(settings, home(), Set.of("run"));
   }
 
   @Test
@@ -82,21 +83,59 @@ final class DockPlanTest {
   void unknownAndDoubleNamesInSettingsAreLeftOutAndNewViewsAreAtHome() {
     remembered.put("dock.left.views", "scene gone scene");
     remembered.put("dock.bottom.views", "scene");
-    remembered.put("dock.right.size", "wide");
+    remembered.put("dock.run.right.share", "wide");
     DockPlan plan = plan();
     assertEquals(List.of("scene"), plan.views(Side.LEFT));
     assertEquals(List.of("variables"), plan.views(Side.RIGHT));
     assertEquals(List.of("problems"), plan.views(Side.BOTTOM));
-    assertEquals(420, plan.size(Side.RIGHT));
+    assertEquals(0.46, plan.share(Side.RIGHT));
   }
 
   @Test
   void sizesAreRememberedWithinReason() {
     DockPlan plan = plan();
-    plan.setSize(Side.RIGHT, 412);
-    plan.setSize(Side.BOTTOM, -5);
-    assertEquals(412, plan().size(Side.RIGHT));
-    assertEquals(DockPlan.SMALLEST, plan().size(Side.BOTTOM));
+    plan.setShare(Side.RIGHT, 0.412);
+    plan.setShare(Side.BOTTOM, -5);
+    assertEquals(0.412, plan().share(Side.RIGHT));
+    assertEquals(0.05, plan().share(Side.BOTTOM));
+  }
+
+  @Test
+  void eachScreenRemembersItsSizesItsFrontTabsAndWhatIsFolded() {
+    DockPlan plan = plan();
+    plan.select("variables");
+    plan.setShare(Side.RIGHT, 0.6);
+    plan.setCollapsed(Side.BOTTOM, false);
+    plan.select("log");
+    assertEquals(Optional.of("scene"), plan.selected(Side.RIGHT));
+    assertEquals(0.34, plan.share(Side.RIGHT));
+    assertTrue(plan.collapsed(Side.BOTTOM));
+    DockPlan next = plan();
+    assertEquals(Optional.of("log"), next.selected(Side.MAIN));
+    next.select("run");
+    assertEquals(Optional.of("variables"), next.selected(Side.RIGHT));
+    assertEquals(0.6, next.share(Side.RIGHT));
+    assertFalse(next.collapsed(Side.BOTTOM));
+  }
+
+  @Test
+  void screensToLookAtTheArmHaveWiderDocksAtTheRight() {
+    DockPlan plan = plan();
+    assertEquals(0.46, plan.share(Side.RIGHT));
+    plan.select("log");
+    assertEquals(0.34, plan.share(Side.RIGHT));
+  }
+
+  @Test
+  void theLowerRightIsFoldedAndUnfoldedWithTheOneAbove() {
+    DockPlan plan = plan();
+    plan.move("variables", Side.LOWER);
+    plan.setCollapsed(Side.RIGHT, true);
+    assertTrue(plan.collapsed(Side.LOWER));
+    plan.setCollapsed(Side.LOWER, false);
+    assertFalse(plan.collapsed(Side.RIGHT));
+    plan.setCollapsed(Side.LOWER, true);
+    assertFalse(plan.collapsed(Side.RIGHT));
   }
 
   @Test
@@ -110,9 +149,9 @@ final class DockPlanTest {
   void everythingGoesHomeOnRequest() {
     DockPlan plan = plan();
     plan.move("run", Side.LEFT);
-    plan.setSize(Side.RIGHT, 500);
+    plan.setShare(Side.RIGHT, 0.6);
     plan.reset(home());
     assertEquals(List.of("run", "log"), plan().views(Side.MAIN));
-    assertEquals(420, plan().size(Side.RIGHT));
+    assertEquals(0.46, plan().share(Side.RIGHT));
   }
 }
