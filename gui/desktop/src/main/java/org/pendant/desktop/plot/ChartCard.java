@@ -5,8 +5,10 @@ import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
 
 /** Chart card: a chart with its legend above. */
 @SuppressWarnings("serial") // never written to a stream
@@ -27,11 +29,20 @@ final class ChartCard extends JPanel {
     this.presenter = presenter;
     this.chart = chart;
     panel = new ChartPanel(presenter, chart, changed);
-    JPanel legend = new JPanel(new WrappingRow(8));
+    JPanel legend = new JPanel(new WrappingRow(4));
+    legend.setName("plot-legend");
+    String common =
+        Legend.common(chart.traces().stream().map(each -> each.quantity().namedLabel()).toList());
+    if (!common.isEmpty()) {
+      JLabel heading = new JLabel(common);
+      heading.setForeground(Palette.quiet());
+      legend.add(heading);
+    }
     for (ChartTrace trace : chart.traces()) {
       LegendItem item =
           new LegendItem(
               trace,
+              common,
               () -> {
                 presenter.remove(chart, trace.quantity());
                 rebuild.run();

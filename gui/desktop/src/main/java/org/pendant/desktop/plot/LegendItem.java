@@ -16,16 +16,23 @@ import org.pendant.kit.theme.Palette;
 @SuppressWarnings("serial") // never written to a stream
 final class LegendItem extends JPanel {
   private final ChartTrace trace;
+  private final String common;
   private final JLabel name;
   private final JLabel value = new JLabel();
   private int widest;
 
-  LegendItem(ChartTrace trace, Runnable remove) {
-    super(new MigLayout("insets 0, gap 6", "[][][]"));
+  /**
+   * An item.
+   *
+   * @param common what stands before all items, and not in this one again; may be empty
+   */
+  LegendItem(ChartTrace trace, String common, Runnable remove) {
+    super(new MigLayout("insets 0, gap 4", "[][][]"));
     this.trace = trace;
+    this.common = common;
     setOpaque(false);
     String title = trace.quantity().namedLabel();
-    name = new JLabel(title, new Swatch(trace.color()), JLabel.LEADING);
+    name = new JLabel(Legend.below(common, title), new Swatch(trace.color()), JLabel.LEADING);
     name.setToolTipText(title + ", " + trace.quantity().id());
     value.setName("plot-value-" + trace.quantity().id());
     value.setToolTipText("Value of " + title);
@@ -35,7 +42,7 @@ final class LegendItem extends JPanel {
     close.setToolTipText("Remove " + title);
     close.getAccessibleContext().setAccessibleName("Remove " + title);
     close.putClientProperty("JButton.buttonType", "toolBarButton");
-    close.putClientProperty("FlatLaf.style", "toolbar.margin: 0,4,0,4");
+    close.putClientProperty("FlatLaf.style", "toolbar.margin: 0,3,0,3");
     close.addActionListener(event -> remove.run());
     add(name);
     add(value);
@@ -44,7 +51,7 @@ final class LegendItem extends JPanel {
 
   /** Shows a value; room once taken is kept, so that the legend does not jump. */
   void show(PlotPresenter presenter) {
-    String title = trace.quantity().namedLabel();
+    String title = Legend.below(common, trace.quantity().namedLabel());
     if (!title.equals(name.getText())) {
       name.setText(title);
     }

@@ -2,6 +2,8 @@ package org.pendant.desktop.plot;
 
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -26,6 +28,8 @@ public final class PlotView implements View {
   private final ChartStack stack;
   private final PlotBar bar;
   private final QuantityTree tree;
+  private int treeWidth;
+  private int placed;
   private final JPanel content = new JPanel(new BorderLayout());
 
   /**
@@ -53,11 +57,29 @@ public final class PlotView implements View {
     JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right);
     split.setBorder(BorderFactory.createEmptyBorder());
     split.setName("plot-split");
-    split.setDividerLocation(tree.component().getPreferredSize().width);
+    treeWidth = tree.component().getPreferredSize().width;
+    placed = treeWidth;
+    split.setDividerLocation(placed);
+    split.addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            place(split);
+          }
+        });
     content.add(split);
     content.setName("plot-view");
     content.getAccessibleContext().setAccessibleName(title());
     declareActions();
+  }
+
+  /** The charts have most of a narrow screen, until people move the divider. */
+  private void place(JSplitPane split) {
+    if (split.getDividerLocation() != placed) {
+      treeWidth = split.getDividerLocation();
+    }
+    placed = Math.min(treeWidth, Math.max(split.getWidth() * 3 / 10, 1));
+    split.setDividerLocation(placed);
   }
 
   private void declareActions() {
