@@ -2,6 +2,7 @@ package org.pendant.desktop.program;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
+import java.util.OptionalInt;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -16,9 +17,14 @@ import org.pendant.kit.settings.Settings;
 @SuppressWarnings("serial") // never written to a stream
 final class ThreeParts extends JPanel {
   private static final int NARROW = 700;
-  private static final int MIN_TABS = 320;
+  private static final int MIN_TABS = 240;
   private static final int MIN_TREE = 150;
-  private static final int USUAL_TREE = 250;
+
+  /** The share of all three that the tree has at first: names of nodes are long. */
+  private static final double USUAL_TREE = 0.4;
+
+  private static final String TREE = "program.tree-share";
+  private static final String PALETTE = "program.palette-width";
   private static final int USUAL_PALETTE = 150;
 
   private final JComponent palette;
@@ -34,36 +40,54 @@ final class ThreeParts extends JPanel {
     this.palette = palette;
     this.tabs = tabs;
     this.settings = settings;
-    inner = split("program.tree-width", tree, tabs);
-    outer = split("program.palette-width", palette, inner);
-    outer.setDividerLocation(width("program.palette-width", USUAL_PALETTE));
+    inner = split("program-tree-width", tree, tabs);
+    outer = split("program-palette-width", palette, inner);
+    remember(
+        inner,
+        () -> settings.put(TREE, String.valueOf(1000 * inner.getDividerLocation() / getWidth())));
+    remember(
+        outer,
+        () -> settings.put(PALETTE, String.valueOf(UIScale.unscale(outer.getDividerLocation()))));
+    outer.setDividerLocation(paletteWidth());
     add(outer);
   }
 
-  private JSplitPane split(String setting, JComponent left, JComponent right) {
+  private static JSplitPane split(String name, JComponent left, JComponent right) {
     JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, left, right);
-    split.setName(setting.replace('.', '-'));
+    split.setName(name);
     split.setBorder(BorderFactory.createEmptyBorder());
     split.setContinuousLayout(true);
+    return split;
+  }
+
+  private void remember(JSplitPane split, Runnable put) {
     split.addPropertyChangeListener(
         JSplitPane.DIVIDER_LOCATION_PROPERTY,
         event -> {
           if (isShowing() && !arranging && split.getWidth() > 0) {
-            int unscaled = UIScale.unscale(split.getDividerLocation());
-            settings.put(setting, String.valueOf(unscaled));
+            put.run();
           }
         });
-    return split;
+  }
+
+  private OptionalInt number(String setting) {
+    return settings
+        .get(setting)
+        .filter(each -> each.matches("\\d{1,4}"))
+        .map(each -> OptionalInt.of(Integer.parseInt(each)))
+        .orElse(OptionalInt.empty());
   }
 
   /** What people have chosen, or what is usual, in pixels of the screen. */
-  private int width(String setting, int usual) {
-    return UIScale.scale(
-        settings
-            .get(setting)
-            .filter(each -> each.matches("\\d{1,4}"))
-            .map(Integer::parseInt)
-            .orElse(usual));
+  private int paletteWidth() {
+    return UIScale.scale(number(PALETTE).orElse(USUAL_PALETTE));
+  }
+
+  /** As {@link #paletteWidth}. */
+  private int treeWidth() {
+    OptionalInt chosen = number(TREE);
+    double share = chosen.isPresent() ? chosen.getAsInt() / 1000.0 : USUAL_TREE;
+    return (int) Math.round(share * getWidth());
   }
 
   @Override
@@ -77,7 +101,7 @@ final class ThreeParts extends JPanel {
     super.doLayout();
     int room = getWidth() - (narrow ? 0 : outer.getDividerLocation() + outer.getDividerSize());
     int most = room - inner.getDividerSize() - UIScale.scale(MIN_TABS);
-    int tree = Math.min(width("program.tree-width", USUAL_TREE), most);
+    int tree = Math.min(treeWidth(), most);
     inner.setDividerLocation(Math.max(UIScale.scale(MIN_TREE), tree));
     arranging = false;
   }
@@ -94,7 +118,7 @@ final class ThreeParts extends JPanel {
       tabs.remove(palette);
       outer.setLeftComponent(palette);
       outer.setRightComponent(inner);
-      outer.setDividerLocation(width("program.palette-width", USUAL_PALETTE));
+      outer.setDividerLocation(paletteWidth());
       add(outer);
     }
   }

@@ -408,7 +408,8 @@ final class TreeList extends JList<TreeRow> {
           : "Click to set or clear a breakpoint (F9)";
     }
     List<NodeProblem> wrong = problems.getOrDefault(row.get().key(), List.of());
-    return wrong.isEmpty() ? row.get().label(labels) : wrong.getFirst().message();
+    String label = row.get().label(labels);
+    return wrong.isEmpty() ? label : label + " \u2013 " + wrong.getFirst().message();
   }
 
   // --- drops

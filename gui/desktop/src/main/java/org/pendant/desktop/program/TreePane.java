@@ -7,7 +7,9 @@ import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -19,11 +21,12 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.action.KeyText;
-import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.layout.Squeeze;
 import org.pendant.project.program.check.NodeProblem;
 
 /** Tree pane: the tree with what is around it: buttons, search, and what is not complete. */
@@ -50,11 +53,13 @@ final class TreePane extends JPanel {
     this.search = search;
     this.incomplete = incomplete;
     this.actions = actions;
-    JPanel tools = new JPanel(new WrappingRow(2));
+    JPanel tools = new JPanel(new MigLayout("insets 2 4 2 4, gap 2, hidemode 3"));
     tools.setName("program-tools");
+    Map<TreeTool, JButton> buttons = new EnumMap<>(TreeTool.class);
     for (TreeTool tool : TreeTool.values()) {
       if (tool != TreeTool.FOLLOW) {
-        tools.add(tool(tool));
+        buttons.put(tool, tool(tool));
+        tools.add(buttons.get(tool));
       }
     }
     follow.setName("program-follow");
@@ -64,6 +69,20 @@ final class TreePane extends JPanel {
     follow.setFocusable(false);
     follow.addActionListener(event -> followToggled.run());
     tools.add(follow);
+    JButton more = more();
+    tools.add(more);
+    // one row always: what has no room is in the menu
+    Squeeze squeeze =
+        new Squeeze(
+            tools,
+            List.of(
+                whole -> {
+                  more.setVisible(!whole);
+                  show(buttons, whole, TreeTool.CUT, TreeTool.COPY, TreeTool.PASTE);
+                },
+                whole -> show(buttons, whole, TreeTool.SUPPRESS, TreeTool.DELETE),
+                whole -> show(buttons, whole, TreeTool.UP, TreeTool.DOWN)));
+    squeeze.fitLater();
     JPanel head = new JPanel(new BorderLayout());
     head.add(tools, BorderLayout.NORTH);
     head.add(search, BorderLayout.SOUTH);
@@ -77,6 +96,27 @@ final class TreePane extends JPanel {
     list.setComponentPopupMenu(menu());
     key("LEFT", () -> list.turn(false));
     key("RIGHT", () -> list.turn(true));
+  }
+
+  private static void show(Map<TreeTool, JButton> buttons, boolean visible, TreeTool... tools) {
+    for (TreeTool each : tools) {
+      buttons.get(each).setVisible(visible);
+    }
+  }
+
+  private JButton more() {
+    JButton more = new JButton("\u22ef");
+    more.setName("program-more");
+    more.putClientProperty("JButton.buttonType", "toolBarButton");
+    more.setFocusable(false);
+    more.setToolTipText("What else can be done with the node");
+    more.getAccessibleContext().setAccessibleName("More of the tree");
+    more.addActionListener(
+        event -> {
+          list.requestFocusInWindow();
+          list.getComponentPopupMenu().show(more, 0, more.getHeight());
+        });
+    return more;
   }
 
   private void key(String keys, Runnable run) {
