@@ -113,7 +113,7 @@ public final class StepNames {
     return switch (action) {
       case ActionStep.Wait wait -> wait(wait.what(), signals);
       case ActionStep.SetAction set -> setting(set.setting(), signals);
-      case ActionStep.Popup popup -> "Popup: " + popup.text();
+      case ActionStep.Popup popup -> named("Popup", popup.text());
       case ActionStep.Halt _ -> "Halt";
       case ActionStep.Comment comment -> "'" + comment.text() + "'";
       case ActionStep.Folder folder -> folder.name().isBlank() ? "Folder" : folder.name();

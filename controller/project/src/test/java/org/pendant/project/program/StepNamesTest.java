@@ -55,6 +55,13 @@ final class StepNamesTest {
   }
 
   @Test
+  void aPopupThatSaysNothingHasNoColon() {
+    assertCalled("Popup", new ActionStep.Popup("", false, ActionStep.PopupKind.MESSAGE, false));
+    assertCalled(
+        "Popup: Tray", new ActionStep.Popup("Tray", false, ActionStep.PopupKind.MESSAGE, false));
+  }
+
+  @Test
   void numbersHaveNoNeedlessFraction() {
     assertCalled("Wait: 0.5", new ActionStep.Wait(new WaitFor.Time(0.5)));
     assertCalled("Wait: 2", new ActionStep.Wait(new WaitFor.Time(2)));

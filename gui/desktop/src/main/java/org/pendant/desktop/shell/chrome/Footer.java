@@ -122,8 +122,7 @@ public final class Footer extends JPanel {
     pace.setMaximumRowCount(PaceChoice.ALL.size());
     pace.setToolTipText("How fast robot time goes by");
     pace.getAccessibleContext().setAccessibleName("Pace of robot time");
-    // As wide as the usual choices: the one long name may be cut, the list shows it whole.
-    pace.setPrototypeDisplayValue(PaceChoice.of(Pace.REAL_TIME));
+    pace.setPrototypeDisplayValue(PaceChoice.of(new Pace.Unlimited()));
     pace.setSelectedItem(PaceChoice.of(session.pace()));
     pace.addActionListener(
         event -> {

@@ -10,6 +10,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.Star;
+import org.pendant.kit.form.Remark;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.variables.VariableSamples;
@@ -30,7 +31,7 @@ final class VariablesPanel {
               "insets 16, gap 8 4, wrap 2, hidemode 3",
               "[shrinkprio 50]16[grow, fill, shrinkprio 200]",
               ""));
-  private final JLabel none = new JLabel(EMPTY);
+  private final Remark none = new Remark("run-variables-none", Palette::quiet);
   private final JButton more = new JButton();
   private final List<JLabel> names = new ArrayList<>();
   private final List<JLabel> values = new ArrayList<>();
@@ -52,14 +53,14 @@ final class VariablesPanel {
     card.getAccessibleContext().setAccessibleName("Variables");
     JLabel heading = new JLabel("Variables");
     heading.putClientProperty("FlatLaf.styleClass", "h4");
-    none.setToolTipText(EMPTY);
+    none.say(EMPTY);
     more.setName("run-variables-more");
     more.putClientProperty("JButton.buttonType", "toolBarButton");
     more.setToolTipText("Shows all variables, to filter, unfold and change them");
     more.getAccessibleContext().setAccessibleName("All variables");
     more.addActionListener(event -> showAll.run());
     card.add(heading, "span 2, wmin 0");
-    card.add(none, "span 2, wmin 0");
+    card.add(none, "span 2, " + Remark.LAYOUT);
     for (int i = 0; i < VariableFacts.MOST; i++) {
       JLabel name = new JLabel();
       name.putClientProperty("FlatLaf.styleClass", "monospaced");
@@ -87,7 +88,6 @@ final class VariablesPanel {
    * @param installed variables that every program has
    */
   void refresh(String name, VariableSamples samples, List<InstallationVariable> installed) {
-    none.setForeground(Palette.quiet());
     long nowMs = System.nanoTime() / 1_000_000;
     boolean other = !name.equals(program) || !samples.equals(shown);
     other |= !installed.equals(shownInstalled);
