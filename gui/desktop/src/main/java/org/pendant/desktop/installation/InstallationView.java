@@ -25,6 +25,7 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmDescription;
@@ -153,7 +154,7 @@ public final class InstallationView implements View {
 
   private static JScrollPane scroll(JComponent inside) {
     JScrollPane scroll =
-        new JScrollPane(
+        new SettledScroll(
             inside,
             ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
             ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);

@@ -24,6 +24,7 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
@@ -230,7 +231,7 @@ public final class IoView implements View {
 
   private static JScrollPane scroll(JPanel cards) {
     JScrollPane scroll =
-        new JScrollPane(
+        new SettledScroll(
             cards,
             ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
             ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);

@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.form.RemarkSpace;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
@@ -40,8 +41,7 @@ final class JointsCard {
     for (int i = 0; i < Joints.COUNT; i++) {
       addRow(i);
     }
-    card.add(problem, "span, " + Remark.LAYOUT);
-    card.add(hint, "span, " + Remark.LAYOUT);
+    card.add(new RemarkSpace(1, problem, hint), "span, " + Remark.LAYOUT);
     go = new HoldButton("Hold to go", null, presenter::holdJointGoal, presenter.jog()::release);
     TitledCard.named(
         go, "move-go-joints", "Hold to move to the joint positions that you have typed");

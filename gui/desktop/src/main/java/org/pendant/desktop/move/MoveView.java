@@ -24,6 +24,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.SettledScroll;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
@@ -169,7 +170,7 @@ public final class MoveView implements View {
     sheet.add(stack(pose.component(), frame.component(), home.component()));
     sheet.add(stack(freedrive.component(), tcp.component(), payload.component()));
     JScrollPane scroll =
-        new JScrollPane(
+        new SettledScroll(
             sheet,
             ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
             ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);

@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.form.RemarkSpace;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
@@ -40,9 +41,7 @@ final class PoseCard {
     card.add(where);
     card.add(choices(), "grow");
     card.add(fields.component(), "grow, gaptop 8");
-    card.add(problem, Remark.LAYOUT);
-    card.add(note, Remark.LAYOUT);
-    card.add(hint, Remark.LAYOUT);
+    card.add(new RemarkSpace(2, problem, note, hint), Remark.LAYOUT);
     card.add(buttons(copy, waypoint), "grow, gaptop 8");
   }
 

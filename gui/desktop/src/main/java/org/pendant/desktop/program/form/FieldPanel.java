@@ -22,7 +22,7 @@ final class FieldPanel extends JPanel {
     super(new MigLayout("insets 0, gap 0 2, wrap 1, hidemode 3", "[grow, fill]"));
     this.own = own;
     setOpaque(false);
-    problem = new FormText(name + "-problem", Palette::error);
+    problem = new FormText(name + "-problem", Palette::error).keepingRoom();
     add(control, "wmin 0");
     add(problem, "growx, width 0:10:");
   }

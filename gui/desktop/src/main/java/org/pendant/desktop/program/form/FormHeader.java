@@ -13,7 +13,7 @@ import org.pendant.kit.theme.Palette;
 final class FormHeader extends JPanel {
   private final JLabel title = new JLabel();
   private final FormText about = new FormText("form-about", Palette::quiet);
-  private final FormText problems = new FormText("form-problems", Palette::error);
+  private final FormText problems = new FormText("form-problems", Palette::error).keepingRoom();
   private final FormText suppressed = new FormText("form-suppressed", Palette::warning);
   private final JButton again = new JButton("Use it again");
 
@@ -42,6 +42,11 @@ final class FormHeader extends JPanel {
     title.setText(kind);
     title.setToolTipText(kind);
     about.say(text);
+  }
+
+  /** Another node: room is kept only for what is said about one. */
+  void giveRoomBack() {
+    problems.giveRoomBack();
   }
 
   void setSuppressed(boolean now) {

@@ -11,6 +11,7 @@ import javax.swing.JTextArea;
 @SuppressWarnings("serial") // never written to a stream
 final class FormText extends JTextArea {
   private final transient Supplier<Color> color;
+  private boolean keepsRoom;
 
   FormText(String name, Supplier<Color> color) {
     this.color = color;
@@ -25,12 +26,27 @@ final class FormText extends JTextArea {
     setVisible(false);
   }
 
+  /** Keeps the room that sentences have once taken: what lies below must not jump when they go. */
+  FormText keepingRoom() {
+    keepsRoom = true;
+    return this;
+  }
+
+  /** Gives back the room of sentences that have gone. */
+  void giveRoomBack() {
+    setRows(0);
+    setVisible(!getText().isEmpty());
+  }
+
   /** Shows sentences; empty for none. */
   void say(String text) {
     if (!getText().equals(text)) {
+      if (keepsRoom && isVisible() && getHeight() > 0) {
+        setRows(Math.max(getRows(), getHeight() / getRowHeight()));
+      }
       setText(text);
       getAccessibleContext().setAccessibleName(text);
-      setVisible(!text.isEmpty());
+      setVisible(!text.isEmpty() || (keepsRoom && getRows() > 0));
       revalidate();
     }
   }

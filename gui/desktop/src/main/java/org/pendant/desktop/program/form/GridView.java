@@ -53,7 +53,7 @@ final class GridView implements FieldView {
       labels.add(label);
       units.add(new JLabel(number.measure().symbol()));
     }
-    problem = new FormText(this.grid.getName() + "-problem", Palette::error);
+    problem = new FormText(this.grid.getName() + "-problem", Palette::error).keepingRoom();
     arrange(grid.columns());
     this.grid.addComponentListener(
         new ComponentAdapter() {

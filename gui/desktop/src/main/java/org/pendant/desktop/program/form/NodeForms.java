@@ -20,6 +20,7 @@ import org.pendant.desktop.debug.ConditionCheck;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.background.WorkerThread;
+import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.project.program.ProgramNode;
@@ -38,7 +39,7 @@ public final class NodeForms {
   private final Supplier<ConditionCheck> checks;
   private final Catalogue catalogue;
   private final FormSheet sheet = new FormSheet();
-  private final JScrollPane scroll = new JScrollPane(sheet);
+  private final JScrollPane scroll = new SettledScroll(sheet);
   private final FormHeader header;
   private Map<String, Shown> views = new LinkedHashMap<>();
   private List<String> shape = List.of();
@@ -141,6 +142,9 @@ public final class NodeForms {
               && !wanted.isEmpty()
               && !shape.isEmpty()
               && wanted.getFirst().equals(shape.getFirst());
+      if (!sameNode) {
+        header.giveRoomBack();
+      }
       rebuild(form, sameKind);
       shape = wanted;
       shownKey = presenter.key();

@@ -28,6 +28,7 @@ import org.pendant.kit.action.ActionButton;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.FlushRow;
+import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.variables.VariableSamples;
@@ -47,7 +48,7 @@ public final class RunView implements View {
   private final RunProgram run;
   private final MigLayout layout = new MigLayout(WIDE, WIDE_COLUMNS, "[][][][][grow]");
   private final JPanel content = new WideContent(layout);
-  private final JScrollPane scroll = new JScrollPane(content);
+  private final JScrollPane scroll = new SettledScroll(content);
   private final JLabel name = new JLabel();
   private final JLabel state = new JLabel();
   private final JLabel elapsed = new JLabel();
