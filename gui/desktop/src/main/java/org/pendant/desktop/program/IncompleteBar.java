@@ -114,15 +114,18 @@ final class IncompleteBar extends JPanel {
     return new Dimension(UIScale.scale(60), heading.getPreferredSize().height);
   }
 
+  /** A message that begins with the name of its node needs that once. */
+  private String text(NodeProblem problem) {
+    String name = label.apply(problem.key());
+    return problem.message().startsWith(name) ? problem.message() : name + ": " + problem.message();
+  }
+
   /** Node and message. */
   private final class Cell extends DefaultListCellRenderer {
     @Override
     public Component getListCellRendererComponent(
         JList<?> from, Object value, int index, boolean selected, boolean focused) {
-      String text =
-          value instanceof NodeProblem problem
-              ? label.apply(problem.key()) + ": " + problem.message()
-              : "";
+      String text = value instanceof NodeProblem problem ? text(problem) : "";
       super.getListCellRendererComponent(from, text, index, selected, focused);
       setToolTipText(text);
       return this;
