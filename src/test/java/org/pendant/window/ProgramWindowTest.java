@@ -94,4 +94,24 @@ final class ProgramWindowTest {
     window.click("rail-run");
     window.awaitWords("run-messages", "it is 41");
   }
+
+  @Test
+  void aLogpointWritesWhileTheProgramRunsOn() {
+    sharedWindow.program("count = 0", "while count < 3:", "  count = count + 1", "end");
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control HOME");
+    window.press("DOWN");
+    window.press("DOWN");
+    window.press("alt F9");
+    window.awaitFocus("breakpoint-message");
+    window.type("count was {count}\n");
+    window.awaitWords("breakpoints-table", "count was {count}");
+    window.press("F5");
+    window.awaitWords("breakpoints-table", " | 3");
+    window.awaitWords("program-state", "stopped");
+    window.click("rail-log");
+    window.awaitWords("log-table", "count was 2");
+  }
 }

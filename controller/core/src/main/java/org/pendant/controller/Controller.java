@@ -66,7 +66,7 @@ public final class Controller implements Robot, Drive {
     options
         .encoders()
         .forEach((index, ticksPerS) -> box.offsets().encoders().get(index).run(ticksPerS));
-    Debugger debugger = new Debugger(machine);
+    Debugger debugger = new Debugger(machine, box.log()::logpoint);
     ManualControl hand = new ManualControl(box, machine);
     VariableTracer tracer = new VariableTracer(machine);
     commandQueue = commandQueue(debugger, hand, tracer);

@@ -71,6 +71,11 @@ public final class MessageLog {
     add(Level.INFO, Origin.CONTROLLER, "", text, Optional.empty());
   }
 
+  /** What a breakpoint writes instead of stopping a program. */
+  public void logpoint(String text) {
+    add(Level.INFO, Origin.CONTROLLER, "", text, where.get());
+  }
+
   public void warning(String text) {
     add(Level.WARNING, Origin.CONTROLLER, "", text, where.get());
   }

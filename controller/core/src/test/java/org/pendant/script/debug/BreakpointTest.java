@@ -135,6 +135,24 @@ class BreakpointTest {
   }
 
   @Test
+  void oneWithAMessageWritesItAndStopsNothing() {
+    debugger.set(Breakpoint.at(6).logging("turn {i} of {i + missing}, {\"}\"}, {}"));
+    fixture.start(LOOP).go();
+    assertInstanceOf(Ending.Finished.class, fixture.ending());
+    assertEquals(3, fixture.logged.size());
+    assertTrue(fixture.logged.getFirst().startsWith("turn 1 of {i + missing: "));
+    assertTrue(fixture.logged.getFirst().endsWith("}, }, {}"), fixture.logged.getFirst());
+    assertEquals(3, debugger.breakpoints().getFirst().hits());
+  }
+
+  @Test
+  void aMessageHasAConditionAndAFirstHitAsWell() {
+    debugger.set(Breakpoint.at(6).when("i > 1").fromHit(2).logging("{i}"));
+    fixture.start(LOOP).go();
+    assertEquals(List.of("3"), fixture.logged);
+  }
+
+  @Test
   void onlyHitsWithATrueConditionStopAndCount() {
     debugger.set(Breakpoint.at(6).when("i == 2 or i > 2"));
     fixture.start(LOOP).go();

@@ -26,7 +26,8 @@ final class DebugFixture {
 
   final ControlBox box = new ControlBox(BoxSetup.headless("ur5e"));
   final Machine machine = new Machine(BUILTINS, box, 64_000_000);
-  final Debugger debugger = new Debugger(machine);
+  final List<String> logged = new ArrayList<>();
+  final Debugger debugger = new Debugger(machine, logged::add);
   private final List<String> messages = new ArrayList<>();
 
   /** Frames that were completed. */

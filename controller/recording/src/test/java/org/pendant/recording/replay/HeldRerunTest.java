@@ -119,7 +119,7 @@ final class HeldRerunTest {
   private void run(long last) {
     SplittableRandom random = new SplittableRandom(17);
     for (int line : new int[] {4, 12, 13, 15}) {
-      ask(debugger -> debugger.set(new Breakpoint(line, true, "random() > 0.3", 1)));
+      ask(debugger -> debugger.set(Breakpoint.at(line).when("random() > 0.3")));
     }
     var _ = controller.submit(new ProgramCommand.StartProgram(play.program(PROGRAM)));
     int stops = 0;

@@ -15,15 +15,22 @@ final class Breakpoints {
   /** A breakpoint while a program runs. */
   static final class Entry {
     private final Breakpoint breakpoint;
+    private final LogMessage message;
     private OptionalInt start = OptionalInt.empty();
     private long hits;
 
     private Entry(Breakpoint breakpoint) {
       this.breakpoint = breakpoint;
+      message = LogMessage.of(breakpoint.message());
     }
 
     Breakpoint breakpoint() {
       return breakpoint;
+    }
+
+    /** What it writes instead of stopping. */
+    LogMessage message() {
+      return message;
     }
 
     /** Counts a hit; returns how many there have been. */

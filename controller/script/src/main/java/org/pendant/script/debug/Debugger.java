@@ -32,10 +32,15 @@ public final class Debugger {
   private final Stops stops;
   private Consumer<DebugRequest> journal = request -> {};
 
-  /** A debugger of what {@code machine} will run; there can be one at a time. */
-  public Debugger(Machine machine) {
+  /**
+   * A debugger of what {@code machine} will run; there can be one at a time.
+   *
+   * @param log takes the messages of breakpoints that write one instead of stopping; the texts are
+   *     bytes, one {@code char} a byte
+   */
+  public Debugger(Machine machine, Consumer<String> log) {
     probe = machine.probe();
-    stops = new Stops(probe, breakpoints);
+    stops = new Stops(probe, breakpoints, log);
     machine.attach(stops);
   }
 

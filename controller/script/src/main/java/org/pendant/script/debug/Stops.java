@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.pendant.script.value.Operators;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
@@ -17,14 +18,17 @@ import org.pendant.script.vm.ThreadSnapshot;
 final class Stops implements DebugHook {
   private final ProgramProbe probe;
   private final Breakpoints breakpoints;
+  private final Consumer<String> log;
   private Optional<StepRequest> step = Optional.empty();
   private boolean trapsForStep;
   private boolean onErrors;
   private long count;
   private DebugState state = DebugState.FREE;
 
-  Stops(ProgramProbe probe, Breakpoints breakpoints) {
+  /** Decides for the program of {@code probe}; {@code log} takes what breakpoints write. */
+  Stops(ProgramProbe probe, Breakpoints breakpoints, Consumer<String> log) {
     this.probe = probe;
+    this.log = log;
     this.breakpoints = breakpoints;
   }
 
@@ -112,9 +116,31 @@ final class Stops implements DebugHook {
       }
     }
     long hits = entry.countHit();
-    return hits >= breakpoint.fromHit()
-        ? Optional.of(new PauseReason.AtBreakpoint(breakpoint.line(), hits))
-        : Optional.empty();
+    if (hits < breakpoint.fromHit()) {
+      return Optional.empty();
+    }
+    if (breakpoint.logs()) {
+      log.accept(text(entry.message(), thread));
+      return Optional.empty();
+    }
+    return Optional.of(new PauseReason.AtBreakpoint(breakpoint.line(), hits));
+  }
+
+  /** The message with values in place of its expressions; one that fails says why. */
+  private String text(LogMessage message, int thread) {
+    StringBuilder text = new StringBuilder();
+    for (LogMessage.Part part : message.parts()) {
+      if (!part.expression()) {
+        text.append(part.text());
+        continue;
+      }
+      try {
+        text.append(ShortText.of(probe.evaluate(thread, probe.depth(thread), part.text())));
+      } catch (ScriptError e) {
+        text.append('{').append(part.text()).append(": ").append(e.getMessage()).append('}');
+      }
+    }
+    return text.toString();
   }
 
   // --- what the machine asks and tells

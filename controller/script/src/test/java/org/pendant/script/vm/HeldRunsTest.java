@@ -44,7 +44,7 @@ class HeldRunsTest {
     RestlessDebugger(Random random, MachineFixture fixture, int lines) {
       this.random = random;
       this.messages = fixture.messages;
-      this.debugger = new Debugger(fixture.machine);
+      this.debugger = new Debugger(fixture.machine, _ -> {});
       this.lines = lines;
       someBreakpoints();
     }
@@ -140,7 +140,7 @@ class HeldRunsTest {
   @Test
   void translatedFunctionsStopAtABreakpointThatIsSetLater() {
     MachineFixture fixture = new MachineFixture(Translation.ALWAYS);
-    Debugger debugger = new Debugger(fixture.machine);
+    Debugger debugger = new Debugger(fixture.machine, _ -> {});
     fixture.start(
         """
         def prog():
@@ -172,7 +172,7 @@ class HeldRunsTest {
   @Test
   void functionsAreTranslatedAgainWhenTheirTrapsAreGone() {
     MachineFixture fixture = new MachineFixture(Translation.ALWAYS);
-    Debugger debugger = new Debugger(fixture.machine);
+    Debugger debugger = new Debugger(fixture.machine, _ -> {});
     debugger.set(Breakpoint.at(4));
     fixture.start("def prog():", "  i = 0", "  while True:", "    i = i + 1", "  end", "end");
     assertTrue(fixture.machine.advance());
@@ -189,7 +189,7 @@ class HeldRunsTest {
   @Test
   void aCriticalSectionStaysOneWhileItIsSteppedThrough() {
     MachineFixture fixture = new MachineFixture();
-    Debugger debugger = new Debugger(fixture.machine);
+    Debugger debugger = new Debugger(fixture.machine, _ -> {});
     debugger.set(Breakpoint.at(8));
     fixture.start(
         """
@@ -235,7 +235,7 @@ class HeldRunsTest {
             .formatted(Slices.PRIMARY.computing(1) / Cost.turn(2) + 1);
     assertEquals(1, runFreely(text, Translation.WHEN_HOT).frames());
     MachineFixture fixture = new MachineFixture();
-    Debugger debugger = new Debugger(fixture.machine);
+    Debugger debugger = new Debugger(fixture.machine, _ -> {});
     debugger.set(Breakpoint.at(6));
     fixture.start(text);
     assertTrue(fixture.machine.advance());

@@ -32,8 +32,7 @@ final class BreakpointList {
     for (Breakpoint each : before) {
       Integer line = moves.get(each.line());
       if (line != null) {
-        byLine.putIfAbsent(
-            line, new Breakpoint(line, each.enabled(), each.condition(), each.fromHit()));
+        byLine.putIfAbsent(line, each.onLine(line));
       }
     }
   }

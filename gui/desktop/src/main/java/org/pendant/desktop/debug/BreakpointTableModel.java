@@ -13,9 +13,11 @@ final class BreakpointTableModel extends AbstractTableModel {
   static final int ENABLED = 0;
   static final int LINE = 1;
   static final int CONDITION = 2;
-  static final int FROM_HIT = 3;
-  static final int HITS = 4;
-  private static final List<String> TITLES = List.of("On", "Line", "Condition", "From hit", "Hits");
+  static final int MESSAGE = 3;
+  static final int FROM_HIT = 4;
+  static final int HITS = 5;
+  private static final List<String> TITLES =
+      List.of("On", "Line", "Condition", "Log message", "From hit", "Hits");
 
   private final OpenBreakpoints openBreakpoints;
   private List<Breakpoint> rows = List.of();
@@ -70,6 +72,7 @@ final class BreakpointTableModel extends AbstractTableModel {
       case ENABLED -> row.enabled();
       case LINE -> place(row, state);
       case CONDITION -> row.condition();
+      case MESSAGE -> row.message();
       case FROM_HIT -> Integer.toString(row.fromHit());
       default -> state.map(each -> Long.toString(each.hits())).orElse("");
     };
@@ -84,7 +87,7 @@ final class BreakpointTableModel extends AbstractTableModel {
 
   @Override
   public boolean isCellEditable(int row, int column) {
-    return column == ENABLED || column == CONDITION || column == FROM_HIT;
+    return column != LINE && column != HITS;
   }
 
   /** Why {@code typed} is no number of a hit; empty if it is one. */
@@ -101,10 +104,9 @@ final class BreakpointTableModel extends AbstractTableModel {
     }
     Breakpoint row = rows.get(index);
     switch (column) {
-      case ENABLED ->
-          openBreakpoints.change(
-              new Breakpoint(row.line(), (Boolean) typed, row.condition(), row.fromHit()));
+      case ENABLED -> openBreakpoints.change(row.enabled((Boolean) typed));
       case CONDITION -> openBreakpoints.change(row.when(typed.toString()));
+      case MESSAGE -> openBreakpoints.change(row.logging(typed.toString()));
       case FROM_HIT -> {
         if (hitRefusal(typed.toString()).isEmpty()) {
           openBreakpoints.change(row.fromHit(Integer.parseInt(typed.toString().strip())));

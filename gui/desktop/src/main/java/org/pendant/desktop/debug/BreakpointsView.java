@@ -19,6 +19,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.TableCellEditor;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.editor.MarginMenu;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.background.WorkerThread;
@@ -49,6 +50,8 @@ public final class BreakpointsView implements View {
   private final DebugPanel list;
   private final JPanel panel = new JPanel(new BorderLayout());
   private OptionalInt wantedLine = OptionalInt.empty();
+  private boolean fresh;
+  private int wantedColumn = BreakpointTableModel.CONDITION;
 
   /** The breakpoints as they are. */
   public BreakpointsView(Workbench workbench, DebugPresenter debug) {
@@ -89,12 +92,16 @@ public final class BreakpointsView implements View {
     table.putClientProperty("terminateEditOnFocusLost", true);
     width(BreakpointTableModel.ENABLED, 50);
     width(BreakpointTableModel.LINE, 110);
-    width(BreakpointTableModel.CONDITION, 320);
+    width(BreakpointTableModel.CONDITION, 240);
+    width(BreakpointTableModel.MESSAGE, 240);
     width(BreakpointTableModel.FROM_HIT, 80);
     width(BreakpointTableModel.HITS, 70);
     edit(
         BreakpointTableModel.CONDITION,
-        new ConditionEditor(refused, check, row -> rows.row(row).line()));
+        ConditionEditor.ofConditions(refused, check, row -> rows.row(row).line()));
+    edit(
+        BreakpointTableModel.MESSAGE,
+        ConditionEditor.ofMessages(refused, check, row -> rows.row(row).line()));
     edit(
         BreakpointTableModel.FROM_HIT,
         new CheckedField("breakpoint-from-hit", refused, BreakpointTableModel::hitRefusal));
@@ -104,10 +111,10 @@ public final class BreakpointsView implements View {
     key(
         "F2",
         () -> {
-          boolean hits = table.getSelectedColumn() == BreakpointTableModel.FROM_HIT;
-          edit(
-              table.getSelectedRow(),
-              hits ? BreakpointTableModel.FROM_HIT : BreakpointTableModel.CONDITION);
+          int column = table.getSelectedColumn();
+          boolean typed =
+              column == BreakpointTableModel.FROM_HIT || column == BreakpointTableModel.MESSAGE;
+          edit(table.getSelectedRow(), typed ? column : BreakpointTableModel.CONDITION);
         });
     table.addMouseListener(
         new MouseAdapter() {
@@ -122,6 +129,11 @@ public final class BreakpointsView implements View {
     JPopupMenu menu = new JPopupMenu();
     menu.add(VariablesView.item("Show line", "Enter", this::jump));
     menu.add(VariablesView.item("Change condition", "F2", this::editCondition));
+    menu.add(
+        VariablesView.item(
+            "Change log message",
+            "F2 in its column: logs it, and the program does not stop",
+            () -> edit(table.getSelectedRow(), BreakpointTableModel.MESSAGE)));
     menu.add(VariablesView.item("Remove", "Del", this::removeSelected));
     table.setComponentPopupMenu(menu);
   }
@@ -190,7 +202,24 @@ public final class BreakpointsView implements View {
    * as soon as there is one.
    */
   public void editCondition(int line) {
+    editLine(line, BreakpointTableModel.CONDITION);
+  }
+
+  /** As {@link #editCondition}, for the message that is logged instead of stopping. */
+  public void editMessage(int line) {
+    editLine(line, BreakpointTableModel.MESSAGE);
+  }
+
+  /** What can be done beside a line. */
+  public MarginMenu marginMenu() {
+    return new BreakpointMenu(openBreakpoints, this::editCondition, this::editMessage);
+  }
+
+  private void editLine(int line, int column) {
+    workbench.show(ID);
     wantedLine = OptionalInt.of(line);
+    wantedColumn = column;
+    fresh = openBreakpoints.at(line).isEmpty();
     openBreakpoints.ensure(line);
     show();
   }
@@ -199,8 +228,13 @@ public final class BreakpointsView implements View {
     for (int i = 0; i < rows.getRowCount(); i++) {
       if (rows.row(i).line() >= line) {
         wantedLine = OptionalInt.empty();
+        if (fresh && wantedColumn == BreakpointTableModel.MESSAGE) {
+          // It must not stop a program that runs while people still type.
+          Breakpoint row = rows.row(i);
+          openBreakpoints.change(row.logging(ConditionEditor.firstMessage(row.line())));
+        }
         table.setRowSelectionInterval(i, i);
-        EventQueue.invokeLater(this::editCondition);
+        EventQueue.invokeLater(() -> edit(table.getSelectedRow(), wantedColumn));
         return;
       }
     }

@@ -11,11 +11,12 @@ import org.pendant.language.service.GuestExpression;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.LogMessage;
 
 /**
- * Condition check: reads conditions of breakpoints as they are typed, at the line of the program
- * where they are to be computed. One thread uses it, the dispatch thread; the reading happens
- * elsewhere.
+ * Condition check: reads conditions and messages of breakpoints as they are typed, at the line of
+ * the program where they are to be computed. One thread uses it, the dispatch thread; the reading
+ * happens elsewhere.
  */
 public final class ConditionCheck {
   /** How long typing must rest before a condition is read. */
@@ -28,6 +29,7 @@ public final class ConditionCheck {
   private final Executor dispatch;
   private final Catalogue catalogue;
   private final Supplier<Source> program;
+  private final boolean messages;
   private Result newest = new Result(0, "", "");
   private int version;
 
@@ -45,10 +47,25 @@ public final class ConditionCheck {
    */
   public ConditionCheck(
       WorkQueue background, Executor dispatch, Catalogue catalogue, Supplier<Source> program) {
+    this(background, dispatch, catalogue, program, false);
+  }
+
+  private ConditionCheck(
+      WorkQueue background,
+      Executor dispatch,
+      Catalogue catalogue,
+      Supplier<Source> program,
+      boolean messages) {
+    this.messages = messages;
     this.background = background;
     this.dispatch = dispatch;
     this.catalogue = catalogue;
     this.program = program;
+  }
+
+  /** One for messages, which have expressions in braces. */
+  ConditionCheck forMessages() {
+    return new ConditionCheck(background, dispatch, catalogue, program, true);
   }
 
   /** Tells why {@code text} cannot be a condition at {@code line}; empty if it can. */
@@ -58,7 +75,7 @@ public final class ConditionCheck {
     background.run(
         PAUSE_MS,
         () -> {
-          Result found = new Result(line, text, refusal(source, catalogue, line, text));
+          Result found = new Result(line, text, refusal(source, line, text));
           dispatch.execute(
               () -> {
                 if (asked == version) {
@@ -76,30 +93,43 @@ public final class ConditionCheck {
       if (source.text().length() > SHORT) {
         return "";
       }
-      newest = new Result(line, text, refusal(source, catalogue, line, text));
+      newest = new Result(line, text, refusal(source, line, text));
     }
     return newest.refusal();
   }
 
-  private static String refusal(Source source, Catalogue catalogue, int line, String text) {
-    if (text.isBlank()) {
-      return "";
-    }
-    return GuestExpression.of(source, catalogue, line, ByteText.asBytes(text))
-        .problem()
+  private String refusal(Source source, int line, String text) {
+    List<String> expressions =
+        messages
+            ? LogMessage.of(text).expressions().stream().map(LogMessage.Part::text).toList()
+            : text.isBlank() ? List.of() : List.of(text);
+    return expressions.stream()
+        .flatMap(
+            each ->
+                GuestExpression.of(source, catalogue, line, ByteText.asBytes(each))
+                    .problem()
+                    .stream())
         .map(found -> ByteText.decoded(found.message()))
+        .findFirst()
         .orElse("");
   }
 
   /** Tells what may be typed behind the first {@code caret} characters of a condition. */
   public void complete(int line, String text, int caret, Consumer<List<Completion>> offered) {
     Source source = program.get();
-    int offset = CharacterOffsets.of(text).toByte(caret);
+    String before = text.substring(0, caret);
+    int begin = messages ? before.lastIndexOf('{') + 1 : 0;
+    if (messages && (begin == 0 || before.indexOf('}', begin) >= 0)) {
+      offered.accept(List.of());
+      return;
+    }
+    String expression = messages ? before.substring(begin) : text;
+    int offset = CharacterOffsets.of(expression).toByte(caret - begin);
     background.run(
         0,
         () -> {
           List<Completion> found =
-              GuestExpression.of(source, catalogue, line, ByteText.asBytes(text))
+              GuestExpression.of(source, catalogue, line, ByteText.asBytes(expression))
                   .completions(offset);
           dispatch.execute(() -> offered.accept(found));
         });

@@ -1,6 +1,7 @@
 package org.pendant.desktop.debug;
 
 import java.awt.Component;
+import java.util.Locale;
 import java.util.function.IntUnaryOperator;
 import javax.swing.DefaultCellEditor;
 import javax.swing.JLabel;
@@ -11,18 +12,35 @@ import javax.swing.event.DocumentListener;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Condition editor: edits the condition of a breakpoint: it is read while it is typed, a label says
- * what is wrong, and a wrong one is not taken.
+ * Condition editor: edits the condition of a breakpoint, or its message: it is read while it is
+ * typed, a label says what is wrong, and a wrong one is not taken.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class ConditionEditor extends DefaultCellEditor {
   private final JTextField field;
   private final JLabel why;
+  private final String kind;
   private final ConditionCheck check;
   private final IntUnaryOperator lineOfRow;
   private final FieldCompletions completions;
   private int line;
   private boolean editing;
+
+  private ConditionEditor(
+      String kind, String tip, JLabel why, ConditionCheck check, IntUnaryOperator lineOfRow) {
+    super(new JTextField());
+    this.kind = kind;
+    this.why = why;
+    this.check = check;
+    this.lineOfRow = lineOfRow;
+    field = (JTextField) getComponent();
+    field.setName("breakpoint-" + kind.toLowerCase(Locale.ROOT));
+    field.putClientProperty("FlatLaf.styleClass", "monospaced");
+    field.getAccessibleContext().setAccessibleName(kind + " of the breakpoint");
+    field.setToolTipText(tip + ". Ctrl+Space completes");
+    completions = new FieldCompletions(field, this::complete);
+    field.getDocument().addDocumentListener(new Typed());
+  }
 
   /**
    * An editor of conditions.
@@ -30,20 +48,25 @@ final class ConditionEditor extends DefaultCellEditor {
    * @param why says what is wrong
    * @param lineOfRow the line of the breakpoint in a row of the table
    */
-  ConditionEditor(JLabel why, ConditionCheck check, IntUnaryOperator lineOfRow) {
-    super(new JTextField());
-    this.why = why;
-    this.check = check;
-    this.lineOfRow = lineOfRow;
-    field = (JTextField) getComponent();
-    field.setName("breakpoint-condition");
-    field.putClientProperty("FlatLaf.styleClass", "monospaced");
-    field.getAccessibleContext().setAccessibleName("Condition of the breakpoint");
-    field.setToolTipText(
-        "An expression, such as count > 3; the program stops when it is true."
-            + " Ctrl+Space completes");
-    completions = new FieldCompletions(field, this::complete);
-    field.getDocument().addDocumentListener(new Typed());
+  static ConditionEditor ofConditions(
+      JLabel why, ConditionCheck check, IntUnaryOperator lineOfRow) {
+    return new ConditionEditor(
+        "Condition",
+        "An expression, such as count > 3; the program stops when it is true",
+        why,
+        check,
+        lineOfRow);
+  }
+
+  /** An editor of messages, as {@link #ofConditions}. */
+  static ConditionEditor ofMessages(JLabel why, ConditionCheck check, IntUnaryOperator lineOfRow) {
+    return new ConditionEditor(
+        "Message",
+        "A text with expressions in braces, such as turn {count}; it is logged, and the program"
+            + " does not stop",
+        why,
+        check.forMessages(),
+        lineOfRow);
   }
 
   @Override
@@ -53,8 +76,16 @@ final class ConditionEditor extends DefaultCellEditor {
     line = lineOfRow.applyAsInt(row);
     Component editor = super.getTableCellEditorComponent(table, value, selected, row, column);
     editing = true;
+    if (field.getText().equals(firstMessage(line))) {
+      field.selectAll();
+    }
     show("");
     return editor;
+  }
+
+  /** The message of a breakpoint until people have typed theirs. */
+  static String firstMessage(int line) {
+    return "line " + line;
   }
 
   private void complete() {
@@ -87,7 +118,7 @@ final class ConditionEditor extends DefaultCellEditor {
 
   private void show(String refusal) {
     field.putClientProperty("JComponent.outline", refusal.isEmpty() ? null : "error");
-    why.setText(refusal.isEmpty() ? "" : "Condition: " + refusal);
+    why.setText(refusal.isEmpty() ? "" : kind + ": " + refusal);
     why.setToolTipText(refusal.isEmpty() ? null : refusal);
     why.setForeground(Palette.error());
     why.setVisible(!refusal.isEmpty());

@@ -45,11 +45,24 @@ public final class DebugActions {
         "Breakpoint with a condition\u2026",
         "shift F9",
         () -> true,
-        () -> {
-          int line = caretLine.getAsInt();
-          workbench.show(BreakpointsView.ID);
-          list.editCondition(line);
-        });
+        () -> list.editCondition(caretLine.getAsInt()));
+    add(
+        actions,
+        "logpoint",
+        "Logpoint: log a message\u2026",
+        "alt F9",
+        () -> true,
+        () -> list.editMessage(caretLine.getAsInt()));
+    add(
+        actions,
+        "enable-breakpoint",
+        "Breakpoint at the caret on or off",
+        "control F9",
+        () -> breakpoints.at(caretLine.getAsInt()).isPresent(),
+        () ->
+            breakpoints
+                .at(caretLine.getAsInt())
+                .ifPresent(each -> breakpoints.change(each.enabled(!each.enabled()))));
     add(
         actions,
         "remove-breakpoints",

@@ -9,6 +9,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.BreakpointListener;
 import org.pendant.desktop.editor.BreakpointMark;
 import org.pendant.desktop.editor.Execution;
+import org.pendant.desktop.editor.LineIcon;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -83,13 +84,26 @@ public final class EditorLink implements BreakpointListener {
     }
   }
 
-  static BreakpointMark mark(Breakpoint breakpoint, long hits) {
+  /** How a breakpoint looks. */
+  public static LineIcon.Kind kind(Breakpoint breakpoint) {
     boolean conditional = !breakpoint.condition().isEmpty() || breakpoint.fromHit() > 1;
+    return breakpoint.logs()
+        ? LineIcon.Kind.LOG
+        : conditional ? LineIcon.Kind.CONDITIONAL : LineIcon.Kind.STOP;
+  }
+
+  static BreakpointMark mark(Breakpoint breakpoint, long hits) {
+    String does = breakpoint.logs() ? "logs \u201c" + breakpoint.message() + "\u201d" : "stops";
     StringBuilder about = new StringBuilder();
-    about.append(breakpoint.enabled() ? "The program stops before this line" : "Disabled");
+    if (!breakpoint.enabled()) {
+      about.append("Disabled: ").append(does);
+    } else if (breakpoint.logs()) {
+      about.append("The program ").append(does).append(" before this line");
+    } else {
+      about.append("The program stops before this line");
+    }
     if (!breakpoint.condition().isEmpty()) {
-      about.append(breakpoint.enabled() ? " when " : ": stops when ");
-      about.append(breakpoint.condition());
+      about.append(" when ").append(breakpoint.condition());
     }
     if (breakpoint.fromHit() > 1) {
       about.append(", from hit ").append(breakpoint.fromHit());
@@ -97,6 +111,6 @@ public final class EditorLink implements BreakpointListener {
     if (hits > 0) {
       about.append("; hit ").append(hits == 1 ? "once" : hits + " times");
     }
-    return new BreakpointMark(breakpoint.enabled(), conditional, about.toString());
+    return new BreakpointMark(breakpoint.enabled(), kind(breakpoint), about.toString());
   }
 }

@@ -113,6 +113,8 @@ final class KeptFiles {
                     .append(each.fromHit())
                     .append('\t')
                     .append(inLine(each.condition()))
+                    .append('\t')
+                    .append(inLine(each.message()))
                     .append('\n'));
     return text.toString();
   }
@@ -153,7 +155,11 @@ final class KeptFiles {
 
   private static Breakpoint breakpoint(List<String> words) {
     return new Breakpoint(
-        number(words.get(1)), words.get(2).equals("on"), words.get(4), number(words.get(3)));
+        number(words.get(1)),
+        words.get(2).equals("on"),
+        words.get(4),
+        number(words.get(3)),
+        words.get(5));
   }
 
   private static int number(String word) {

@@ -92,6 +92,11 @@ public final class OpenBreakpoints {
     return list(programs.current()).all();
   }
 
+  /** That of a line of the program in front. */
+  Optional<Breakpoint> at(int line) {
+    return list(programs.current()).at(line);
+  }
+
   /** What became of one of the program in front, once the debugger knows it. */
   public Optional<BreakpointState> state(Breakpoint breakpoint) {
     return state(programs.current(), breakpoint);
@@ -238,8 +243,9 @@ public final class OpenBreakpoints {
     List<Breakpoint> wanted = new ArrayList<>();
     for (Breakpoint each :
         started.document().map(program -> list(program).all()).orElse(List.of())) {
-      Breakpoint inBytes = each.when(ByteText.asBytes(each.condition()));
-      started.toRun(each.line()).forEach(line -> wanted.add(at(inBytes, line)));
+      Breakpoint inBytes =
+          each.when(ByteText.asBytes(each.condition())).logging(ByteText.asBytes(each.message()));
+      started.toRun(each.line()).forEach(line -> wanted.add(inBytes.onLine(line)));
     }
     int turnLine = started.script().turnLine();
     if (turnLine > 0 && wanted.stream().noneMatch(each -> each.line() == turnLine)) {
@@ -268,8 +274,10 @@ public final class OpenBreakpoints {
         continue;
       }
       Breakpoint breakpoint =
-          at(each.breakpoint(), started.toNow(each.breakpoint().line()))
-              .when(ByteText.decoded(each.breakpoint().condition()));
+          each.breakpoint()
+              .onLine(started.toNow(each.breakpoint().line()))
+              .when(ByteText.decoded(each.breakpoint().condition()))
+              .logging(ByteText.decoded(each.breakpoint().message()));
       long before = shown.containsKey(breakpoint) ? shown.get(breakpoint).hits() : 0;
       shown.put(
           breakpoint,
@@ -284,10 +292,6 @@ public final class OpenBreakpoints {
 
   private OptionalInt toNow(OptionalInt line) {
     return line.isPresent() ? OptionalInt.of(started.toNow(line.getAsInt())) : line;
-  }
-
-  private static Breakpoint at(Breakpoint breakpoint, int line) {
-    return new Breakpoint(line, breakpoint.enabled(), breakpoint.condition(), breakpoint.fromHit());
   }
 
   /** Tells {@code listener} when something has changed. */

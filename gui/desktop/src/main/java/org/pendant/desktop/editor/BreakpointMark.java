@@ -3,12 +3,11 @@ package org.pendant.desktop.editor;
 /**
  * Breakpoint mark: how a breakpoint is shown beside its line.
  *
- * @param enabled whether it stops the program just now
- * @param conditional whether it stops it only sometimes
- * @param about when it stops the program, a sentence without its full stop
+ * @param enabled whether it does anything just now
+ * @param about when it stops the program or what it writes, a sentence without its full stop
  */
-public record BreakpointMark(boolean enabled, boolean conditional, String about) {
+public record BreakpointMark(boolean enabled, LineIcon.Kind kind, String about) {
   /** One that always stops. */
   public static final BreakpointMark PLAIN =
-      new BreakpointMark(true, false, "The program stops before this line");
+      new BreakpointMark(true, LineIcon.Kind.STOP, "The program stops before this line");
 }

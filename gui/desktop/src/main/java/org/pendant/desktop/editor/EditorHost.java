@@ -2,6 +2,7 @@ package org.pendant.desktop.editor;
 
 import java.util.List;
 import java.util.SortedMap;
+import javax.swing.JPopupMenu;
 import org.pendant.desktop.editor.text.Place;
 
 /** Editor host: the requests of a program's editor to the view around it. */
@@ -24,6 +25,9 @@ interface EditorHost {
 
   /** Breakpoints have moved with the text: where each line with one is now. */
   void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves);
+
+  /** What can be done beside a line. */
+  JPopupMenu marginMenu(ProgramEditor editor, int line);
 
   /** The program is being closed. */
   void ending(ProgramEditor editor);

@@ -14,7 +14,9 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.IntConsumer;
+import java.util.function.IntFunction;
 import java.util.function.IntUnaryOperator;
+import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Position;
@@ -59,8 +61,14 @@ final class GutterMarks {
    *
    * @param clicked told of the line where the user clicks into the margin
    * @param bulbClicked told when the user clicks on the light bulb
+   * @param menu what the other button of the mouse opens beside a line
    */
-  GutterMarks(ScriptArea area, Gutter gutter, IntConsumer clicked, Runnable bulbClicked) {
+  GutterMarks(
+      ScriptArea area,
+      Gutter gutter,
+      IntConsumer clicked,
+      Runnable bulbClicked,
+      IntFunction<JPopupMenu> menu) {
     this.area = area;
     this.gutter = gutter;
     gutter.setIconRowHeaderEnabled(true);
@@ -69,8 +77,8 @@ final class GutterMarks {
       if (part instanceof IconRowHeader margin) {
         margin.setName("breakpoint-margin");
         margin.getAccessibleContext().setAccessibleName("Breakpoints");
-        margin.setToolTipText("Click to set or clear a breakpoint (F9)");
-        margin.addMouseListener(new Clicks(clicked, bulbClicked));
+        margin.setToolTipText("Click to set or clear a breakpoint (F9); the other button has more");
+        margin.addMouseListener(new Clicks(clicked, bulbClicked, menu));
       }
     }
   }
@@ -231,10 +239,10 @@ final class GutterMarks {
       reach = below.isEmpty() ? LineIcon.Reach.NOWHERE : LineIcon.Reach.BELOW;
       tip =
           below.isEmpty()
-              ? "This breakpoint stops nothing: no statement begins here or below"
-              : tip + "; no statement begins here, so it stops on line " + below.first();
+              ? "This breakpoint has no effect: no statement begins here or below"
+              : tip + "; no statement begins here, so it means line " + below.first();
     }
-    LineIcon.Dot dot = new LineIcon.Dot(look.enabled(), look.conditional(), reach);
+    LineIcon.Dot dot = new LineIcon.Dot(look.enabled(), look.kind(), reach);
     Optional<Execution.State> arrow = here ? Optional.of(state.state()) : Optional.empty();
     return new Beside(
         new LineIcon(Optional.of(dot), arrow, false), here ? stateTip() + ". " + tip : tip);
@@ -255,19 +263,37 @@ final class GutterMarks {
   private final class Clicks extends MouseAdapter {
     private final IntConsumer clicked;
     private final Runnable bulbClicked;
+    private final IntFunction<JPopupMenu> menu;
 
-    Clicks(IntConsumer clicked, Runnable bulbClicked) {
+    Clicks(IntConsumer clicked, Runnable bulbClicked, IntFunction<JPopupMenu> menu) {
       this.clicked = clicked;
       this.bulbClicked = bulbClicked;
+      this.menu = menu;
+    }
+
+    private int line(MouseEvent event) {
+      Point there = SwingUtilities.convertPoint(event.getComponent(), event.getPoint(), area);
+      return area.lineAt(area.viewToModel2D(there));
+    }
+
+    private void open(MouseEvent event) {
+      if (event.isPopupTrigger()) {
+        menu.apply(line(event)).show(event.getComponent(), event.getX(), event.getY());
+      }
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent event) {
+      open(event);
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
-      if (!SwingUtilities.isLeftMouseButton(event)) {
+      open(event);
+      if (event.isPopupTrigger() || !SwingUtilities.isLeftMouseButton(event)) {
         return;
       }
-      Point there = SwingUtilities.convertPoint(event.getComponent(), event.getPoint(), area);
-      int line = area.lineAt(area.viewToModel2D(there));
+      int line = line(event);
       boolean onBulb =
           shown.stream()
               .anyMatch(

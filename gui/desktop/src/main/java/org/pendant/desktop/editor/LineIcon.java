@@ -17,8 +17,8 @@ import org.pendant.kit.icon.SvgIcon;
 public record LineIcon(Optional<Dot> dot, Optional<Execution.State> arrow, boolean bulb)
     implements Icon {
   private static final int SIDE = 16;
-  private static final Map<Dot, SvgIcon> DOTS = dots("dot");
-  private static final Map<Dot, SvgIcon> SMALL_DOTS = dots("dot-small");
+  private static final Map<Dot, SvgIcon> DOTS = dots("");
+  private static final Map<Dot, SvgIcon> SMALL_DOTS = dots("-small");
 
   /** An outline while the program runs, filled where it is held. */
   private static final Map<Execution.State, SvgIcon> ARROWS =
@@ -40,18 +40,29 @@ public record LineIcon(Optional<Dot> dot, Optional<Execution.State> arrow, boole
    * A breakpoint.
    *
    * @param filled whether it is enabled; a ring otherwise
-   * @param conditional has two bars in it
    */
-  public record Dot(boolean filled, boolean conditional, Reach reach) {
-    private String drawing() {
-      return (filled || reach == Reach.NOWHERE ? "" : "-off")
-          + (conditional ? "-conditional" : "")
+  public record Dot(boolean filled, Kind kind, Reach reach) {
+    private String drawing(String size) {
+      return (kind == Kind.LOG ? "log" : "dot")
+          + size
+          + (filled || reach == Reach.NOWHERE ? "" : "-off")
+          + (kind == Kind.CONDITIONAL ? "-conditional" : "")
           + switch (reach) {
             case HERE -> "";
             case BELOW -> "-below";
             case NOWHERE -> "-nowhere";
           };
     }
+  }
+
+  /** What a breakpoint does. */
+  public enum Kind {
+    /** Stops the program each time: a disc. */
+    STOP,
+    /** Stops it only sometimes: a disc with two bars in it. */
+    CONDITIONAL,
+    /** Writes a message and stops nothing: a diamond. */
+    LOG
   }
 
   /** Where a breakpoint stops the program. */
@@ -68,13 +79,13 @@ public record LineIcon(Optional<Dot> dot, Optional<Execution.State> arrow, boole
     return SvgIcon.of("line/" + name, SIDE).lit();
   }
 
-  private static Map<Dot, SvgIcon> dots(String prefix) {
+  private static Map<Dot, SvgIcon> dots(String size) {
     Map<Dot, SvgIcon> dots = new HashMap<>();
     for (Reach reach : Reach.values()) {
       for (boolean filled : new boolean[] {false, true}) {
-        for (boolean conditional : new boolean[] {false, true}) {
-          Dot dot = new Dot(filled, conditional, reach);
-          dots.put(dot, drawing(prefix + dot.drawing()));
+        for (Kind kind : Kind.values()) {
+          Dot dot = new Dot(filled, kind, reach);
+          dots.put(dot, drawing(dot.drawing(size)));
         }
       }
     }

@@ -78,7 +78,13 @@ final class ProgramEditor extends JPanel {
     scroll.setBorder(null);
     area.addParser(notices);
     link = new DocumentLink(area, script, colours, this::textChanged);
-    marks = new GutterMarks(area, scroll.getGutter(), this::toggleBreakpoint, this::fix);
+    marks =
+        new GutterMarks(
+            area,
+            scroll.getGutter(),
+            this::toggleBreakpoint,
+            this::fix,
+            line -> editorHost.marginMenu(this, line));
     fixes = new FixMenu(area, schedule, background, marks, editorHost);
     signature = new SignaturePopup(area, schedule);
     completions = new CompletionPopup(area, schedule, background, signature::request);

@@ -15,6 +15,7 @@ import java.util.function.Function;
 import java.util.function.IntUnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.editor.text.TextSpan;
@@ -51,6 +52,7 @@ public final class ScriptEditor implements View {
   private Function<ProgramDocument, SortedSet<Integer>> breakpointMemory =
       program -> Collections.emptySortedSet();
   private TextMemory memory = TextMemory.NONE;
+  private MarginMenu marginMenu = (program, line) -> new JPopupMenu();
   private PlacesSink places = (title, found) -> {};
 
   /** Where lists of places are shown. */
@@ -168,6 +170,11 @@ public final class ScriptEditor implements View {
   public void setTextMemory(TextMemory known) {
     memory = known;
     tabs.all().forEach(each -> known.of(each.program()).ifPresent(each::restore));
+  }
+
+  /** Has {@code menu} open beside lines. */
+  public void setMarginMenu(MarginMenu menu) {
+    marginMenu = menu;
   }
 
   /** Where people are in the text of a program. */
@@ -338,6 +345,11 @@ public final class ScriptEditor implements View {
     @Override
     public void leaving(ProgramEditor editor) {
       navigation.left(editor);
+    }
+
+    @Override
+    public JPopupMenu marginMenu(ProgramEditor editor, int line) {
+      return marginMenu.of(editor.program(), line);
     }
 
     @Override

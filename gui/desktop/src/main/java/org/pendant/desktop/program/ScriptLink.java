@@ -15,6 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.DebugPresenter;
+import org.pendant.desktop.debug.EditorLink;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
 import org.pendant.desktop.editor.ScriptEditor;
@@ -103,8 +104,8 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
     Map<Long, LineIcon.Dot> dots = new HashMap<>();
     program.breakpoints().forgetCleared(lines(program));
     for (Breakpoint each : debug.breakpoints().all(program.document())) {
-      boolean conditional = !each.condition().isEmpty() || each.fromHit() > 1;
-      LineIcon.Dot dot = new LineIcon.Dot(each.enabled(), conditional, LineIcon.Reach.HERE);
+      LineIcon.Dot dot =
+          new LineIcon.Dot(each.enabled(), EditorLink.kind(each), LineIcon.Reach.HERE);
       program.breakpoints().nodes(script, each.line()).forEach(key -> dots.put(key, dot));
     }
     OptionalInt then = past.apply(program.document());

@@ -94,6 +94,7 @@ final class Views {
     link = new EditorLink(editor, debug, programs);
     runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
+    editor.setMarginMenu(breakpoints.marginMenu());
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
     past = new PastViews(workbench, programs, editor);
     ScenePanel scene = new ScenePanel(workbench, past::past);

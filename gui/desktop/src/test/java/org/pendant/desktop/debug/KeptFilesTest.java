@@ -18,7 +18,9 @@ final class KeptFilesTest {
   private static final KeptFile KEPT =
       new KeptFile(
           new TextPlace(12, 3, List.of(4, 9)),
-          List.of(Breakpoint.at(4).when("count == 3").fromHit(2), Breakpoint.at(9).disabled()));
+          List.of(
+              Breakpoint.at(4).when("count == 3").fromHit(2),
+              Breakpoint.at(9).disabled().logging("turn {i}")));
 
   private final Map<String, String> values = new HashMap<>();
   private final Settings settings =

@@ -15,8 +15,8 @@ final class LineIconTest {
     dots.add(Optional.empty());
     for (LineIcon.Reach reach : LineIcon.Reach.values()) {
       for (boolean filled : new boolean[] {false, true}) {
-        for (boolean conditional : new boolean[] {false, true}) {
-          dots.add(Optional.of(new LineIcon.Dot(filled, conditional, reach)));
+        for (LineIcon.Kind kind : LineIcon.Kind.values()) {
+          dots.add(Optional.of(new LineIcon.Dot(filled, kind, reach)));
         }
       }
     }
