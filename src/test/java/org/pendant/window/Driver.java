@@ -47,6 +47,10 @@ final class Driver {
             Optional.empty(),
             SimulationWishes.NONE);
     Thread.ofPlatform().name("end").daemon().start(() -> endWith(desktop));
+    ProcessHandle.current()
+        .parent()
+        .ifPresent(
+            tests -> Thread.ofPlatform().name("tests").daemon().start(() -> endAfter(tests)));
     BufferedReader requests =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
     PrintStream replies = new PrintStream(System.out, true, StandardCharsets.UTF_8);
@@ -65,6 +69,12 @@ final class Driver {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  /** A window that hangs does not read the end of its input. */
+  private static void endAfter(ProcessHandle tests) {
+    tests.onExit().join();
+    Runtime.getRuntime().halt(1);
   }
 
   private String reply(String line) {

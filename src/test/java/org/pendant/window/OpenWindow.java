@@ -7,12 +7,14 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
@@ -30,13 +32,28 @@ final class OpenWindow implements AutoCloseable {
 
   private final Process process;
   private final PrintStream requests;
-  private final BufferedReader replies;
+
+  /** What the process has answered; nothing when it has ended. */
+  private final BlockingQueue<Optional<String>> replies = new LinkedBlockingQueue<>();
 
   private OpenWindow(Process process) {
     this.process = process;
     requests = new PrintStream(process.getOutputStream(), true, StandardCharsets.UTF_8);
-    replies =
-        new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+    Thread.ofPlatform().name("replies").daemon().start(this::listen);
+  }
+
+  /** A thread of its own: who reads from a process that hangs cannot be called off. */
+  private void listen() {
+    try (BufferedReader reader =
+        new BufferedReader(
+            new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+      for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+        replies.add(Optional.of(line));
+      }
+    } catch (IOException _) {
+      // the pipe of a process that was killed
+    }
+    replies.add(Optional.empty());
   }
 
   /**
@@ -423,18 +440,57 @@ final class OpenWindow implements AutoCloseable {
   /** The answer, or nothing from a process that has ended. */
   private Optional<String> request(String verb, String what) {
     requests.println(verb + "\t" + what.replace("\\", "\\\\").replace("\n", "\\n"));
+    // One that closes its window may end in the middle of its answer.
+    Optional<String> reply = nextReply(verb + " " + what).filter(line -> line.indexOf('\t') >= 0);
+    if (reply.isEmpty()) {
+      replies.add(reply);
+      return reply;
+    }
+    String[] words = reply.orElseThrow().split("\t", 2);
+    return words[0].equals("ok")
+        ? Optional.of(words[1].translateEscapes())
+        : fail(verb + " " + what + ": " + words[1]);
+  }
+
+  /** A window that does not answer is killed, or its process would outlive the tests. */
+  private Optional<String> nextReply(String request) {
     try {
-      String reply = replies.readLine();
-      // One that closes its window may end in the middle of its answer.
-      if (reply == null || reply.indexOf('\t') < 0) {
-        return Optional.empty();
+      Optional<String> reply = replies.poll(PATIENCE_NS, TimeUnit.NANOSECONDS);
+      if (reply != null) {
+        return reply;
       }
-      String[] words = reply.split("\t", 2);
-      return words[0].equals("ok")
-          ? Optional.of(words[1].translateEscapes())
-          : fail(verb + " " + what + ": " + words[1]);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    String threads = threads();
+    kill();
+    return fail("the window does not answer to " + request + "; its threads:\n" + threads);
+  }
+
+  /** The stacks of the window's threads, and the locks they hold, unless it hangs altogether. */
+  private String threads() {
+    try {
+      Path stacks = Files.createTempFile("threads", ".txt");
+      Process jcmd =
+          new ProcessBuilder(
+                  Path.of(System.getProperty("java.home"), "bin", "jcmd").toString(),
+                  Long.toString(process.pid()),
+                  "Thread.print",
+                  "-l")
+              .redirectErrorStream(true)
+              .redirectOutput(stacks.toFile())
+              .start();
+      if (!jcmd.waitFor(10, TimeUnit.SECONDS)) {
+        jcmd.destroyForcibly();
+      }
+      String text = Files.readString(stacks);
+      Files.delete(stacks);
+      return text;
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      return e.getMessage();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "interrupted";
     }
   }
 
