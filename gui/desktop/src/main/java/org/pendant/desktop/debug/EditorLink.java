@@ -56,6 +56,7 @@ public final class EditorLink implements BreakpointListener {
 
   /** A program is about to be started: the debugger gets its breakpoints. */
   public void beforeRun(ProgramDocument program, RunScript script) {
+    editor.followAgain();
     openBreakpoints.linesChanged(program, editor.breakpoints(program));
     openBreakpoints.beforeRun(program, script);
   }

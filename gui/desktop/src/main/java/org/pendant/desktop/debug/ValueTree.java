@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.Variable;
 
 /**
  * Value tree: values as rows that unfold. Only what is unfolded is asked for, a page at a time. It
@@ -68,6 +69,16 @@ final class ValueTree {
 
   List<ValueRow> rows() {
     return rows;
+  }
+
+  /** The value of a variable, as text: a local one before a global one; empty if it has none. */
+  Optional<String> text(String name) {
+    return groups.stream()
+        .flatMap(group -> group.nodes().stream())
+        .map(ValueNode::variable)
+        .filter(each -> each.name().equals(name) && each.kind().isPresent())
+        .map(Variable::text)
+        .findFirst();
   }
 
   void addListener(Runnable listener) {

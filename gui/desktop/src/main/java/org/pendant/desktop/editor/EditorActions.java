@@ -107,6 +107,14 @@ final class EditorActions {
         "Toggle breakpoint",
         "F9",
         each -> each.toggleBreakpoint(each.area().lineAt(each.area().getCaretPosition())));
+    actions.add(
+        new Action(
+                PREFIX + "follow",
+                "Follow the running program in the script",
+                "",
+                () -> editor.component().isShowing(),
+                editor::toggleFollow)
+            .checked(editor::follows));
     add("larger", "Larger text", "control EQUALS", each -> each.zoom(1));
     add("smaller", "Smaller text", "control MINUS", each -> each.zoom(-1));
     add("usual-size", "Usual text size", "control 0", each -> each.zoom(0));

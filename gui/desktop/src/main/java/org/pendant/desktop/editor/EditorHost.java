@@ -1,6 +1,7 @@
 package org.pendant.desktop.editor;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedMap;
 import javax.swing.JPopupMenu;
 import org.pendant.desktop.editor.text.Place;
@@ -25,6 +26,9 @@ interface EditorHost {
 
   /** Breakpoints have moved with the text: where each line with one is now. */
   void breakpointsMoved(ProgramEditor editor, SortedMap<Integer, Integer> moves);
+
+  /** What a variable is now, or was last; empty if that is not known. */
+  Optional<String> value(ProgramEditor editor, String name);
 
   /** What can be done beside a line. */
   JPopupMenu marginMenu(ProgramEditor editor, int line);

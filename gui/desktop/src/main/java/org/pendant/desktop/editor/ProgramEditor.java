@@ -19,12 +19,14 @@ import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
+import org.pendant.desktop.editor.text.Insertion;
 import org.pendant.desktop.editor.text.LineColours;
 import org.pendant.desktop.editor.text.Problem;
 import org.pendant.desktop.editor.text.RichText;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.background.WorkQueue;
+import org.pendant.language.service.Hover;
 import org.pendant.language.signature.Catalogue;
 
 /**
@@ -50,6 +52,7 @@ final class ProgramEditor extends JPanel {
   private final LayoutCommands layout;
   private final Occurrences occurrences;
   private final TextReturn coming;
+  private final LineFollower follower;
   private boolean movingLines;
 
   ProgramEditor(
@@ -57,7 +60,8 @@ final class ProgramEditor extends JPanel {
       Catalogue catalogue,
       WorkQueue background,
       EditorHost editorHost,
-      Predicate<KeyStroke> takenKeys) {
+      Predicate<KeyStroke> takenKeys,
+      FollowSwitch following) {
     super(new BorderLayout());
     this.program = program;
     script = program.script();
@@ -109,6 +113,7 @@ final class ProgramEditor extends JPanel {
         });
     area.setEditable(!generated());
     coming = new TextReturn(area, marks);
+    follower = new LineFollower(area, scroll, following);
     area.addHierarchyListener(this::shown);
     add(head(), BorderLayout.NORTH);
     add(scroll);
@@ -129,9 +134,16 @@ final class ProgramEditor extends JPanel {
   /** The caret may have moved while the text was not shown. */
   private void shown(HierarchyEvent event) {
     boolean shown = (event.getChangeFlags() & HierarchyEvent.SHOWING_CHANGED) != 0;
-    if (shown && area.isShowing() && (generated() || coming.unseen())) {
+    if (shown && area.isShowing()) {
+      boolean toCaret = generated() || coming.unseen();
       TextSpan caret = new TextSpan(area.getCaretPosition(), area.getCaretPosition());
-      EventQueue.invokeLater(() -> area.show(caret));
+      EventQueue.invokeLater(
+          () -> {
+            if (toCaret) {
+              area.show(caret);
+            }
+            follower.look();
+          });
     }
   }
 
@@ -254,6 +266,17 @@ final class ProgramEditor extends JPanel {
 
   void setExecution(Execution execution) {
     marks.setExecution(execution);
+    follower.at(execution.line());
+  }
+
+  /** Has the line that runs in sight, if people want it so. */
+  void follow() {
+    follower.look();
+  }
+
+  /** Scrolls a line into sight unless it is. */
+  void reveal(int line) {
+    follower.reveal(line);
   }
 
   SortedSet<Integer> breakpoints() {
@@ -399,8 +422,23 @@ final class ProgramEditor extends JPanel {
                     .filter(problem -> isOn(problem, offset))
                     .findFirst()
                     .map(RichText::of)
-                    .or(() -> analysed.hover(offset).map(RichText::of))
+                    .or(() -> analysed.hover(offset).map(about -> withValue(about, offset)))
                     .or(() -> analysed.quantity(offset).map(RichText::of)));
+  }
+
+  /** What is known about a name, below what it is if it is a variable of the program that ran. */
+  private String withValue(Hover about, int offset) {
+    String text = area.getText();
+    int start = Insertion.wordStart(text, offset);
+    int end = offset;
+    while (end < text.length() && Insertion.isWord(text.charAt(end))) {
+      end++;
+    }
+    String name = text.substring(start, end);
+    return editorHost
+        .value(this, name)
+        .map(value -> RichText.of(name, value, about))
+        .orElseGet(() -> RichText.of(about));
   }
 
   private static boolean isOn(Problem problem, int offset) {

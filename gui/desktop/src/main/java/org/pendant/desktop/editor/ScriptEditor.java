@@ -1,5 +1,6 @@
 package org.pendant.desktop.editor;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.io.IOException;
@@ -11,12 +12,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.IntUnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
@@ -53,6 +56,10 @@ public final class ScriptEditor implements View {
       program -> Collections.emptySortedSet();
   private TextMemory memory = TextMemory.NONE;
   private MarginMenu marginMenu = (program, line) -> new JPopupMenu();
+  private final FollowSwitch follow;
+  private BiFunction<ProgramDocument, String, Optional<String>> values =
+      (program, name) -> Optional.empty();
+  private final JPanel head = new JPanel(new MigLayout("insets 0 0 0 6, gap 4, hidemode 3"));
   private PlacesSink places = (title, found) -> {};
 
   /** Where lists of places are shown. */
@@ -67,6 +74,7 @@ public final class ScriptEditor implements View {
     this.programs = programs;
     Catalogue catalogue = workbench.session().robot().builtins();
     EditorHost editorHost = new Desk();
+    follow = new FollowSwitch(workbench.settings());
     find = new FindBar(this::current);
     status = new EditorStatus(() -> workbench.show(ProblemsView.ID));
     closer = new ProgramCloser(workbench, programs, this::current);
@@ -77,7 +85,7 @@ public final class ScriptEditor implements View {
             programs,
             program -> {
               ProgramEditor made =
-                  new ProgramEditor(program, catalogue, worker, editorHost, this::isTaken);
+                  new ProgramEditor(program, catalogue, worker, editorHost, this::isTaken, follow);
               made.restoreBreakpoints(breakpointMemory.apply(program));
               memory.of(program).ifPresent(made::restore);
               return made;
@@ -87,12 +95,29 @@ public final class ScriptEditor implements View {
     JPanel south = new JPanel(new BorderLayout());
     south.add(find, BorderLayout.NORTH);
     south.add(status, BorderLayout.SOUTH);
+    head.setOpaque(false);
+    head.add(follow.button());
+    follow.button().addActionListener(event -> current().follow());
+    tabs.putClientProperty(FlatClientProperties.TABBED_PANE_TRAILING_COMPONENT, trailing());
     content.setName("script-editor");
     content.add(south, BorderLayout.SOUTH);
     content.add(tabs);
     addListener(() -> status.show(current()));
     status.show(current());
     EditorActions.addTo(workbench.actions(), this);
+  }
+
+  /** At the end of the row of tabs. */
+  private JPanel trailing() {
+    JPanel end = new JPanel(new BorderLayout());
+    end.setOpaque(false);
+    end.add(head, BorderLayout.LINE_END);
+    return end;
+  }
+
+  /** Puts something into the head of the editor. */
+  public void addToHead(JComponent tool) {
+    head.add(tool, 0);
   }
 
   @Override
@@ -139,7 +164,33 @@ public final class ScriptEditor implements View {
     current().area().requestFocusInWindow();
   }
 
-  /** Marks where a program is. The text does not scroll. */
+  /** Whether the line that runs is kept in sight. */
+  boolean follows() {
+    return follow.on();
+  }
+
+  /** Keeps the line that runs in sight, or no longer. */
+  void toggleFollow() {
+    follow.choose(!follow.on());
+    current().follow();
+  }
+
+  /** A program is about to start: its lines are followed again. */
+  public void followAgain() {
+    follow.again();
+  }
+
+  /** Scrolls a line of a program into sight unless it is; the caret stays. */
+  public void reveal(ProgramDocument program, int line) {
+    editor(program).ifPresent(editor -> editor.reveal(line));
+  }
+
+  /** Asks {@code known} for the values of variables that people point at. */
+  public void setValues(BiFunction<ProgramDocument, String, Optional<String>> known) {
+    values = known;
+  }
+
+  /** Marks where a program is; the text follows if people want it so. */
   public void setExecution(ProgramDocument program, Execution execution) {
     editor(program).ifPresent(editor -> editor.setExecution(execution));
   }
@@ -345,6 +396,11 @@ public final class ScriptEditor implements View {
     @Override
     public void leaving(ProgramEditor editor) {
       navigation.left(editor);
+    }
+
+    @Override
+    public Optional<String> value(ProgramEditor editor, String name) {
+      return values.apply(editor.program(), name);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package org.pendant.desktop.program;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
@@ -136,6 +137,14 @@ public final class ProgramView implements View {
     tree.add(foreignBar, BorderLayout.NORTH);
     tree.add(parts);
     content.add(tree, TREE);
+  }
+
+  /** Puts something into the head of what stands beside the tree. */
+  public void addToHead(JComponent tool) {
+    JPanel end = new JPanel(new BorderLayout());
+    end.setOpaque(false);
+    end.add(tool, BorderLayout.LINE_END);
+    tabs.putClientProperty(FlatClientProperties.TABBED_PANE_TRAILING_COMPONENT, end);
   }
 
   @Override

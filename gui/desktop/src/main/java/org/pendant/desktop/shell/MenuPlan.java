@@ -257,7 +257,9 @@ final class MenuPlan {
         line(),
         sub("Speed", "", all("speed")),
         line(),
-        all("program.ask-start", "tree.follow", "program"));
+        all("program.ask-start"),
+        one("editor.follow", "tree.follow"),
+        all("program"));
   }
 
   private static List<Entry> debug() {

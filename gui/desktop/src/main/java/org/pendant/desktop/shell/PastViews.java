@@ -143,9 +143,11 @@ final class PastViews {
       unmark();
     }
     ControllerState past = lookBack.shown(live);
+    boolean fresh = false;
     if (searched.isEmpty() || searched.getAsLong() != past.frame()) {
       searched = OptionalLong.of(past.frame());
       log.lookAt(past.timeS());
+      fresh = true;
     }
     Optional<RecordedProgram> ran = lookBack.program();
     Optional<ProgramDocument> open = ran.flatMap(this::open);
@@ -153,8 +155,11 @@ final class PastViews {
       unmark();
       marked = open;
     }
-    open.ifPresent(
-        document -> editor.setExecution(document, Execution.running(past.program().line())));
+    int line = past.program().line();
+    open.ifPresent(document -> editor.setExecution(document, Execution.running(line)));
+    if (fresh) {
+      open.ifPresent(document -> editor.reveal(document, line));
+    }
     banner.refresh(ran.isPresent() && open.isEmpty());
     return true;
   }

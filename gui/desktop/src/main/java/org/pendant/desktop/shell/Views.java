@@ -14,10 +14,12 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.BreakpointsView;
 import org.pendant.desktop.debug.CallStackView;
 import org.pendant.desktop.debug.DebugActions;
+import org.pendant.desktop.debug.DebugBar;
 import org.pendant.desktop.debug.DebugPresenter;
 import org.pendant.desktop.debug.EditorLink;
 import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.FileKeeper;
+import org.pendant.desktop.debug.HoverValues;
 import org.pendant.desktop.debug.VariablesView;
 import org.pendant.desktop.debug.WatchesView;
 import org.pendant.desktop.editor.OutlineView;
@@ -64,6 +66,7 @@ final class Views {
   private final DebugPresenter debug;
   private final EditorLink link;
   private final FileKeeper keeper;
+  private final List<DebugBar> debugBars;
   private final PortsView ports;
   private final RobotSession session;
   private final Consumer<String> tell;
@@ -95,6 +98,10 @@ final class Views {
     runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     editor.setMarginMenu(breakpoints.marginMenu());
+    DebugBar scriptBar = new DebugBar("debug-bar", workbench, debug);
+    editor.addToHead(scriptBar);
+    DebugBar treeBar = new DebugBar("debug-bar-tree", workbench, debug);
+    debugBars = List.of(scriptBar, treeBar);
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
     past = new PastViews(workbench, programs, editor);
     ScenePanel scene = new ScenePanel(workbench, past::past);
@@ -106,6 +113,9 @@ final class Views {
           link.beforeRun(document, script);
         });
     program = programScreen(workbench, programs, move, scene);
+    program.addToHead(treeBar);
+    editor.setValues(
+        new HoverValues(debug, () -> past.past().orElseGet(session::state).variables())::of);
     installation.addListener(
         () -> {
           scene.show(installation.current().features());
@@ -312,6 +322,7 @@ final class Views {
       link.strangerStarted();
     }
     Faults.guard(() -> debug.refresh(state));
+    debugBars.forEach(each -> Faults.guard(each::refresh));
     Faults.guard(
         () -> {
           if (!past.follow(state, log)) {

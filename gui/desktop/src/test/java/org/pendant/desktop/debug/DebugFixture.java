@@ -40,6 +40,14 @@ final class DebugFixture {
     return reply;
   }
 
+  ProgramDocument document() {
+    return document;
+  }
+
+  HoverValues hoverValues() {
+    return new HoverValues(debug, () -> controller.state().variables());
+  }
+
   DebugPresenter debug() {
     return debug;
   }

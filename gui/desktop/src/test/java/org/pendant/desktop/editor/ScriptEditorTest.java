@@ -3,18 +3,22 @@ package org.pendant.desktop.editor;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.KeyListener;
+import java.awt.event.MouseEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -357,5 +361,47 @@ final class ScriptEditorTest {
     analysed();
     EventQueue.invokeAndWait(
         () -> assertEquals(new TreeSet<>(Set.of(4)), window.editor().breakpoints(program)));
+  }
+
+  private boolean inSight(int line) {
+    return area.getVisibleRect().contains(area.place(area.line(line).start()).getLocation());
+  }
+
+  @Test
+  void theLineThatRunsIsKeptInSightUntilPeopleScroll()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          program.setText("a = 1\n".repeat(300));
+          area.setCaretPosition(0);
+        });
+    EventQueue.invokeAndWait(() -> window.editor().setExecution(program, Execution.running(200)));
+    EventQueue.invokeAndWait(() -> assertTrue(inSight(200)));
+    EventQueue.invokeAndWait(() -> area.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
+    EventQueue.invokeAndWait(
+        () -> {
+          assertFalse(window.editor().follows());
+          window.editor().setExecution(program, Execution.running(250));
+          assertFalse(inSight(250));
+          window.editor().followAgain();
+          window.editor().setExecution(program, Execution.running(100));
+          assertTrue(inSight(100));
+        });
+  }
+
+  @Test
+  void aVariableUnderThePointerTellsItsValue()
+      throws InterruptedException, InvocationTargetException {
+    analysed();
+    EventQueue.invokeAndWait(
+        () -> {
+          window.editor().setValues((of, name) -> Optional.of(name + "?"));
+          Rectangle place = area.place(area.getText().indexOf("a = 1"));
+          String tip =
+              area.getToolTipText(
+                  new MouseEvent(
+                      area, MouseEvent.MOUSE_MOVED, 0, 0, place.x + 1, place.y + 2, 0, false));
+          assertTrue(tip.contains("a = a?"), tip);
+        });
   }
 }

@@ -29,6 +29,12 @@ public final class RichText {
     return page(html.toString());
   }
 
+  /** The value of a variable, and below it what is known about its name. */
+  public static String of(String name, String value, Hover about) {
+    String below = of(about).replaceFirst("^<html><body[^>]*>", "").replace("</body></html>", "");
+    return page("<b>" + code(name + " = " + value) + "</b><br>" + below);
+  }
+
   /** Plain text, broken into lines where it is long. */
   public static String of(String text) {
     return page(escaped(text));

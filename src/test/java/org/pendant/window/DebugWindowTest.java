@@ -1,0 +1,73 @@
+package org.pendant.window;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+
+/** The debug bar, and the script that follows the program. */
+@Tag("slow")
+final class DebugWindowTest {
+  @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
+
+  private final OpenWindow window = sharedWindow.window();
+
+  private void toScript() {
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control HOME");
+  }
+
+  @Test
+  void theDebugBarStepsAndEndsAPausedProgram() {
+    sharedWindow.program(
+        "def twice(n):", "  return 2 * n", "end", "a = 1", "a = twice(a)", "sync()", "a = 3");
+    toScript();
+    assertFalse(window.shows("debug-bar"));
+    for (int i = 0; i < 4; i++) {
+      window.press("DOWN");
+    }
+    window.press("F9");
+    window.press("F5");
+    window.awaitShown("debug-bar");
+    window.perform("Show Call stack");
+    window.awaitWords("call-stack", "line 5");
+    window.click("debug-bar-step-into");
+    window.awaitWords("call-stack", "line 2");
+    window.click("debug-bar-step-out");
+    window.awaitWords("call-stack", "line 6");
+    window.click("debug-bar-step");
+    window.awaitWords("call-stack", "line 7");
+    window.tabTo("debug-bar-stop");
+    window.press("SPACE");
+    window.awaitWords("program-state", "stopped");
+    window.awaitHidden("debug-bar");
+  }
+
+  @Test
+  void theScriptFollowsTheProgramThatRuns() {
+    List<String> lines = new ArrayList<>();
+    for (int i = 0; i < 200; i++) {
+      lines.add("# line " + (i + 1));
+    }
+    lines.addAll(List.of("while True:", "  sleep(0.1)", "end"));
+    sharedWindow.program(lines.toArray(new String[0]));
+    toScript();
+    assertTrue(window.selected("script-follow"));
+    window.press("F5");
+    window.awaitWords("program-state", "running");
+    window.press("DOWN");
+    window.await("people have left the line", () -> !window.selected("script-follow"));
+    window.press("shift F5");
+    window.awaitWords("program-state", "stopped");
+    window.press("F5");
+    window.await("the next start follows again", () -> window.selected("script-follow"));
+    window.press("shift F5");
+    window.awaitWords("program-state", "stopped");
+  }
+}
