@@ -40,6 +40,7 @@ public final class InstallationView implements View {
 
   private final Workbench workbench;
   private final Editing editing;
+  private final RotationChoice rotation;
   private final InstallationBar bar;
   private final Map<String, List<Page>> groups = new LinkedHashMap<>();
   private final List<Page> pages;
@@ -59,6 +60,8 @@ public final class InstallationView implements View {
     this.workbench = workbench;
     arm = workbench.session().options().arm();
     editing = new Editing(active, this::arm);
+    rotation = new RotationChoice(workbench.settings());
+    rotation.addListener(this::show);
     makePages();
     pages = groups.values().stream().flatMap(List::stream).toList();
     bar = new InstallationBar(workbench, active, editing);
@@ -74,7 +77,6 @@ public final class InstallationView implements View {
   }
 
   private void makePages() {
-    RotationChoice rotation = new RotationChoice(workbench.settings());
     SafetyDraft safety = new SafetyDraft(editing);
     groups.put(
         "General",
@@ -249,6 +251,7 @@ public final class InstallationView implements View {
       arm = ArmLibrary.load(robot);
       show();
     }
+    rotation.look();
     bar.refresh(state);
     page.refresh(state);
   }

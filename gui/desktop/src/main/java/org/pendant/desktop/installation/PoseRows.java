@@ -11,7 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.desktop.move.RotationForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;

@@ -3,7 +3,7 @@ package org.pendant.desktop.log;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.desktop.session.StopCard;
+import org.pendant.desktop.session.StopAdvice;
 
 /**
  * Code help: what a code of the safety functions means, and what may help; docs/safety.md has the
@@ -23,7 +23,7 @@ record CodeHelp(String meaning, String suggestion) {
     }
     int number = Integer.parseInt(parts.group(1));
     return meaning(number, Integer.parseInt(parts.group(2)))
-        .map(meaning -> new CodeHelp(meaning, StopCard.suggestion(number)));
+        .map(meaning -> new CodeHelp(meaning, StopAdvice.of(number)));
   }
 
   private static Optional<String> meaning(int code, int argument) {

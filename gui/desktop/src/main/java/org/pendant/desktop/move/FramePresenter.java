@@ -1,6 +1,7 @@
 package org.pendant.desktop.move;
 
 import java.util.Optional;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.pose.Pose;
 

@@ -3,6 +3,7 @@ package org.pendant.desktop.move;
 import java.util.Collections;
 import java.util.Optional;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;

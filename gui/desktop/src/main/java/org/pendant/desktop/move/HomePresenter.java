@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import org.pendant.controller.box.BoxSetup;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.arm.Joints;
 

@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.form.RemarkSpace;

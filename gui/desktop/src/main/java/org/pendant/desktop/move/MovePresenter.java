@@ -11,6 +11,8 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.pose.Pose;
@@ -93,6 +95,11 @@ final class MovePresenter {
 
   /** Takes the newest snapshot, and repeats what is held; about 30 times a second. */
   void take(ControllerState newest, Pace pace) {
+    PoseForm chosen = FormMemory.read(settings);
+    if (!chosen.equals(form)) {
+      // by another screen
+      follow(chosen);
+    }
     state = Optional.of(newest);
     obstacle = Obstacle.of(newest, pace);
     jog.setFrame(frame.inBase());
@@ -169,12 +176,16 @@ final class MovePresenter {
 
   /** Shows all numbers in another form. */
   void setForm(PoseForm other) {
+    FormMemory.write(settings, other);
+    follow(other);
+  }
+
+  private void follow(PoseForm other) {
     goals.setForm(other);
     tool.setForm(other);
     frame.setForm(other);
     form = other;
     home.setAngle(other.angle());
-    FormMemory.write(settings, other);
   }
 
   PoseForm form() {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JButton;
@@ -8,6 +10,9 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.form.RemarkSpace;
@@ -25,6 +30,7 @@ final class PoseCard {
   private final Remark hint = new Remark("move-pose-hint", Palette::quiet);
   private final HoldButton go;
   private final HoldButton align;
+  private final List<Runnable> follow = new ArrayList<>();
   private final JButton reset = new JButton("Discard");
 
   /** A card; see {@link JointsCard} for the arguments. */
@@ -57,32 +63,43 @@ final class PoseCard {
             "move-length-unit",
             "Unit of lengths",
             DisplayUnit.of(DisplayUnit.Kind.LENGTH).toArray(DisplayUnit[]::new),
-            presenter.form().length(),
+            PoseForm::length,
             unit -> new PoseForm(unit, presenter.form().angle(), presenter.form().rotation())));
     row.add(
         choice(
             "move-angle-unit",
             "Unit of angles",
             DisplayUnit.of(DisplayUnit.Kind.ANGLE).toArray(DisplayUnit[]::new),
-            presenter.form().angle(),
+            PoseForm::angle,
             unit -> new PoseForm(presenter.form().length(), unit, presenter.form().rotation())));
     row.add(
         choice(
             "move-rotation-form",
             "How rotations are written",
             RotationForm.values(),
-            presenter.form().rotation(),
+            PoseForm::rotation,
             form -> new PoseForm(presenter.form().length(), presenter.form().angle(), form)));
     return row;
   }
 
   private <T> JComboBox<T> choice(
-      String name, String tip, T[] values, T chosen, Function<T, PoseForm> form) {
+      String name,
+      String tip,
+      T[] values,
+      Function<PoseForm, T> shown,
+      Function<T, PoseForm> form) {
     JComboBox<T> box = new JComboBox<>(values);
-    box.setSelectedItem(chosen);
+    box.setSelectedItem(shown.apply(presenter.form()));
     TitledCard.named(box, name, tip);
     box.addActionListener(
         event -> presenter.setForm(form.apply(box.getItemAt(box.getSelectedIndex()))));
+    follow.add(
+        () -> {
+          T now = shown.apply(presenter.form());
+          if (!now.equals(box.getSelectedItem())) {
+            box.setSelectedItem(now);
+          }
+        });
     return box;
   }
 
@@ -111,6 +128,7 @@ final class PoseCard {
     GoalPresenter goals = presenter.goals();
     Draft draft = goals.pose();
     Draft joints = goals.joints();
+    follow.forEach(Runnable::run);
     where.setText(
         presenter.jog().axes() == JogAxes.FRAME ? "In the frame" : "In the base of the robot");
     fields.refresh(presenter.form());

@@ -7,6 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.unit.PoseForm;
 
 /** Pose fields: the six numbers of a pose, position on the left and rotation on the right. */
 final class PoseFields {

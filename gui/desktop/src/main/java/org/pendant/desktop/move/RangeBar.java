@@ -12,6 +12,7 @@ import java.awt.geom.RoundRectangle2D;
 import java.util.OptionalDouble;
 import javax.swing.JComponent;
 import javax.swing.UIManager;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.kit.theme.Palette;
 
 /**

@@ -13,6 +13,8 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.dynamics.Payload;

@@ -11,6 +11,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.move.JogHold;
 import org.pendant.desktop.program.form.FormHost;
 import org.pendant.desktop.program.form.Taught;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.ProgramNode;
@@ -73,6 +75,11 @@ final class ProgramHost implements FormHost {
   @Override
   public void change(String what, ProgramTree next) {
     program.ifPresent(each -> each.change(what, selected.getAsLong(), next));
+  }
+
+  @Override
+  public PoseForm poseForm() {
+    return FormMemory.read(workbench.settings());
   }
 
   @Override

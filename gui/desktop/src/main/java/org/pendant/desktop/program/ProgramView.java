@@ -23,6 +23,7 @@ import org.pendant.desktop.program.form.NodeForms;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.project.program.ProgramNode;
@@ -67,6 +68,7 @@ public final class ProgramView implements View {
   private boolean follow;
   private boolean fromScript;
   private long followed;
+  private PoseForm poseForm = PoseForm.STANDARD;
 
   /**
    * The screen of the program in front; it adds its actions to the workbench.
@@ -276,6 +278,10 @@ public final class ProgramView implements View {
   @Override
   public void refresh(ControllerState state) {
     host.repeat();
+    if (!host.poseForm().equals(poseForm)) {
+      poseForm = host.poseForm();
+      showForm();
+    }
     if (program.isEmpty() || asText) {
       return;
     }

@@ -190,6 +190,7 @@ final class DesktopWindow {
             .checked(() -> session.options().startRamp()));
     actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
     programActions.addSpeed();
+    UnitActions.addTo(actions, workbench.settings());
     WindowActions windowActions = new WindowActions(actions);
     windowActions.addViews(docks, List.copyOf(views.screens().keySet()));
     windowActions.addDocks(docks);

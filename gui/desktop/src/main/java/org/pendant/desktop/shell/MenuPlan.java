@@ -214,7 +214,8 @@ final class MenuPlan {
         sub("Screens", "Show", list(shows(screens), line(), places("Move a screen", screens))),
         sub("Panels", "Show", list(shows(panels), line(), places("Move a panel", panels))),
         line(),
-        all("dock", "view"),
+        sub("Docks", "", all("dock")),
+        all("view"),
         line(),
         sub(
             "3D view",
@@ -246,6 +247,10 @@ final class MenuPlan {
                 all("look.larger", "look.smaller", "look.normal"),
                 line(),
                 all("editor.larger", "editor.smaller", "editor.usual-size"))),
+        sub(
+            "Units",
+            "Units",
+            list(all("unit.length"), line(), all("unit.angle"), line(), all("unit.rotation"))),
         all("look"));
   }
 

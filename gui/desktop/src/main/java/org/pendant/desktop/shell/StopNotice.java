@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.session.StopCard;
 import org.pendant.desktop.shell.Notices.Choice;
+import org.pendant.desktop.shell.run.StopCard;
 
 /** Stop notice: tells of a stop of the arm while the screen that explains it is not in front. */
 final class StopNotice {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.desktop.unit.DisplayUnit;
 
 /** Numbers that follow the robot until the user types over one. */
 final class DraftTest {

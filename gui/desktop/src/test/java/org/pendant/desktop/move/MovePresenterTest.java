@@ -25,6 +25,10 @@ import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -80,6 +84,16 @@ final class MovePresenterTest {
 
   private Joints position() {
     return controller.state().arm().targetPositionRad();
+  }
+
+  @Test
+  void unitsThatAreChosenElsewhereAreThoseOfThisScreen() {
+    PoseForm inches =
+        new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.ROLL_PITCH_YAW);
+    FormMemory.write(settings, inches);
+    refresh(1);
+    assertEquals(inches, presenter.form());
+    assertEquals(DisplayUnit.INCH, presenter.goals().pose().unit(0));
   }
 
   @Test

@@ -4,9 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -17,13 +15,7 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyInput;
-import org.pendant.controller.safety.SafetyMode;
-import org.pendant.controller.safety.SafetyStop;
-import org.pendant.controller.safety.StopCategory;
-import org.pendant.controller.state.StopPlace;
 import org.pendant.desktop.session.ArmReadiness.Light;
-import org.pendant.models.arm.Joints;
-import org.pendant.models.pose.Pose;
 
 final class ArmReadinessTest {
   private final Controller controller =
@@ -84,65 +76,6 @@ final class ArmReadinessTest {
     send(readiness().command().orElseThrow());
     assertEquals(Light.READY, readiness().light());
     assertTrue(controls().canResume());
-  }
-
-  @Test
-  void theStopCardSaysWhatAndWhereAndWhatToDo() {
-    switchOn();
-    assertEquals(Optional.empty(), StopCard.of(controller.state()));
-    start("sleep(0.1)\nprotective_stop()\nsleep(5)\n");
-    controller.runUntil(() -> controller.state().safety().stop().isPresent(), 200);
-    StopCard card = StopCard.of(controller.state()).orElseThrow();
-    assertEquals("Protective stop C209A0", card.title());
-    assertEquals(2, card.line());
-    assertEquals("The program asked for this stop.", card.suggestion());
-    assertEquals("The program asks for it", card.message());
-    assertEquals(
-        "491.90, -133.30, 487.90 mm",
-        card.facts().stream()
-            .filter(each -> each.name().equals("TCP in the base"))
-            .findAny()
-            .orElseThrow()
-            .value());
-  }
-
-  @Test
-  void theStopCardHasEachNumberOnceAndOfWhatTheSafetyFunctionsLookedAt() {
-    SafetyStop stop =
-        new SafetyStop(
-            SafetyMode.PROTECTIVE_STOP,
-            StopCategory.TWO,
-            152,
-            0,
-            OptionalInt.empty(),
-            1.5,
-            -0.00006,
-            0,
-            "m",
-            "C152A0 protective stop at 1.500 s: tool comes too close to safety plane \"a: b\":"
-                + " -0.00006 m, limit 0 m");
-    StopPlace place = new StopPlace(3, new Pose(0.1, 0, 0.25, 0, 0, 0), Joints.ZERO);
-    StopCard card = StopCard.of(stop, Optional.of(place));
-    assertEquals("Protective stop C152A0", card.title());
-    assertEquals("Tool comes too close to safety plane \"a: b\"", card.message());
-    assertEquals(
-        List.of(
-            new StopCard.Fact("It would come to rest at", "-0.06 mm"),
-            new StopCard.Fact("Limit", "0.00 mm"),
-            new StopCard.Fact("TCP in the base, as commanded", "100.00, 0.00, 250.00 mm"),
-            new StopCard.Fact("Robot time", "1.500 s")),
-        card.facts());
-  }
-
-  @Test
-  void theStopCardKeepsTheLineOfAProgramThatTheStopHasEnded() {
-    switchOn();
-    start("sleep(0.1)\nsleep(5)\n");
-    controller.runUntil(() -> controller.state().program().line() == 2, 200);
-    send(new SafetyCommand.SetSafetyInput(SafetyInput.EMERGENCY_STOP, true));
-    controller.runUntil(() -> controller.state().safety().stop().isPresent(), 10);
-    controller.runUntil(() -> controller.state().program().line() == 0, 1000);
-    assertEquals(2, StopCard.of(controller.state()).orElseThrow().line());
   }
 
   @Test

@@ -7,9 +7,12 @@ import java.util.regex.Pattern;
 /** Measure: in what a form shows and takes numbers; inside they count in SI. */
 public enum Measure {
   MILLIMETRE("mm", 1e-3, 3),
+  METRE("m", 1, 6),
+  INCH("in", 0.0254, 4),
   MILLIMETRE_PER_S("mm/s", 1e-3, 3),
   MILLIMETRE_PER_S2("mm/s\u00b2", 1e-3, 3),
   DEGREE("deg", Math.PI / 180, 3),
+  RADIAN("rad", 1, 6),
   DEGREE_PER_S("deg/s", Math.PI / 180, 3),
   DEGREE_PER_S2("deg/s\u00b2", Math.PI / 180, 3),
   SECOND("s", 1, 3),

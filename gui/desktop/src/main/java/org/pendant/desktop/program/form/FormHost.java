@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
 
@@ -30,6 +31,11 @@ public interface FormHost {
    *     with the same words within a short time are undone together
    */
   void change(String what, ProgramTree next);
+
+  /** How people read and type poses. */
+  default PoseForm poseForm() {
+    return PoseForm.STANDARD;
+  }
 
   /** Where the program's file is; empty while it has none. */
   default Optional<Path> folder() {

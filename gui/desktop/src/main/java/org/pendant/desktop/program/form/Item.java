@@ -30,6 +30,7 @@ sealed interface Item {
    * @param value in SI; empty if there is none
    * @param usual what this arm or signal has of the field's range
    * @param whenEmpty what no number means; empty if there must be one
+   * @param measure in what it is shown and typed
    */
   record Quantity(
       NodeField field,
@@ -37,15 +38,26 @@ sealed interface Item {
       OptionalDouble value,
       NumberRange usual,
       String whenEmpty,
+      Measure measure,
       Function<OptionalDouble, ProgramTree> edit)
       implements Item {
+    /** One that is shown in the unit of its field. */
+    Quantity(
+        NodeField field,
+        String label,
+        OptionalDouble value,
+        NumberRange usual,
+        String whenEmpty,
+        Function<OptionalDouble, ProgramTree> edit) {
+      this(field, label, value, usual, whenEmpty, measureOf(field), edit);
+    }
+
     @Override
     public String name() {
       return field.name();
     }
 
-    /** In what it is shown and typed. */
-    Measure measure() {
+    private static Measure measureOf(NodeField field) {
       return switch (field.unit()) {
         case MILLIMETRE -> Measure.MILLIMETRE;
         case MILLIMETRE_PER_S -> Measure.MILLIMETRE_PER_S;

@@ -111,6 +111,11 @@ record NodeForm(String kind, String title, String about, List<Part> parts) {
           case Item.Presses presses ->
               presses.buttons().stream().map(each -> each.name() + each.text()).toList().toString();
           case Item.Code code -> code.edit().isPresent() + "";
+          case Item.Grid grid ->
+              grid.numbers().stream()
+                  .map(each -> each.label() + each.measure())
+                  .toList()
+                  .toString();
           case Item.Quantity _,
               Item.Text _,
               Item.Expression _,
@@ -118,7 +123,6 @@ record NodeForm(String kind, String title, String about, List<Part> parts) {
               Item.Check _,
               Item.Note _,
               Item.Drawing _,
-              Item.Grid _,
               Item.Line _ ->
               "";
         };

@@ -5,10 +5,13 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
+import org.pendant.project.program.FieldUnit;
 import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MotionStep.Waypoint;
@@ -23,8 +26,6 @@ import org.pendant.project.program.WaypointTarget;
 
 /** Waypoint form. */
 final class WaypointForm {
-  private static final List<String> POSE = List.of("X", "Y", "Z", "RX", "RY", "RZ");
-
   private WaypointForm() {}
 
   static NodeForm of(FormContext context, Waypoint waypoint) {
@@ -197,8 +198,8 @@ final class WaypointForm {
         "In "
             + position.feature()
             + ", with the TCP at "
-            + place(position.toolInFlange())
-            + " mm from the flange.");
+            + context.host().poseForm().place(position.toolInFlange())
+            + " from the flange.");
     form.note(
         "frame-missing",
         Item.Tone.WARNING,
@@ -210,14 +211,6 @@ final class WaypointForm {
     form.note("reach", Item.Tone.WARNING, known ? Taught.remark(position, arm, installation) : "");
   }
 
-  private static String place(Pose pose) {
-    return Measure.MILLIMETRE.text(pose.x())
-        + ", "
-        + Measure.MILLIMETRE.text(pose.y())
-        + ", "
-        + Measure.MILLIMETRE.text(pose.z());
-  }
-
   /** A position for a pose. */
   @FunctionalInterface
   interface OfPose {
@@ -225,6 +218,8 @@ final class WaypointForm {
   }
 
   private static Item.Grid pose(FormContext context, String waypoint, Pose pose, OfPose position) {
+    PoseForm form = context.host().poseForm();
+    double[] shown = form.numbers(pose);
     List<Item.Quantity> numbers = new ArrayList<>();
     for (int i = 0; i < Pose.SIZE; i++) {
       int changed = i;
@@ -233,9 +228,13 @@ final class WaypointForm {
               context,
               waypoint,
               NodeFields.placePose(i),
-              POSE.get(i),
-              pose.get(i),
-              value -> position.position(pose.with(changed, value))));
+              form.labels().get(i),
+              shown[i],
+              value -> {
+                double[] typed = shown.clone();
+                typed[changed] = value;
+                return position.position(form.pose(typed));
+              }));
     }
     return new Item.Grid("pose", "Pose", 2, numbers);
   }
@@ -259,7 +258,19 @@ final class WaypointForm {
         OptionalDouble.of(value),
         field.range(),
         "",
+        measure(field, context.host().poseForm()),
         typed -> context.tree().withWaypoint(waypoint, position.position(typed.orElse(value))));
+  }
+
+  private static Measure measure(NodeField field, PoseForm form) {
+    DisplayUnit unit = field.unit() == FieldUnit.MILLIMETRE ? form.length() : form.angle();
+    return switch (unit) {
+      case METRE -> Measure.METRE;
+      case INCH -> Measure.INCH;
+      case DEGREE -> Measure.DEGREE;
+      case RADIAN -> Measure.RADIAN;
+      case MILLIMETRE, KILOGRAM, GRAM, KILOGRAM_SQUARE_METRE -> Measure.MILLIMETRE;
+    };
   }
 
   private static void relative(

@@ -37,6 +37,16 @@ final class NumbersPanel {
     return card;
   }
 
+  /** Shows numbers under other names. */
+  void show(List<String> titles, List<String> texts) {
+    for (int i = 0; i < names.size(); i++) {
+      if (!titles.get(i).equals(names.get(i).getText())) {
+        names.get(i).setText(titles.get(i));
+      }
+    }
+    show(texts);
+  }
+
   void show(List<String> texts) {
     for (int i = 0; i < values.size(); i++) {
       if (!texts.get(i).equals(values.get(i).getText())) {

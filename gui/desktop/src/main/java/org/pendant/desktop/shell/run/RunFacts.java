@@ -10,8 +10,9 @@ import org.pendant.controller.state.ProgramStatus;
 import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.StateWords;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.language.source.ByteText;
-import org.pendant.models.pose.Pose;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.vm.Ending;
 
@@ -25,8 +26,8 @@ import org.pendant.script.vm.Ending;
  * @param paused how long the pauses took; empty for less than a second
  * @param line number of the line that was reached and its text; empty when no program runs
  * @param waiting how many popups and questions are open; empty for none
- * @param tcp position (mm) and rotation vector (rad) of the TCP in the base, six texts
- * @param joints joint positions in degrees, six texts
+ * @param tcp position and rotation of the TCP in the base, six texts
+ * @param joints joint positions, six texts
  */
 record RunFacts(
     String title,
@@ -42,7 +43,7 @@ record RunFacts(
   static final List<String> JOINTS =
       List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
 
-  /** Names of a pose's components. */
+  /** Names of a pose's components where they are not read. */
   static final List<String> POSE = List.of("x", "y", "z", "rx", "ry", "rz");
 
   RunFacts {
@@ -54,8 +55,9 @@ record RunFacts(
    * The facts of a snapshot.
    *
    * @param run the program that runs in it, or ran last
+   * @param form how people read positions
    */
-  static RunFacts of(ControllerState state, RunProgram run) {
+  static RunFacts of(ControllerState state, RunProgram run, PoseForm form) {
     ProgramStatus program = state.program();
     boolean left = run.left(state);
     RunTime time = left ? RunTime.NONE : run.time();
@@ -68,8 +70,8 @@ record RunFacts(
         pausedText(time.pausedS(state.timeS())),
         line(run.shownLine(line), line == 0 ? "" : run.lineText(line)),
         waiting(state.openPopups().size(), state.openQuestions().size()),
-        pose(state.arm().actualTcpInBase()),
-        joints(state));
+        form.readings(state.arm().actualTcpInBase()),
+        joints(state, form.angle()));
   }
 
   private static String title(ControllerState state, RunProgram run) {
@@ -152,28 +154,11 @@ record RunFacts(
     };
   }
 
-  private static List<String> pose(Pose tcpInBase) {
-    List<String> texts = new ArrayList<>();
-    for (int i = 0; i < Pose.SIZE; i++) {
-      texts.add(
-          i < 3
-              ? number("%.2f mm", 1000 * tcpInBase.get(i))
-              : number("%.4f rad", tcpInBase.get(i)));
-    }
-    return texts;
-  }
-
-  private static List<String> joints(ControllerState state) {
+  private static List<String> joints(ControllerState state, DisplayUnit unit) {
     List<String> texts = new ArrayList<>();
     for (int i = 0; i < JOINTS.size(); i++) {
-      texts.add(number("%.2f\u00b0", Math.toDegrees(state.arm().actualPositionRad().get(i))));
+      texts.add(unit.reading(state.arm().actualPositionRad().get(i)));
     }
     return texts;
-  }
-
-  /** Without a sign before a zero. */
-  private static String number(String format, double value) {
-    String text = String.format(Locale.ROOT, format, value);
-    return text.matches("-0\\.0*\\D.*") ? text.substring(1) : text;
   }
 }

@@ -22,6 +22,8 @@ import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.VariablesView;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.ProgramPhase;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionButton;
@@ -188,7 +190,8 @@ public final class RunView implements View {
   @Override
   public void refresh(ControllerState snapshot) {
     arrange();
-    RunFacts facts = RunFacts.of(snapshot, run);
+    PoseForm form = FormMemory.read(workbench.settings());
+    RunFacts facts = RunFacts.of(snapshot, run, form);
     boolean left = run.left(snapshot);
     show(name, facts.title());
     name.setToolTipText(facts.title());
@@ -204,8 +207,8 @@ public final class RunView implements View {
     show(waiting, facts.waiting());
     waiting.setVisible(!facts.waiting().isEmpty());
     waiting.setForeground(Palette.warning());
-    stop.refresh(snapshot);
-    tcp.show(facts.tcp());
+    stop.refresh(snapshot, form);
+    tcp.show(form.labels(), facts.tcp());
     joints.show(facts.joints());
     variables.refresh(
         snapshot.program().name(),

@@ -13,7 +13,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ArmReadiness;
-import org.pendant.desktop.session.StopCard;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
@@ -80,8 +80,8 @@ final class StopPanel {
     return panel;
   }
 
-  void refresh(ControllerState state) {
-    Optional<StopCard> card = StopCard.of(state);
+  void refresh(ControllerState state, PoseForm form) {
+    Optional<StopCard> card = StopCard.of(state, form);
     stopS =
         state
             .safety()

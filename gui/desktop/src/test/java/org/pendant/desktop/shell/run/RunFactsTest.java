@@ -21,6 +21,7 @@ import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.RunTime;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.script.debug.Debugger;
 
 final class RunFactsTest {
@@ -43,7 +44,7 @@ final class RunFactsTest {
   }
 
   private RunFacts facts(IntUnaryOperator shown) {
-    return RunFacts.of(controller.state(), new FakeRun(shown));
+    return RunFacts.of(controller.state(), new FakeRun(shown), PoseForm.STANDARD);
   }
 
   /** Program weld.script, which ran last, while pick.script is in front. */

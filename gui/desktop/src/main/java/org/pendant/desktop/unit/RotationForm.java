@@ -1,4 +1,4 @@
-package org.pendant.desktop.move;
+package org.pendant.desktop.unit;
 
 import java.util.List;
 import org.pendant.models.pose.Rotations;

@@ -1,5 +1,6 @@
-package org.pendant.desktop.move;
+package org.pendant.desktop.unit;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.pendant.models.pose.Pose;
 
@@ -9,24 +10,24 @@ import org.pendant.models.pose.Pose;
  * @param length unit of the position
  * @param angle unit of the rotation
  */
-record PoseForm(DisplayUnit length, DisplayUnit angle, RotationForm rotation) {
+public record PoseForm(DisplayUnit length, DisplayUnit angle, RotationForm rotation) {
   /** As it is shown at first. */
-  static final PoseForm STANDARD =
+  public static final PoseForm STANDARD =
       new PoseForm(DisplayUnit.MILLIMETRE, DisplayUnit.DEGREE, RotationForm.VECTOR);
 
   /** Units of the six numbers. */
-  List<DisplayUnit> units() {
+  public List<DisplayUnit> units() {
     return List.of(length, length, length, angle, angle, angle);
   }
 
   /** Names of the six numbers. */
-  List<String> labels() {
+  public List<String> labels() {
     List<String> turns = rotation.labels();
     return List.of("X", "Y", "Z", turns.get(0), turns.get(1), turns.get(2));
   }
 
   /** The six numbers of a pose, in m and rad. */
-  double[] numbers(Pose pose) {
+  public double[] numbers(Pose pose) {
     double[] numbers = pose.toArray();
     double[] angles = new double[3];
     rotation.fromVector(pose.rx(), pose.ry(), pose.rz(), angles);
@@ -35,9 +36,26 @@ record PoseForm(DisplayUnit length, DisplayUnit angle, RotationForm rotation) {
   }
 
   /** The pose of six numbers, in m and rad. */
-  Pose pose(double[] numbers) {
+  public Pose pose(double[] numbers) {
     double[] vector = new double[3];
     rotation.toVector(numbers[3], numbers[4], numbers[5], vector);
     return new Pose(numbers[0], numbers[1], numbers[2], vector[0], vector[1], vector[2]);
+  }
+
+  /** Such as {@code 450.00, -300.00, 150.00 mm}. */
+  public String place(Pose pose) {
+    return String.join(", ", length.text(pose.x()), length.text(pose.y()), length.text(pose.z()))
+        + " "
+        + length.symbol();
+  }
+
+  /** The six numbers as they are read, each with its unit. */
+  public List<String> readings(Pose pose) {
+    double[] numbers = numbers(pose);
+    List<String> texts = new ArrayList<>();
+    for (int i = 0; i < numbers.length; i++) {
+      texts.add(units().get(i).reading(numbers[i]));
+    }
+    return texts;
   }
 }

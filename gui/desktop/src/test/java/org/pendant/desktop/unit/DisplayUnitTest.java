@@ -1,4 +1,4 @@
-package org.pendant.desktop.move;
+package org.pendant.desktop.unit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -51,5 +51,13 @@ final class DisplayUnitTest {
     assertEquals("0.01250", DisplayUnit.METRE.text(0.0125));
     assertEquals("-90.000", DisplayUnit.DEGREE.text(-Math.PI / 2));
     assertEquals("0.00", DisplayUnit.MILLIMETRE.text(-1e-9), "no minus before zero");
+  }
+
+  @Test
+  void whatIsMeasuredHasTwoDecimalsInDegreesAndNoMinusBeforeZero() {
+    assertEquals("90.00\u00b0", DisplayUnit.DEGREE.reading(Math.PI / 2));
+    assertEquals("0.00\u00b0", DisplayUnit.DEGREE.reading(-1e-9));
+    assertEquals("-0.06 mm", DisplayUnit.MILLIMETRE.reading(-0.00005795));
+    assertEquals("1.57080 rad", DisplayUnit.RADIAN.reading(Math.PI / 2));
   }
 }

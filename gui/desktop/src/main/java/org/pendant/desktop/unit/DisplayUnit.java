@@ -1,4 +1,4 @@
-package org.pendant.desktop.move;
+package org.pendant.desktop.unit;
 
 import java.util.Arrays;
 import java.util.List;
@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
  * Display unit: in what people read and type numbers; everything else counts in m, rad, kg and kg
  * m².
  */
-enum DisplayUnit {
+public enum DisplayUnit {
   MILLIMETRE(Kind.LENGTH, "mm", 1e-3, 2),
   METRE(Kind.LENGTH, "m", 1, 5),
   INCH(Kind.LENGTH, "in", 0.0254, 4),
@@ -23,7 +23,7 @@ enum DisplayUnit {
   KILOGRAM_SQUARE_METRE(Kind.INERTIA, "kg\u00b7m\u00b2", 1, 5);
 
   /** What is counted. */
-  enum Kind {
+  public enum Kind {
     LENGTH,
     ANGLE,
     MASS,
@@ -45,28 +45,45 @@ enum DisplayUnit {
     this.decimals = decimals;
   }
 
-  String symbol() {
+  public String symbol() {
     return symbol;
   }
 
+  /** Its name in the plural, such as {@code millimetres}. */
+  public String title() {
+    return this == INCH ? "inches" : name().toLowerCase(Locale.ROOT).replace('_', ' ') + "s";
+  }
+
   /** The units for one kind of number. */
-  static List<DisplayUnit> of(Kind kind) {
+  public static List<DisplayUnit> of(Kind kind) {
     return Arrays.stream(values()).filter(each -> each.kind == kind).toList();
   }
 
   /** The unit with this symbol, if it is one of {@code kind}. */
-  static Optional<DisplayUnit> of(Kind kind, String symbol) {
+  public static Optional<DisplayUnit> of(Kind kind, String symbol) {
     return of(kind).stream().filter(each -> each.symbol.equals(symbol)).findAny();
   }
 
   /** A number in m, rad or kg as people read it, without the symbol. */
-  String text(double value) {
+  public String text(double value) {
     String text = String.format(Locale.ROOT, "%." + decimals + "f", value / factor);
+    return unsigned(text);
+  }
+
+  /** Without a sign before a zero. */
+  private static String unsigned(String text) {
     return text.matches("-0(\\.0*)?") ? text.substring(1) : text;
   }
 
+  /** A number that was measured, with its unit: of degrees two decimals are enough. */
+  public String reading(double value) {
+    return this == DEGREE
+        ? unsigned(String.format(Locale.ROOT, "%.2f", value / factor)) + "\u00b0"
+        : text(value) + " " + symbol;
+  }
+
   /** As {@link #text}, without decimals that are 0. */
-  String shortText(double value) {
+  public String shortText(double value) {
     String text = text(value);
     return text.contains(".") ? text.replaceAll("\\.?0+$", "") : text;
   }
@@ -78,7 +95,7 @@ enum DisplayUnit {
    * @return the number in m, rad or kg
    * @throws IllegalArgumentException with a sentence for people if it is none
    */
-  double parse(String text) {
+  public double parse(String text) {
     Matcher parts = NUMBER.matcher(text.strip());
     if (!parts.matches()) {
       throw new IllegalArgumentException(

@@ -1,4 +1,4 @@
-package org.pendant.desktop.move;
+package org.pendant.desktop.unit;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -44,5 +44,14 @@ final class PoseFormTest {
         assertEquals(0, Poses.rotationAngle(pose, back), 1e-7, () -> form + " of " + pose);
       }
     }
+  }
+
+  @Test
+  void aPoseIsReadInTheChosenUnits() {
+    Pose pose = new Pose(0.45, -0.3, 0.15, 0, 0, Math.PI / 2);
+    assertEquals("450.00, -300.00, 150.00 mm", RPY.place(pose));
+    assertEquals(
+        List.of("450.00 mm", "-300.00 mm", "150.00 mm", "0.00\u00b0", "0.00\u00b0", "90.00\u00b0"),
+        RPY.readings(pose));
   }
 }

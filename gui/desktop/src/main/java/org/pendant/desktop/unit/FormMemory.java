@@ -1,18 +1,18 @@
-package org.pendant.desktop.move;
+package org.pendant.desktop.unit;
 
 import java.util.Arrays;
 import org.pendant.kit.settings.Settings;
 
 /** Form memory: remembers how people read poses from one start to the next. */
-final class FormMemory {
-  private static final String LENGTH = "move.length";
-  private static final String ANGLE = "move.angle";
-  private static final String ROTATION = "move.rotation";
+public final class FormMemory {
+  private static final String LENGTH = "unit.length";
+  private static final String ANGLE = "unit.angle";
+  private static final String ROTATION = "unit.rotation";
 
   private FormMemory() {}
 
   /** The form chosen last. */
-  static PoseForm read(Settings settings) {
+  public static PoseForm read(Settings settings) {
     PoseForm standard = PoseForm.STANDARD;
     return new PoseForm(
         unit(settings, LENGTH, DisplayUnit.Kind.LENGTH, standard.length()),
@@ -32,7 +32,7 @@ final class FormMemory {
     return settings.get(key).flatMap(text -> DisplayUnit.of(kind, text)).orElse(otherwise);
   }
 
-  static void write(Settings settings, PoseForm form) {
+  public static void write(Settings settings, PoseForm form) {
     settings.put(LENGTH, form.length().symbol());
     settings.put(ANGLE, form.angle().symbol());
     settings.put(ROTATION, form.rotation().name());
