@@ -120,9 +120,19 @@ final class OpenWindow implements AutoCloseable {
     builder.environment().put("DISPLAY", display.name());
     builder.environment().put("XDG_CONFIG_HOME", folder.toString());
     builder.environment().put("XDG_STATE_HOME", folder.resolve("state").toString());
+    welcomed(folder);
     OpenWindow window = new OpenWindow(builder.start());
     window.awaitShown("pendant");
     return window;
+  }
+
+  /** What a user has who has closed the card of the very first start. */
+  private static void welcomed(Path folder) throws IOException {
+    Path settings = folder.resolve("pendant");
+    if (!Files.exists(settings)) {
+      Files.createDirectories(settings);
+      Files.writeString(settings.resolve("settings.txt"), "help.welcomed = true\n");
+    }
   }
 
   /** Presses and releases keys, such as {@code shift F5}. */

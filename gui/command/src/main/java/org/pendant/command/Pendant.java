@@ -5,6 +5,7 @@ import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.command.service.SimulationWishes;
+import org.pendant.command.service.Version;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.check.Nearest;
 import org.pendant.project.program.file.TreeFile;
@@ -80,7 +81,7 @@ public final class Pendant {
         yield ExitCode.DONE;
       }
       case "--version" -> {
-        console.print(version());
+        console.print(Version.line());
         yield ExitCode.DONE;
       }
       default ->
@@ -152,14 +153,6 @@ public final class Pendant {
     subcommand.options().forEach(option -> lines.row(option.usage(), option.description()));
     lines.row(Subcommand.HELP.usage(), Subcommand.HELP.description());
     return lines.all();
-  }
-
-  private static String version() {
-    // The jar's manifest knows; classes that were just compiled have none.
-    String version =
-        Optional.ofNullable(Pendant.class.getPackage().getImplementationVersion())
-            .orElse("(development build)");
-    return "pendant " + version + ", URScript as of PolyScope 5.24.1";
   }
 
   private ExitCode internalError(Throwable fault) {

@@ -47,6 +47,7 @@ final class ProgramEditor extends JPanel {
   private final DocumentLink link;
   private final CompletionPopup completions;
   private final SignaturePopup signature;
+  private final NameHelp nameHelp;
   private final FixMenu fixes;
   private final NameCommands names;
   private final LayoutCommands layout;
@@ -91,6 +92,7 @@ final class ProgramEditor extends JPanel {
             line -> editorHost.marginMenu(this, line));
     fixes = new FixMenu(area, schedule, background, marks, editorHost);
     signature = new SignaturePopup(area, schedule);
+    nameHelp = new NameHelp(area, schedule);
     completions = new CompletionPopup(area, schedule, background, signature::request);
     names =
         new NameCommands(
@@ -250,6 +252,12 @@ final class ProgramEditor extends JPanel {
   void hidePopups() {
     completions.hide();
     signature.hide();
+    nameHelp.hide();
+  }
+
+  /** Shows what is known about the name at the caret. */
+  NameHelp nameHelp() {
+    return nameHelp;
   }
 
   /** Replaces many stretches as one step. */

@@ -264,6 +264,18 @@ public final class ScriptEditor implements View {
     return area.lineAt(area.getCaretPosition());
   }
 
+  /**
+   * Shows what is known about the name at the caret, while keys go to the text; {@code otherwise}
+   * runs where nothing is.
+   */
+  public void explain(Runnable otherwise) {
+    if (current().area().isFocusOwner()) {
+      current().nameHelp().show(otherwise);
+    } else {
+      otherwise.run();
+    }
+  }
+
   ProgramCloser closer() {
     return closer;
   }

@@ -2,9 +2,6 @@ package org.pendant.desktop.shell;
 
 import java.awt.EventQueue;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +13,7 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.command.service.StateFolder;
+import org.pendant.desktop.help.Example;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -31,8 +29,6 @@ import org.pendant.kit.theme.SystemTheme;
 
 /** Desktop as a whole, from its start until its window is closed. */
 public final class Desktop {
-  private static final String EXAMPLE = "pick_and_place.script";
-
   private final Path folder;
   private final FileSettings settings;
   private final List<String> missing = new CopyOnWriteArrayList<>();
@@ -137,15 +133,8 @@ public final class Desktop {
   }
 
   private static ProgramDocument example() {
-    try (InputStream in = Desktop.class.getResourceAsStream(EXAMPLE)) {
-      if (in == null) {
-        throw new IllegalStateException("resource " + EXAMPLE + " is missing");
-      }
-      return ProgramDocument.untitled(
-          EXAMPLE, new String(in.readAllBytes(), StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new UncheckedIOException("resource " + EXAMPLE, e);
-    }
+    Example first = Example.all().getFirst();
+    return ProgramDocument.untitled(first.file(), first.text());
   }
 
   private void show(
@@ -172,6 +161,7 @@ public final class Desktop {
     start.ifPresent(window::begin);
     missing.forEach(window::warn);
     files.forEach(window::open);
+    window.welcome(files.isEmpty());
     ports.ifPresent(window::openPorts);
     Thread.ofVirtual()
         .name("system theme")

@@ -13,7 +13,10 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StartInstallation;
+import org.pendant.command.service.StateFolder;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.help.HelpActions;
+import org.pendant.desktop.help.WelcomeCard;
 import org.pendant.desktop.session.InstallationLink;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
@@ -36,6 +39,7 @@ import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.dock.DockFrame;
 import org.pendant.kit.dock.DockPlan;
 import org.pendant.kit.fault.Faults;
+import org.pendant.kit.settings.ConfigurationFolder;
 import org.pendant.kit.settings.Settings;
 import org.pendant.kit.theme.Look;
 
@@ -75,6 +79,7 @@ final class DesktopWindow {
   private final StillArm stillArm = new StillArm();
   private final Footer footer;
   private final Menus menus;
+  private final WelcomeCard welcome;
   private final Timer refresh = Faults.timer(REFRESH_MS, this::refresh);
   private final Timer keep = Faults.timer(KEEP_MS, this::keep);
   private final Runnable closed;
@@ -150,6 +155,9 @@ final class DesktopWindow {
             notices,
             this::dispose);
     window = new WindowFrame(settings, closeDialog::ask);
+    welcome = new WelcomeCard(actions, settings, docks.component());
+    programs.addListener(welcome::close);
+    docks.addListener(welcome::close);
     addActions(programActions);
     footer = new Footer(session, actions, runner::send);
     prompts = new PromptPanel(docks.component(), actions, runner::send);
@@ -162,17 +170,25 @@ final class DesktopWindow {
   }
 
   private Menus menus() {
-    Set<String> screens = views.screens().keySet();
-    List<String> panels =
-        views.all().stream().map(View::id).filter(id -> !screens.contains(id)).toList();
     return new Menus(
         actions,
-        MenuPlan.of(List.copyOf(screens), panels),
+        menuPlan(),
         Map.of(
             "Recent programs",
             () -> Menus.items(files.recent(), files::open),
             "Recent installations",
             () -> Menus.items(installationFiles.recent(), installationFiles::open)));
+  }
+
+  private List<MenuPlan.Menu> menuPlan() {
+    Set<String> screens = views.screens().keySet();
+    return MenuPlan.of(
+        List.copyOf(screens),
+        views.all().stream().map(View::id).filter(id -> !screens.contains(id)).toList());
+  }
+
+  private Map<String, List<String>> actionsByMenu() {
+    return MenuPlan.byTitle(menuPlan(), actions.all().stream().map(Action::id).toList());
   }
 
   private void addActions(ProgramActions programActions) {
@@ -196,6 +212,17 @@ final class DesktopWindow {
     windowActions.addDocks(docks);
     windowActions.addLook(look);
     windowActions.addHelp(docks.component(), notices, status::text);
+    ExampleFiles examples =
+        new ExampleFiles(files, installationFiles, notices, docks.component(), status::tell);
+    new HelpActions(
+            actions,
+            docks.component(),
+            this::actionsByMenu,
+            StateFolder.of(System.getenv()),
+            ConfigurationFolder.of(System.getProperties(), System.getenv()),
+            status::tell)
+        .add(views::explain, examples::open);
+    welcome.addAction();
   }
 
   private void build() {
@@ -281,6 +308,17 @@ final class DesktopWindow {
     installationFiles.offerBeside(programs);
   }
 
+  /**
+   * Says at the very first start where to begin.
+   *
+   * @param alone whether the user has opened nothing
+   */
+  void welcome(boolean alone) {
+    if (alone) {
+      welcome.openAtFirst();
+    }
+  }
+
   /** Opens a program. */
   void open(Path file) {
     if (TimelineView.isRecording(file)) {
@@ -303,6 +341,7 @@ final class DesktopWindow {
 
   /** What is told of a program is over when that is started, paused, resumed or has ended. */
   private void tellOfProgram(String text) {
+    welcome.close();
     ProgramPhase phase = ProgramPhase.of(session.state());
     status.tell(text, () -> ProgramPhase.of(session.state()) == phase);
   }

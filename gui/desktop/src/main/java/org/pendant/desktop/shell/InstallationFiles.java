@@ -167,6 +167,11 @@ final class InstallationFiles {
         this::open);
   }
 
+  /** Opens a text that is no file of the user's, after asking for what is not saved. */
+  void openCopy(String name, String text) {
+    unlessUnsaved(() -> active.open(ProgramDocument.untitled(name, text)));
+  }
+
   /** Opens a file in place of the present one, after asking for what is not saved. */
   void open(Path file) {
     unlessUnsaved(() -> read(file));

@@ -4,10 +4,13 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.pendant.desktop.help.Example;
 
 /**
  * Menu plan: which action is in which menu. A menu has at most {@value #MOST} entries, so that all
@@ -107,6 +110,31 @@ final class MenuPlan {
       }
     }
     return sorted;
+  }
+
+  /**
+   * The actions of each menu, with those of the menus in it, by the menu's title.
+   *
+   * @param ids of all actions
+   */
+  static Map<String, List<String>> byTitle(List<Menu> menus, List<String> ids) {
+    Map<Entry.Rest, List<String>> sorted = sorted(menus, ids);
+    Map<String, List<String>> byTitle = new LinkedHashMap<>();
+    for (Menu menu : menus) {
+      byTitle.put(
+          menu.title(),
+          flat(menu.entries())
+              .flatMap(
+                  entry ->
+                      switch (entry) {
+                        case Entry.One one -> one.ids().stream();
+                        case Entry.Rest rest -> sorted.getOrDefault(rest, List.of()).stream();
+                        case Entry.Sub _, Entry.Line _, Entry.Files _, Entry.Places _ ->
+                            Stream.empty();
+                      })
+              .toList());
+    }
+    return byTitle;
   }
 
   private static Stream<Entry> flat(List<Entry> entries) {
@@ -328,7 +356,25 @@ final class MenuPlan {
   }
 
   private static List<Entry> help() {
-    return list(all("help.palette", "help.keys", "help"));
+    return list(
+        all("help.documentation", "help.context", "help.shortcuts"),
+        line(),
+        sub(
+            "Examples",
+            "Example",
+            Stream.of(Example.Topic.values())
+                .<Entry>map(
+                    topic ->
+                        new Entry.Sub(
+                            topic.title(),
+                            "Example",
+                            all("example." + topic.name().toLowerCase(Locale.ROOT))))
+                .toList()),
+        all("help.welcome"),
+        line(),
+        all("help.palette", "help.keys", "help"),
+        line(),
+        all("help.logs", "help.about"));
   }
 
   private static List<Entry> all(String... begins) {

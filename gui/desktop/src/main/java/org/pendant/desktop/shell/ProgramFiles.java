@@ -145,6 +145,13 @@ final class ProgramFiles {
     read.remarks().forEach(warn);
   }
 
+  /** Opens a text that is no file of the user's as a program without a file. */
+  void openCopy(String name, String text) {
+    ProgramDocument before = programs.current();
+    select(ProgramDocument.untitled(name, text));
+    closeUntouched(before);
+  }
+
   private void opened(SavedProgram read) {
     // Another command may have opened it meanwhile.
     Optional<ProgramDocument> already = programs.of(read.path());

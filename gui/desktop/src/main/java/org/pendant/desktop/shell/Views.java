@@ -281,6 +281,15 @@ final class Views {
     }
   }
 
+  /** Shows what is known about the name at the caret, or does {@code otherwise}. */
+  void explain(Runnable otherwise) {
+    if (editor.component().isShowing()) {
+      editor.explain(otherwise);
+    } else {
+      otherwise.run();
+    }
+  }
+
   /** What programs can refer to. */
   ActiveInstallation installation() {
     return installation;

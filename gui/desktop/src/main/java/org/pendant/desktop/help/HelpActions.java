@@ -1,0 +1,126 @@
+package org.pendant.desktop.help;
+
+import java.awt.Desktop;
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.background.Background;
+
+/** Help actions: documentation, keys, examples, what this program is and where its logs are. */
+public final class HelpActions {
+  private final ActionTable actions;
+  private final Supplier<Map<String, List<String>>> groups;
+  private final Path logs;
+  private final Path settings;
+  private final Consumer<String> tell;
+  private final HelpPanel panel;
+
+  /**
+   * Help that is closed.
+   *
+   * @param under what it may cover
+   * @param groups ids of the actions, by the titles under which the sheet of keys has them
+   * @param logs where log files are
+   * @param settings where settings are
+   * @param tell tells something at the edge of the window
+   */
+  public HelpActions(
+      ActionTable actions,
+      JComponent under,
+      Supplier<Map<String, List<String>>> groups,
+      Path logs,
+      Path settings,
+      Consumer<String> tell) {
+    this.actions = actions;
+    this.groups = groups;
+    this.logs = logs;
+    this.settings = settings;
+    this.tell = tell;
+    panel = new HelpPanel(under, this::made, this::follow);
+  }
+
+  /**
+   * Adds them.
+   *
+   * @param explain shows what is known about the name at the caret, or does what it is given
+   * @param open opens a copy of an example
+   */
+  public void add(Consumer<Runnable> explain, Consumer<Example> open) {
+    actions.add(
+        Action.of("help.documentation", "Documentation", "", () -> panel.open(HelpPage.FIRST)));
+    actions.add(
+        Action.of(
+            "help.context",
+            "Help on the name at the caret",
+            "F1",
+            () -> explain.accept(() -> panel.open(HelpPage.FIRST))));
+    actions.add(
+        Action.of("help.shortcuts", "Keyboard shortcuts", "", () -> panel.open(HelpPage.KEYS)));
+    for (Example each : Example.all()) {
+      actions.add(Action.of(each.id(), each.title(), "", () -> open.accept(each)));
+    }
+    actions.add(Action.of("help.about", "About Pendant", "", () -> panel.open(HelpPage.ABOUT)));
+    actions.add(Action.of("help.logs", "Open the folder of logs", "", () -> openFolder(logs)));
+  }
+
+  private String made(HelpPage page) {
+    return page.equals(HelpPage.KEYS)
+        ? ShortcutText.of(actions, groups.get())
+        : page.equals(HelpPage.ABOUT) ? AboutText.of(logs, settings) : "";
+  }
+
+  private void follow(String link) {
+    switch (link) {
+      case "folder:logs" -> openFolder(logs);
+      case "folder:settings" -> openFolder(settings);
+      default -> open(link, () -> Desktop.getDesktop().browse(URI.create(link)));
+    }
+  }
+
+  private void openFolder(Path folder) {
+    open(
+        folder.toString(),
+        () -> {
+          Files.createDirectories(folder);
+          Desktop.getDesktop().open(folder.toFile());
+        });
+  }
+
+  /** What another program of the computer is to open. */
+  private interface Opening {
+    void run() throws IOException;
+  }
+
+  /** Where nothing opens it, the clipboard has it. */
+  private void open(String what, Opening opening) {
+    Background.run(
+        () -> {
+          if (!Desktop.isDesktopSupported()) {
+            throw new IOException("no program of this computer opens it");
+          }
+          try {
+            opening.run();
+          } catch (IllegalArgumentException | UnsupportedOperationException e) {
+            throw new IOException(e.getMessage(), e);
+          }
+          return what;
+        },
+        opened -> tell.accept("Opened " + opened),
+        failed -> {
+          Toolkit.getDefaultToolkit()
+              .getSystemClipboard()
+              .setContents(new StringSelection(what), null);
+          tell.accept(what + " was copied to the clipboard: " + failed.getMessage());
+        });
+  }
+}

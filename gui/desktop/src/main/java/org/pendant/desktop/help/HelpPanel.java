@@ -1,0 +1,195 @@
+package org.pendant.desktop.help;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JEditorPane;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ListSelectionModel;
+import javax.swing.UIManager;
+import javax.swing.event.HyperlinkEvent;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.Document;
+import javax.swing.text.html.HTMLEditorKit;
+import javax.swing.text.html.StyleSheet;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.background.Background;
+import org.pendant.kit.theme.Overlay;
+import org.pendant.kit.theme.Palette;
+
+/** Help panel: the pages of the help, over the views. */
+final class HelpPanel {
+  private static final Dimension USUAL = new Dimension(900, 620);
+
+  private final Function<HelpPage, String> made;
+  private final Consumer<String> outside;
+  private final JList<HelpPage> list = new JList<>(HelpPage.all().toArray(HelpPage[]::new));
+  private final JEditorPane text = new JEditorPane();
+  private final Overlay overlay;
+  private HelpPage shown = HelpPage.FIRST;
+  private boolean choosing;
+
+  /**
+   * A panel that is closed.
+   *
+   * @param under what it may cover
+   * @param made the text of pages that the window makes itself; empty for other pages
+   * @param outside takes links that lead to no page
+   */
+  HelpPanel(JComponent under, Function<HelpPage, String> made, Consumer<String> outside) {
+    this.made = made;
+    this.outside = outside;
+    JPanel panel =
+        new JPanel(
+            new MigLayout(
+                "insets 0, gap 12", "[170!, fill][grow, fill, 0::]", "[grow, fill, 0::][]"));
+    panel.setOpaque(false);
+    list.setName("help-pages");
+    list.setToolTipText("Pages of the help; Escape closes it");
+    list.getAccessibleContext().setAccessibleName("Pages of the help");
+    list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    list.addListSelectionListener(
+        event -> {
+          if (!event.getValueIsAdjusting() && !choosing && list.getSelectedValue() != null) {
+            show(list.getSelectedValue(), "");
+          }
+        });
+    text.setName("help-text");
+    text.setEditable(false);
+    text.addHyperlinkListener(
+        event -> {
+          if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
+            follow(event.getDescription());
+          }
+        });
+    panel.add(
+        new JScrollPane(
+            list,
+            JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
+            JScrollPane.HORIZONTAL_SCROLLBAR_NEVER));
+    panel.add(new JScrollPane(text), "spany 2, wrap");
+    panel.add(close());
+    panel.setPreferredSize(UIScale.scale(USUAL));
+    overlay = new Overlay("help", under, panel);
+  }
+
+  private JButton close() {
+    JButton close = new JButton("Close");
+    close.setName("help-close");
+    close.setToolTipText("Closes the help (Esc)");
+    close.addActionListener(event -> overlay.close());
+    return close;
+  }
+
+  /** Opens it at a page. */
+  void open(HelpPage page) {
+    overlay.open();
+    show(page, "");
+    list.requestFocusInWindow();
+  }
+
+  private void show(HelpPage page, String place) {
+    shown = page;
+    choosing = true;
+    list.setSelectedValue(page, true);
+    choosing = false;
+    // Reading the look and the keys is for this thread, the rest takes long for long pages.
+    HTMLEditorKit kit = kit();
+    String own = made.apply(page);
+    Background.run(
+        () -> document(kit, own.isEmpty() ? HelpTexts.read(page.name()) : own),
+        read -> take(page, place, kit, read),
+        failed -> text.setText(failed.getMessage()));
+  }
+
+  private void take(HelpPage page, String place, HTMLEditorKit kit, Document read) {
+    if (!page.equals(shown)) {
+      return;
+    }
+    text.setEditorKit(kit);
+    text.setDocument(read);
+    // Each kind of text brings an accessible context of its own.
+    text.getAccessibleContext().setAccessibleName("Help");
+    text.setBackground(Palette.card());
+    text.setCaretPosition(0);
+    if (!place.isEmpty()) {
+      EventQueue.invokeLater(() -> text.scrollToReference(place));
+    }
+  }
+
+  private static Document document(HTMLEditorKit kit, String markdown) throws IOException {
+    Document document = kit.createDefaultDocument();
+    try {
+      kit.read(
+          new StringReader("<html><body>" + Markdown.html(markdown) + "</body></html>"),
+          document,
+          0);
+    } catch (BadLocationException e) {
+      throw new UncheckedIOException(new IOException(e));
+    }
+    return document;
+  }
+
+  private void follow(String link) {
+    if (link.contains(":")) {
+      outside.accept(link);
+      return;
+    }
+    String name = shown.target(link);
+    String place = link.contains("#") ? link.substring(link.indexOf('#') + 1) : "";
+    Optional<HelpPage> listed =
+        HelpPage.all().stream().filter(each -> each.name().equals(name)).findFirst();
+    if (listed.isPresent()) {
+      show(listed.get(), place);
+    } else if (name.endsWith(".md") && HelpTexts.find(name).isPresent()) {
+      show(new HelpPage(name, name), place);
+    } else {
+      outside.accept(name);
+    }
+  }
+
+  /** In the colours and letters of the look. */
+  private static HTMLEditorKit kit() {
+    StyleSheet style = new StyleSheet();
+    style.addStyleSheet(new HTMLEditorKit().getStyleSheet());
+    int size = UIManager.getFont("Label.font").getSize();
+    String words = hex(UIManager.getColor("Label.foreground"));
+    style.addRule(
+        "body {font-family: "
+            + UIManager.getFont("Label.font").getFamily()
+            + "; font-size: "
+            + size
+            + "pt; color: "
+            + words
+            + "; margin: 12px}");
+    style.addRule("h1 {font-size: " + (size * 3 / 2) + "pt; margin-top: 0}");
+    style.addRule("h2 {font-size: " + (size * 5 / 4) + "pt; margin-top: " + size + "px}");
+    style.addRule("h3 {font-size: " + size + "pt; margin-top: " + size + "px}");
+    style.addRule("code, pre {font-family: JetBrains Mono; font-size: " + (size - 1) + "pt}");
+    style.addRule(
+        "pre {background-color: "
+            + hex(UIManager.getColor("Panel.background"))
+            + "; padding: 6px}");
+    style.addRule("td {padding: 2px 12px 2px 0}");
+    style.addRule("ul {margin-left: 18px}");
+    style.addRule("a {color: " + hex(Palette.accent()) + "}");
+    HTMLEditorKit kit = new HTMLEditorKit();
+    kit.setStyleSheet(style);
+    return kit;
+  }
+
+  private static String hex(Color color) {
+    return String.format("#%06x", color.getRGB() & 0xFFFFFF);
+  }
+}

@@ -1,0 +1,40 @@
+package org.pendant.desktop.help;
+
+import java.util.List;
+import java.util.Map;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.action.KeyText;
+
+/** The keys that do actions now, as a page of the help. */
+final class ShortcutText {
+  private ShortcutText() {}
+
+  /**
+   * The page.
+   *
+   * @param groups the actions by where they stand, as ids; in its order
+   */
+  static String of(ActionTable actions, Map<String, List<String>> groups) {
+    StringBuilder text = new StringBuilder("# Keyboard shortcuts\n\n");
+    text.append("*Change keys…* in the menu *Help* gives actions other keys.\n");
+    groups.forEach(
+        (title, ids) -> {
+          List<Action> withKeys =
+              ids.stream()
+                  .flatMap(id -> actions.find(id).stream())
+                  .filter(each -> !actions.keysOf(each.id()).isEmpty())
+                  .toList();
+          if (!withKeys.isEmpty()) {
+            text.append("\n## ").append(title).append("\n\n");
+            withKeys.forEach(each -> text.append(row(actions, each)));
+          }
+        });
+    return text.toString();
+  }
+
+  private static String row(ActionTable actions, Action action) {
+    String keys = KeyText.shown(actions.keysOf(action.id())).replace("|", "\\|");
+    return "| **" + keys + "** | " + action.title() + " |\n";
+  }
+}

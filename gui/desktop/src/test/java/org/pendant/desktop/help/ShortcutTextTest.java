@@ -1,0 +1,38 @@
+package org.pendant.desktop.help;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.settings.Settings;
+
+final class ShortcutTextTest {
+  /** Remembers nothing. */
+  private record Nothing() implements Settings {
+    @Override
+    public Optional<String> get(String name) {
+      return Optional.empty();
+    }
+
+    @Override
+    public void put(String name, String text) {}
+  }
+
+  @Test
+  void sheetHasTheActionsThatHaveKeysUnderTheirMenus() {
+    ActionTable actions = new ActionTable(new Nothing());
+    actions.add(Action.of("program.run", "Run program", "F5", () -> {}));
+    actions.add(Action.of("program.other", "Something else", "", () -> {}));
+    String text =
+        ShortcutText.of(
+            actions, Map.of("Program", List.of("program.run", "program.other"), "Go", List.of()));
+    assertTrue(text.contains("## Program\n\n| **F5** | Run program |\n"), text);
+    assertFalse(text.contains("Something else"), text);
+    assertFalse(text.contains("## Go"), text);
+  }
+}
