@@ -177,6 +177,16 @@ final class CloseDialogWindowTest {
     }
   }
 
+  @Test
+  void installationThatIsNamedIsOpened() throws IOException {
+    Path cell = folder.resolve("cell.pinst");
+    Files.writeString(cell, "pendant installation 1\n");
+    try (OpenWindow window = OpenWindow.open(display, folder, List.of(cell))) {
+      window.awaitWords("status-text", "Opened the installation");
+      window.awaitWords("program-name", "pick_and_place.script");
+    }
+  }
+
   private String settings() {
     try {
       return Files.readString(folder.resolve("pendant/settings.txt"));

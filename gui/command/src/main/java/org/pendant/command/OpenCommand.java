@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,6 +14,8 @@ import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.installation.Installation;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.project.installation.file.InstallationFile;
+import org.pendant.project.program.file.TreeFile;
 
 /** Command {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
@@ -46,9 +49,47 @@ final class OpenCommand implements Subcommand {
         .anyMatch(each -> word.equals(each.name()) || word.startsWith(each.name() + "="));
   }
 
-  /** Whether {@code word} is a recording, which can only be opened. */
-  static boolean isRecording(String word) {
+  /** Whether {@code word} is a file: then {@code open} may be left out, too. */
+  static boolean isFile(String word) {
+    return isRecording(word) || (!word.startsWith("-") && isThere(word));
+  }
+
+  /** Why a word that only a file is called like is none; nothing for other words. */
+  static Optional<String> whyNoFile(String word) {
+    if (isDirectory(word)) {
+      return Optional.of(word + " is a directory, expected a file or a command");
+    }
+    String lower = word.toLowerCase(Locale.ROOT);
+    boolean named =
+        lower.endsWith(".script")
+            || lower.endsWith(".urscript")
+            || TreeFile.hasEnding(word)
+            || InstallationFile.hasEnding(word)
+            || word.contains("/");
+    return named
+        ? Optional.of(word + ": there is no such file, and no command of that name")
+        : Optional.empty();
+  }
+
+  private static boolean isDirectory(String word) {
+    return path(word).filter(Files::isDirectory).isPresent();
+  }
+
+  /** A recording can only be opened, so a missing one is told as that. */
+  private static boolean isRecording(String word) {
     return word.toLowerCase(Locale.ROOT).endsWith(".rec");
+  }
+
+  private static boolean isThere(String word) {
+    return path(word).filter(Files::isRegularFile).isPresent();
+  }
+
+  private static Optional<Path> path(String word) {
+    try {
+      return Optional.of(Path.of(word));
+    } catch (InvalidPathException e) {
+      return Optional.empty();
+    }
   }
 
   @Override
@@ -63,7 +104,7 @@ final class OpenCommand implements Subcommand {
 
   @Override
   public String summary() {
-    return "open programs and recordings in the desktop";
+    return "open programs, installations and recordings in the desktop";
   }
 
   @Override

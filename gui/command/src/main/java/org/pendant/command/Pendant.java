@@ -8,7 +8,6 @@ import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.Version;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.check.Nearest;
-import org.pendant.project.program.file.TreeFile;
 
 /**
  * The {@code pendant} command: finds the subcommand, and turns whatever happens into an exit code
@@ -85,10 +84,16 @@ public final class Pendant {
         yield ExitCode.DONE;
       }
       default ->
-          OpenCommand.understands(first) || OpenCommand.isRecording(first)
+          OpenCommand.understands(first) || isFileToOpen(first)
               ? run(new OpenCommand(services), words)
               : subcommand(first, words.subList(1, words.size()));
     };
+  }
+
+  /** A command is a command, even where a file has its name. */
+  private boolean isFileToOpen(String word) {
+    return subcommands.stream().noneMatch(each -> each.name().equals(word))
+        && OpenCommand.isFile(word);
   }
 
   private ExitCode subcommand(String name, List<String> words) {
@@ -122,10 +127,8 @@ public final class Pendant {
     }
     List<String> names = subcommands.stream().map(Subcommand::name).toList();
     String hint =
-        word.endsWith(".script") || TreeFile.hasEnding(word)
-            ? ", did you mean pendant run " + word + " or pendant open " + word + "?"
-            : new Nearest().to(word, () -> names).map(n -> ", did you mean " + n + "?").orElse("");
-    return "unknown command " + word + hint;
+        new Nearest().to(word, () -> names).map(n -> ", did you mean " + n + "?").orElse("");
+    return OpenCommand.whyNoFile(word).orElse("unknown command " + word + hint);
   }
 
   private List<String> usage() {
@@ -133,7 +136,7 @@ public final class Pendant {
     lines.add("Pendant runs URScript programs on an embedded robot controller.");
     lines.add("");
     lines.add("Usage: pendant COMMAND [options] ...");
-    lines.add("       pendant    (opens the desktop)");
+    lines.add("       pendant [FILE...]    (opens the desktop)");
     lines.add("");
     for (Subcommand subcommand : subcommands) {
       lines.row(subcommand.name() + " " + subcommand.operands(), subcommand.summary());

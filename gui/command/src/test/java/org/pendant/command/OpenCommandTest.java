@@ -36,6 +36,7 @@ final class OpenCommandTest {
 
   /** Keeps what it is asked to open. */
   private static final class KeepingLauncher implements DesktopLauncher {
+    private List<Path> files = List.of();
     private Optional<StartInstallation> installation = Optional.empty();
     private SimulationWishes wishes = SimulationWishes.NONE;
 
@@ -45,6 +46,7 @@ final class OpenCommandTest {
         Optional<PortWishes> ports,
         Optional<StartInstallation> installation,
         SimulationWishes wishes) {
+      this.files = files;
       this.installation = installation;
       this.wishes = wishes;
     }
@@ -88,6 +90,47 @@ final class OpenCommandTest {
 
     StartInstallation start = opened("open", "--installation", cell).installation.orElseThrow();
     assertEquals("arm.conf", start.installation().calibration());
+  }
+
+  @Test
+  void aFileAloneIsOpened() throws IOException {
+    for (String name : List.of("a.script", "b.pendant", "c.urp", "d.pinst", "e.installation")) {
+      String file = write(name, "");
+      assertEquals(List.of(Path.of(file)), opened(file).files);
+    }
+  }
+
+  @Test
+  void optionsMayFollowAFileThatIsOpened() throws IOException {
+    KeepingLauncher launcher = opened(write("a.script", ""), "--robot", "ur3e");
+    assertEquals(Optional.of(ArmLibrary.load("ur3e")), launcher.wishes.arm());
+  }
+
+  @Test
+  void aRecordingIsOpenedWhetherItIsThereOrNot() {
+    assertEquals(List.of(Path.of("gone.rec").toAbsolutePath()), opened("gone.rec").files);
+  }
+
+  @Test
+  void whatIsNeitherFileNorCommandIsRefused() {
+    assertEquals(
+        "pendant: gone.script: there is no such file, and no command of that name",
+        complaint("gone.script"));
+    assertEquals("pendant: unknown command rum, did you mean run?", complaint("rum"));
+    assertEquals("pendant: unknown command quite-another", complaint("quite-another"));
+    assertEquals(
+        "pendant: " + folder + " is a directory, expected a file or a command",
+        complaint(folder.toString()));
+  }
+
+  /** The first line about a command line that is wrong. */
+  private static String complaint(String... words) {
+    ByteArrayOutputStream errors = new ByteArrayOutputStream();
+    ExitCode code =
+        new Pendant(new Console(new ByteArrayOutputStream(), errors), NO_DESKTOP)
+            .run(List.of(words));
+    assertEquals(ExitCode.WRONG_USAGE, code);
+    return errors.toString(StandardCharsets.UTF_8).lines().findFirst().orElseThrow();
   }
 
   @Test

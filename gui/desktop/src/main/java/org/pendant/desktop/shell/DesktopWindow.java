@@ -42,6 +42,7 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.ConfigurationFolder;
 import org.pendant.kit.settings.Settings;
 import org.pendant.kit.theme.Look;
+import org.pendant.project.installation.file.InstallationFile;
 
 /** Desktop window: makes its parts, puts them together and shows them the newest snapshot. */
 final class DesktopWindow {
@@ -319,8 +320,12 @@ final class DesktopWindow {
     }
   }
 
-  /** Opens a program. */
+  /** Opens a program, an installation or a recording. */
   void open(Path file) {
+    if (InstallationFile.hasEnding(file.toString())) {
+      installationFiles.open(file);
+      return;
+    }
     if (TimelineView.isRecording(file)) {
       views.past().open(file);
       return;
