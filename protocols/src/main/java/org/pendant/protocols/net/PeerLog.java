@@ -1,7 +1,9 @@
 package org.pendant.protocols.net;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.pendant.controller.message.LogEntry.Level;
 
@@ -17,19 +19,31 @@ public final class PeerLog {
 
   private final BiConsumer<Level, String> log;
   private final LongSupplier nanoTime;
+  private final Optional<PeerLog> visits;
   private final AtomicLong leftOut = new AtomicLong();
   private long secondBeganNs;
   private int written;
 
   /** Writes to {@code log}, which must not wait. */
   public PeerLog(BiConsumer<Level, String> log) {
-    this(log, System::nanoTime);
+    this(log, Optional.empty(), System::nanoTime);
   }
 
-  PeerLog(BiConsumer<Level, String> log, LongSupplier nanoTime) {
+  /** As {@link #PeerLog(BiConsumer)}; who comes and leaves is told apart, as often at most. */
+  public PeerLog(BiConsumer<Level, String> log, Consumer<String> visits) {
+    this(log, Optional.of(new PeerLog((level, text) -> visits.accept(text))), System::nanoTime);
+  }
+
+  PeerLog(BiConsumer<Level, String> log, Optional<PeerLog> visits, LongSupplier nanoTime) {
     this.log = log;
+    this.visits = visits;
     this.nanoTime = nanoTime;
     secondBeganNs = nanoTime.getAsLong();
+  }
+
+  /** Tells that a peer has come or left, where somebody wants to know. */
+  void visit(String text) {
+    visits.ifPresent(each -> each.write(Level.INFO, text));
   }
 
   /** Writes a line, or counts it where there are too many. */

@@ -142,6 +142,7 @@ public final class TcpPort implements AutoCloseable {
       connection.close();
       return;
     }
+    log.visit(name + " has connected");
     Thread.ofVirtual().name(name + " sending").start(connection::write);
     Thread.ofVirtual().name(name).start(() -> converse(connection));
   }
@@ -160,6 +161,8 @@ public final class TcpPort implements AutoCloseable {
     } catch (RuntimeException e) {
       log.write(Level.ERROR, connection.name() + ": internal error: " + e);
       connection.close();
+    } finally {
+      log.visit(connection.name() + " has left");
     }
   }
 

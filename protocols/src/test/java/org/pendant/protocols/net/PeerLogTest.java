@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry.Level;
 
@@ -12,7 +13,8 @@ class PeerLogTest {
 
   private final List<String> written = new ArrayList<>();
   private long nowNs;
-  private final PeerLog log = new PeerLog((level, text) -> written.add(text), () -> nowNs);
+  private final PeerLog log =
+      new PeerLog((level, text) -> written.add(text), Optional.empty(), () -> nowNs);
 
   @Test
   void leavesOutAndCountsWhatIsMoreThanTenLinesASecond() {

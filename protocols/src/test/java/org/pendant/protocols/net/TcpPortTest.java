@@ -26,6 +26,7 @@ class TcpPortTest {
 
   private final BlockingQueue<String> logged = new LinkedBlockingQueue<>();
   private final BlockingQueue<Connection> connected = new LinkedBlockingQueue<>();
+  private final BlockingQueue<String> visits = new LinkedBlockingQueue<>();
   private final CountDownLatch closed = new CountDownLatch(1);
   private final AtomicLong nowNs = new AtomicLong();
   private final TcpPort port = open(IdleLimits.NONE);
@@ -60,7 +61,7 @@ class TcpPortTest {
       return TcpPort.open(
           new Listening("Echo", LOOPBACK, 0, 2, idle),
           this::echo,
-          new PeerLog((level, text) -> logged.add(text)),
+          new PeerLog((level, text) -> logged.add(text), visits::add),
           nowNs::get);
     } catch (IOException e) {
       throw new AssertionError(e);
@@ -106,6 +107,17 @@ class TcpPortTest {
       assertArrayEquals(bytes("hello you"), socket.getInputStream().readAllBytes());
       assertTrue(closed.await(GIVE_UP_MS, TimeUnit.MILLISECONDS));
     }
+  }
+
+  @Test
+  void tellsWhichPeerHasComeAndLeft() throws Exception {
+    String name;
+    try (Socket socket = connect()) {
+      name = "Echo client 127.0.0.1:" + socket.getLocalPort();
+      assertEquals(name + " has connected", visits.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+    }
+    assertEquals(name + " has left", visits.poll(GIVE_UP_MS, TimeUnit.MILLISECONDS));
+    assertTrue(logged.isEmpty());
   }
 
   @Test

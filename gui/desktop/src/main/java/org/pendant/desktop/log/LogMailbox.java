@@ -11,9 +11,9 @@ import org.pendant.language.source.ByteText;
 import org.pendant.script.vm.RecentEntries;
 
 /**
- * Log mailbox: keeps the newest messages of every frame, and what the window tells, until the
- * screen asks for them, so that none is lost while it is hidden. Any thread reads. Messages are
- * numbered anew, from 1 and without gaps, also across a restart of the controller.
+ * Log mailbox: keeps the newest messages of every frame, what changes in it, and what the window
+ * tells, until the screen asks for them, so that none is lost while it is hidden. Any thread reads.
+ * Messages are numbered anew, from 1 and without gaps, also across a restart of the controller.
  */
 final class LogMailbox implements FrameListener {
   /** The longest text of a message, bytes: all that are kept must find room. */
@@ -22,6 +22,7 @@ final class LogMailbox implements FrameListener {
   private final RecentEntries<Mail> recent;
   private final LongFunction<List<LogEntry>> controllerLog;
   private final InstantSource clock;
+  private final StateChanges changes = new StateChanges();
   private volatile double timeS;
 
   private long lastFrame;
@@ -59,6 +60,7 @@ final class LogMailbox implements FrameListener {
       (complete ? fresh : controllerLog.apply(lastNumber)).forEach(this::take);
       lastNumber = state.newestEntry();
     }
+    changes.in(state).forEach(this::happened);
   }
 
   private void take(LogEntry entry) {
@@ -72,13 +74,22 @@ final class LogMailbox implements FrameListener {
 
   /** Keeps what the window tells; the dispatch thread. */
   void told(String text) {
+    put(LogSource.WINDOW, text);
+  }
+
+  /** Keeps what the robot or a client of it did; any thread. */
+  void happened(String text) {
+    put(LogSource.ROBOT, text);
+  }
+
+  private void put(LogSource source, String text) {
     put(
-        LogSource.WINDOW,
+        source,
         new LogEntry(
             0, timeS, LogEntry.Level.INFO, LogEntry.Origin.CONTROLLER, ByteText.asBytes(text)));
   }
 
-  /** The frame loop and the dispatch thread write, both rarely. */
+  /** The frame loop, the dispatch thread and those of clients write, all rarely. */
   private synchronized void put(LogSource source, LogEntry entry) {
     recent.add(new Mail(recent.newest() + 1, clock.instant(), source, entry));
   }

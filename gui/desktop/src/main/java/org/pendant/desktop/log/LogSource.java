@@ -7,6 +7,8 @@ enum LogSource {
   PROGRAM("Program", "what programs write, and why they end"),
   CONTROLLER("Controller", "what the controller says"),
   SAFETY("Safety", "stops, warnings and changes of mode of the safety functions"),
+  ROBOT(
+      "Robot", "power and brakes, programs that start, pause and end, clients that come and leave"),
   PROTOCOL("Protocol", "what comes from outside by a protocol"),
   WINDOW("Window", "what this window told at its lower edge");
 

@@ -85,6 +85,11 @@ public final class LogView implements View {
     }
   }
 
+  /** Keeps that a client of the ports has come or left; any thread. */
+  public void visited(String text) {
+    mailbox.happened(text);
+  }
+
   /** Selects what was the newest at a time, robot time in s, and dims what came later. */
   public void lookAt(double timeS) {
     looking = OptionalDouble.of(timeS);

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.desktop.ports.PortsState.Trouble;
@@ -28,6 +29,7 @@ public final class DesktopPorts implements SwitchListener {
 
   private final RobotSession session;
   private final Path logs;
+  private final Consumer<String> visits;
   private final ReentrantLock lock = new ReentrantLock(true);
 
   // guarded by the lock
@@ -49,10 +51,12 @@ public final class DesktopPorts implements SwitchListener {
    * Closed ports.
    *
    * @param logs folder for log files and reports of clients
+   * @param visits takes which client has come or left; any thread
    */
-  public DesktopPorts(RobotSession session, Path logs) {
+  public DesktopPorts(RobotSession session, Path logs, Consumer<String> visits) {
     this.session = session;
     this.logs = logs;
+    this.visits = visits;
     session.addSwitchListener(this);
   }
 
@@ -156,6 +160,7 @@ public final class DesktopPorts implements SwitchListener {
             control,
             ProgramsFolder.at(wishes.programs()),
             logs,
+            visits,
             () -> inBackground(this::switchingOff));
     if (ports.ports().isEmpty()) {
       ports.close();

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.file.ProgramsFolder;
@@ -34,6 +35,7 @@ final class OpenPorts implements AutoCloseable {
   /**
    * Opens the ports of the session's present controller, as far as they can be had.
    *
+   * @param visits takes which client has come or left; any thread
    * @param shutDown runs once when the controller shuts itself down, in a thread that must not wait
    */
   static OpenPorts open(
@@ -42,13 +44,15 @@ final class OpenPorts implements AutoCloseable {
       RemoteControl remote,
       ProgramsFolder programs,
       Path logs,
+      Consumer<String> visits,
       Runnable shutDown) {
     PeerLog log =
         new PeerLog(
             (level, text) -> {
               // a line that finds no place among the commands of a frame is lost
               var _ = session.submit(new MessageCommand.WriteLog(level, text));
-            });
+            },
+            visits);
     StateBroadcaster frames = new StateBroadcaster(session.robot().feed(), log);
     ServerContext serverContext = new ServerContext(session.robot(), frames, log, remote);
     RemotePendant remotePendant =

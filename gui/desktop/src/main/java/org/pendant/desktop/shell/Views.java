@@ -91,7 +91,8 @@ final class Views {
     ports =
         new PortsView(
             workbench,
-            new DesktopPorts(session, StateFolder.of(System.getenv()).resolve("desktop")));
+            new DesktopPorts(
+                session, StateFolder.of(System.getenv()).resolve("desktop"), this::visited));
     debug = new DebugPresenter(workbench, programs);
     keeper = new FileKeeper(workbench.settings(), programs, editor, debug.breakpoints());
     link = new EditorLink(editor, debug, programs);
@@ -311,6 +312,10 @@ final class Views {
   }
 
   /** Keeps what the window tells. */
+  private void visited(String text) {
+    log.visited(text);
+  }
+
   void told(String text) {
     log.told(text);
   }

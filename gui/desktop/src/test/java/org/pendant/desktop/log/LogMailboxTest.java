@@ -42,8 +42,12 @@ final class LogMailboxTest {
     assertEquals(ProgramState.STOPPED, controller.state().program().state());
   }
 
+  /** Of the program alone. */
   private static List<String> texts(LogMailbox mailbox, long since) {
-    return mailbox.since(since).stream().map(LogLine::text).toList();
+    return mailbox.since(since).stream()
+        .filter(line -> line.source() == LogSource.PROGRAM)
+        .map(LogLine::text)
+        .toList();
   }
 
   @Test
@@ -63,8 +67,8 @@ final class LogMailboxTest {
     Controller second = running();
     mailbox.frame(second.state());
     finish(second, mailbox);
-    assertEquals(List.of("a", "b", "c"), texts(mailbox, 3));
-    assertEquals(6, mailbox.newest());
+    assertEquals(List.of("a", "b", "c"), texts(mailbox, 4));
+    assertEquals(8, mailbox.newest(), "with the two that tell of the ends of the programs");
   }
 
   @Test
@@ -83,10 +87,11 @@ final class LogMailboxTest {
   @Test
   void onlyTheNewestAreKept() {
     Controller controller = running();
-    LogMailbox mailbox = new LogMailbox(2, controller::logSince, InstantSource.system());
+    LogMailbox mailbox = new LogMailbox(3, controller::logSince, InstantSource.system());
     finish(controller, mailbox);
     assertEquals(List.of("b", "c"), texts(mailbox, 0));
-    assertTrue(mailbox.since(3).isEmpty());
+    assertEquals("Program three finished", mailbox.since(3).getFirst().text());
+    assertTrue(mailbox.since(4).isEmpty());
   }
 
   @Test
@@ -96,7 +101,7 @@ final class LogMailboxTest {
     LogMailbox mailbox = new LogMailbox(8, controller::logSince, InstantSource.fixed(now));
     finish(controller, mailbox);
     mailbox.told("Saved \u00e4");
-    LogLine told = mailbox.since(3).getFirst();
+    LogLine told = mailbox.since(4).getFirst();
     assertEquals("Saved \u00e4", told.text());
     assertEquals(LogSource.WINDOW, told.source());
     assertEquals(controller.state().timeS(), told.timeS());

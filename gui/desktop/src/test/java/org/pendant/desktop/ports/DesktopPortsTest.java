@@ -45,7 +45,7 @@ final class DesktopPortsTest {
   @BeforeEach
   void start() {
     session = RobotSession.start(ControllerOptions.headless());
-    ports = new DesktopPorts(session, folder);
+    ports = new DesktopPorts(session, folder, visit -> {});
     wishes = FreePorts.wishes(folder);
   }
 
@@ -153,7 +153,7 @@ final class DesktopPortsTest {
   void withoutAnyPortTheyCountAsClosed() {
     RobotSession other = RobotSession.start(ControllerOptions.headless());
     try {
-      DesktopPorts others = new DesktopPorts(other, folder);
+      DesktopPorts others = new DesktopPorts(other, folder, visit -> {});
       others.want(Optional.of(wishes));
       ports.want(Optional.of(wishes));
       assertTrue(trouble().text().contains("cannot be had"), trouble().text());

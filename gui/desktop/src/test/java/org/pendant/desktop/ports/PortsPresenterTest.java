@@ -30,7 +30,7 @@ final class PortsPresenterTest {
   @BeforeEach
   void start() {
     session = RobotSession.start(ControllerOptions.headless());
-    ports = new DesktopPorts(session, folder);
+    ports = new DesktopPorts(session, folder, visit -> {});
     presenter = new PortsPresenter(ports, settings, folder);
   }
 
