@@ -27,12 +27,17 @@ import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.theme.Palette;
 
-/** Places view: finds text in all scripts of a folder, and lists places that others have found. */
+/**
+ * Places view: finds text in all scripts of a folder, or lists places that others have found, and
+ * then without what is typed for a search.
+ */
 public final class PlacesView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "search";
 
   private static final String FOLDER = "search.folder";
+  private static final String NOTE =
+      "Type what to find in all scripts of the folder, then press ENTER.";
   private static final int SHOWN_AT_ONCE = 100;
   private static final int TOLD_EVERY = 50;
 
@@ -46,6 +51,9 @@ public final class PlacesView implements View {
   private final JCheckBox regex = box("Regular expression");
   private final JButton start = new JButton("Find");
   private final JLabel summary = new JLabel(" ");
+  private final JLabel title = new JLabel();
+  private final JPanel form = bar();
+  private final JPanel foundBar = foundBar();
   private final PlacesTable table;
   private final EmptyState states;
   private final JPanel content = new JPanel(new BorderLayout());
@@ -59,9 +67,12 @@ public final class PlacesView implements View {
     table = new PlacesTable(editor::show);
     states = new EmptyState(new JScrollPane(table));
     content.setName("search-panel");
-    content.add(bar(), BorderLayout.NORTH);
+    JPanel head = new JPanel(new BorderLayout());
+    head.add(form, BorderLayout.NORTH);
+    head.add(foundBar, BorderLayout.SOUTH);
+    content.add(head, BorderLayout.NORTH);
     content.add(states);
-    states.showNote("Type what to find in all scripts of the folder, then press ENTER.");
+    states.showNote(NOTE);
     editor.setPlaces(this::list);
     workbench
         .actions()
@@ -92,6 +103,26 @@ public final class PlacesView implements View {
     return bar;
   }
 
+  /** Stands above places that others have found. */
+  private JPanel foundBar() {
+    JPanel bar = new JPanel(new MigLayout("insets 6 12 6 12, gap 6, fillx", "[grow, 0::][]"));
+    title.setName("places-title");
+    JButton search = new JButton("Find in files\u2026");
+    search.setName("places-search");
+    search.putClientProperty("JButton.buttonType", "toolBarButton");
+    search.setToolTipText("Shows the form that finds text in all scripts of a folder");
+    search.addActionListener(event -> open());
+    bar.add(title, "growx, wmin 0");
+    bar.add(search);
+    bar.setVisible(false);
+    return bar;
+  }
+
+  private void showForm(boolean wanted) {
+    form.setVisible(wanted);
+    foundBar.setVisible(!wanted);
+  }
+
   @Override
   public String id() {
     return ID;
@@ -110,6 +141,13 @@ public final class PlacesView implements View {
   /** Comes to the front, ready to type what to find. */
   private void open() {
     workbench.show(ID);
+    if (!form.isVisible()) {
+      // What was listed belongs to another question.
+      table.set(List.of());
+      summary.setText(" ");
+      states.showNote(NOTE);
+      showForm(true);
+    }
     String selected = editor.current().area().getSelectedText();
     if (selected != null && !selected.contains("\n")) {
       words.setText(selected);
@@ -132,10 +170,11 @@ public final class PlacesView implements View {
   }
 
   /** Shows places that another view has found. */
-  private void list(String title, List<Place> places) {
+  private void list(String heading, List<Place> places) {
     cancel();
-    summary.setForeground(Palette.quiet());
-    summary.setText(title);
+    title.setText(heading);
+    title.setToolTipText(heading);
+    showForm(false);
     table.set(places);
     states.showContent();
     EventQueue.invokeLater(table::requestFocusInWindow);

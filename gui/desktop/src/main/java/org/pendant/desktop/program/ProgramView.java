@@ -1,6 +1,5 @@
 package org.pendant.desktop.program;
 
-import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
@@ -15,7 +14,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.move.JogHold;
@@ -58,10 +56,8 @@ public final class ProgramView implements View {
   private final TextPane text;
   private final EmptyPane empty;
   private final ForeignBar foreignBar;
-  private final ScriptPreview preview = new ScriptPreview();
-  private final ValuesPane values = new ValuesPane();
-  private final JTabbedPane tabs = new JTabbedPane();
-  private final CommandTab command;
+  private final NodeTabs tabs;
+  private final JPanel tree = new JPanel(new BorderLayout());
   private final TreeProgram.Listener changes = new Changes();
   private Optional<TreeProgram> program = Optional.empty();
   private boolean asText;
@@ -99,7 +95,11 @@ public final class ProgramView implements View {
             new JogHold(workbench.session()::submit, EventQueue::invokeLater),
             list::select,
             () -> shownNode().map(ProgramNode::key).orElse(0L));
-    command = new CommandTab(new NodeForms(workbench, host), commands);
+    tabs =
+        new NodeTabs(
+            new CommandTab(new NodeForms(workbench, host), commands),
+            workbench.session().robot().builtins(),
+            this::showScript);
     TreeDrag drag = new TreeDrag(list, commands::drop);
     list.mouse().setDrag(drag);
     list.onSelection(this::selectionChanged);
@@ -124,29 +124,19 @@ public final class ProgramView implements View {
   }
 
   private void build() {
-    tabs.setName("program-tabs");
-    tabs.getAccessibleContext().setAccessibleName("Node, script and variables");
-    tabs.addTab("Command", command);
-    tabs.addTab("Script", preview);
-    tabs.addTab("Variables", values);
-    tabs.addChangeListener(event -> showScript());
     content.setName("program-view");
     content.getAccessibleContext().setAccessibleName(title());
     content.setLayout(cards);
     content.add(empty, EMPTY);
     content.add(text, TEXT);
-    JPanel tree = new JPanel(new BorderLayout());
     tree.add(foreignBar, BorderLayout.NORTH);
     tree.add(parts);
     content.add(tree, TREE);
   }
 
-  /** Puts something into the head of what stands beside the tree. */
-  public void addToHead(JComponent tool) {
-    JPanel end = new JPanel(new BorderLayout());
-    end.setOpaque(false);
-    end.add(tool, BorderLayout.LINE_END);
-    tabs.putClientProperty(FlatClientProperties.TABBED_PANE_TRAILING_COMPONENT, end);
+  /** Puts something below tree and node. */
+  public void addBelow(JComponent tool) {
+    tree.add(tool, BorderLayout.SOUTH);
   }
 
   @Override
@@ -207,7 +197,7 @@ public final class ProgramView implements View {
       list.show(shown.tree());
     }
     showChecked();
-    values.show(shown.tree(), shown.installation().variables());
+    tabs.showVariables(shown);
     searched(pane.search().wanted());
   }
 
@@ -229,7 +219,7 @@ public final class ProgramView implements View {
         program
             .map(each -> ProgramPlaces.of(each.tree(), each.installation(), list.selected()))
             .orElse(WaypointMarkers.NONE));
-    command.show(program, list.selected().size(), shownNode(), list.lead());
+    tabs.command().show(program, list.selected().size(), shownNode(), list.lead());
   }
 
   private Optional<ProgramNode> shownNode() {
@@ -238,9 +228,7 @@ public final class ProgramView implements View {
   }
 
   private void showScript() {
-    if (tabs.getSelectedComponent() == preview) {
-      program.ifPresent(each -> preview.show(each.script(), list.lead().orElse(0)));
-    }
+    program.ifPresent(each -> tabs.showScript(each.script(), list.lead().orElse(0)));
   }
 
   private void selectionChanged() {
@@ -298,9 +286,7 @@ public final class ProgramView implements View {
       list.select(caret.getAsLong());
       fromScript = false;
     }
-    if (values.isShowing()) {
-      values.refresh(state.variables());
-    }
+    tabs.refresh(state, link.execution(shown, state), follow);
   }
 
   // --- running
@@ -375,8 +361,7 @@ public final class ProgramView implements View {
   /** Selects a node and puts the keys into the field that has to be changed. */
   private void goTo(NodeProblem problem) {
     list.select(problem.key());
-    tabs.setSelectedComponent(command);
-    command.focus(problem.field());
+    tabs.focusForm(problem.field());
   }
 
   /** Adds lines of URScript behind the selected node. */
@@ -460,8 +445,7 @@ public final class ProgramView implements View {
   }
 
   void focusForm() {
-    tabs.setSelectedComponent(command);
-    command.focus("");
+    tabs.focusForm("");
   }
 
   void focusTree() {

@@ -122,6 +122,16 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
     return new TreeMarks(dots, at, execution.state(), execution.note(), threads(script, at));
   }
 
+  /** Where a program is in its script, now or at the moment that people look at. */
+  Execution execution(TreeProgram program, ControllerState state) {
+    OptionalInt then = past.apply(program.document());
+    if (then.isPresent()) {
+      return Execution.running(then.getAsInt());
+    }
+    boolean started = debug.breakpoints().started().filter(program.document()::equals).isPresent();
+    return started ? debug.execution(state) : Execution.NONE;
+  }
+
   /** The key of the node where a program is; 0 for none. */
   long at(TreeProgram program, ControllerState state) {
     boolean started = debug.breakpoints().started().filter(program.document()::equals).isPresent();

@@ -1,70 +1,48 @@
 package org.pendant.desktop.program;
 
+import java.awt.BorderLayout;
 import java.util.Optional;
-import javax.swing.JScrollPane;
-import javax.swing.JTextArea;
-import javax.swing.UIManager;
-import javax.swing.text.BadLocationException;
-import javax.swing.text.DefaultHighlighter;
-import org.pendant.kit.layout.CodeArea;
-import org.pendant.kit.theme.Palette;
+import javax.swing.JPanel;
+import org.pendant.desktop.editor.Execution;
+import org.pendant.desktop.editor.ScriptPad;
+import org.pendant.language.signature.Catalogue;
 import org.pendant.project.program.script.GeneratedScript;
 
 /**
- * Script preview: the script that the tree generates, with the lines of the selected node marked.
+ * Script preview: the script that the tree generates, with the lines of the selected node marked,
+ * and the line that runs.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class ScriptPreview extends JScrollPane {
-  private final JTextArea text = new CodeArea();
+final class ScriptPreview extends JPanel {
+  private final ScriptPad pad;
   private transient GeneratedScript shown = GeneratedScript.EMPTY;
   private long key;
 
-  ScriptPreview() {
+  ScriptPreview(Catalogue catalogue) {
+    super(new BorderLayout());
     setName("program-script-preview");
-    text.setName("program-script-text");
-    text.setEditable(false);
-    text.getAccessibleContext().setAccessibleName("Generated script");
-    setViewportView(text);
-    updateUI();
-  }
-
-  @Override
-  public void updateUI() {
-    super.updateUI();
-    if (text != null) {
-      text.setBackground(UIManager.getColor("TextArea.background"));
-      mark();
-    }
+    pad = new ScriptPad(catalogue, false, text -> {});
+    pad.text().setName("program-script-text");
+    pad.text().getAccessibleContext().setAccessibleName("Generated script");
+    add(pad);
   }
 
   /** Shows a script and marks a node of it; 0 for none. */
   void show(GeneratedScript script, long node) {
-    if (!script.text().equals(shown.text())) {
-      text.setText(script.text());
-      text.setCaretPosition(0);
-    }
     boolean other = node != key || !script.equals(shown);
+    pad.show(script.text());
     shown = script;
     key = node;
     if (other) {
-      mark();
+      Optional<GeneratedScript.NodeLines> place = shown.of(key);
+      pad.mark(
+          place.map(GeneratedScript.NodeLines::first).orElse(0),
+          place.map(GeneratedScript.NodeLines::last).orElse(0));
     }
   }
 
-  private void mark() {
-    text.getHighlighter().removeAllHighlights();
-    Optional<GeneratedScript.NodeLines> place = shown.of(key);
-    if (place.isEmpty() || place.get().last() > text.getLineCount()) {
-      return;
-    }
-    try {
-      int start = text.getLineStartOffset(place.get().first() - 1);
-      int end = text.getLineEndOffset(place.get().last() - 1);
-      text.getHighlighter()
-          .addHighlight(start, end, new DefaultHighlighter.DefaultHighlightPainter(Palette.mark()));
-      text.setCaretPosition(start);
-    } catch (BadLocationException e) {
-      throw new IllegalStateException("the lines of a node are not in the script", e);
-    }
+  /** Marks where the program is, and keeps it in sight if {@code follow} is true. */
+  void setExecution(Execution execution, boolean follow) {
+    pad.setExecution(execution, follow);
   }
 }

@@ -128,7 +128,14 @@ final class DesktopWindow {
     DocumentSaver saver = new DocumentSaver(saves, notices, status::tell, this::warn);
     files =
         new ProgramFiles(
-            programs, saver, settings, notices, status::tell, this::warn, docks.component());
+            programs,
+            saver,
+            settings,
+            notices,
+            status::tell,
+            this::warn,
+            workbench.usedFolder(),
+            docks.component());
     files.showBy(opened -> views.showOpened(workbench, opened));
     installationFiles =
         new InstallationFiles(
@@ -138,6 +145,7 @@ final class DesktopWindow {
             notices,
             status::tell,
             this::warn,
+            workbench.usedFolder(),
             docks.component());
     header =
         new Header(

@@ -46,6 +46,7 @@ final class InstallationFiles {
   private final Notices notices;
   private final Consumer<String> tell;
   private final Consumer<String> warn;
+  private final UsedFolder used;
   private final Component parent;
 
   /**
@@ -53,6 +54,7 @@ final class InstallationFiles {
    *
    * @param tell tells what was done
    * @param warn tells what was not done, so that it cannot be overlooked
+   * @param used where dialogs begin
    * @param parent dialogs belong to its window
    */
   InstallationFiles(
@@ -62,6 +64,7 @@ final class InstallationFiles {
       Notices notices,
       Consumer<String> tell,
       Consumer<String> warn,
+      UsedFolder used,
       Component parent) {
     this.active = active;
     this.saver = saver;
@@ -69,6 +72,7 @@ final class InstallationFiles {
     this.notices = notices;
     this.tell = tell;
     this.warn = warn;
+    this.used = used;
     this.parent = parent;
     active.addFileListener(this::rememberOpen);
   }
@@ -163,7 +167,7 @@ final class InstallationFiles {
         "Open installation",
         "Installations",
         new String[] {"pinst", "installation"},
-        active.document().file().map(Path::getParent),
+        used,
         this::open);
   }
 
@@ -311,7 +315,7 @@ final class InstallationFiles {
         parent,
         new SaveRequest(
             "Save " + document.name() + " as",
-            document.file().isPresent() ? here.toAbsolutePath() : home().resolve(here),
+            document.file().isPresent() ? here.toAbsolutePath() : used.get().resolve(here),
             List.of(InstallationText.ENDING.substring(1)),
             InstallationFiles::fitting,
             List.of()),
@@ -325,13 +329,6 @@ final class InstallationFiles {
   /** An installation is known by the ending of its file. */
   private static Path fitting(Path path) {
     return isOurs(path) ? path : path.resolveSibling(path.getFileName() + InstallationText.ENDING);
-  }
-
-  private Path home() {
-    return recent().stream()
-        .findFirst()
-        .map(file -> file.toAbsolutePath().getParent())
-        .orElse(Path.of(System.getProperty("user.home")));
   }
 
   private Consumer<Boolean> remembering(ProgramDocument document, Consumer<Boolean> then) {

@@ -6,7 +6,6 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
@@ -23,7 +22,7 @@ final class OpenDialog {
    * @param title what it is called
    * @param kind what the files are called
    * @param endings of their names, such as {@code script}
-   * @param folder that is shown first
+   * @param folder is shown first, and learns what was chosen
    * @param chosen takes each file
    */
   static void show(
@@ -31,11 +30,11 @@ final class OpenDialog {
       String title,
       String kind,
       String[] endings,
-      Optional<Path> folder,
+      UsedFolder folder,
       Consumer<Path> chosen) {
     JDialog dialog =
         new JDialog(SwingUtilities.getWindowAncestor(parent), title, ModalityType.MODELESS);
-    JFileChooser chooser = new JFileChooser(folder.map(Path::toFile).orElse(null));
+    JFileChooser chooser = new JFileChooser(folder.get().toFile());
     chooser.setName("open-dialog");
     chooser.getAccessibleContext().setAccessibleName(title);
     chooser.setFileFilter(new FileNameExtensionFilter(kind, endings));
@@ -45,6 +44,7 @@ final class OpenDialog {
           dialog.dispose();
           if (event.getActionCommand().equals(JFileChooser.APPROVE_SELECTION)) {
             for (File each : chooser.getSelectedFiles()) {
+              folder.chosen(each.toPath());
               chosen.accept(each.toPath());
             }
           }

@@ -103,7 +103,7 @@ final class PastViews {
         "Open recording",
         "Recordings",
         new String[] {"rec"},
-        Optional.empty(),
+        workbench.usedFolder(),
         this::open);
   }
 

@@ -35,6 +35,7 @@ final class ProgramFiles {
   private final Notices notices;
   private final Consumer<String> tell;
   private final Consumer<String> warn;
+  private final UsedFolder used;
   private final Component parent;
   private Consumer<ProgramDocument> show = program -> {};
   private int untitled = 1;
@@ -44,6 +45,7 @@ final class ProgramFiles {
    *
    * @param tell tells what was done
    * @param warn tells what was not done, so that it cannot be overlooked
+   * @param used where dialogs begin
    * @param parent dialogs belong to its window
    */
   ProgramFiles(
@@ -53,6 +55,7 @@ final class ProgramFiles {
       Notices notices,
       Consumer<String> tell,
       Consumer<String> warn,
+      UsedFolder used,
       Component parent) {
     this.programs = programs;
     this.saver = saver;
@@ -60,6 +63,7 @@ final class ProgramFiles {
     this.notices = notices;
     this.tell = tell;
     this.warn = warn;
+    this.used = used;
     this.parent = parent;
     programs.addListener(this::rememberOpen);
   }
@@ -101,7 +105,7 @@ final class ProgramFiles {
         "Open program",
         "Programs and scripts",
         new String[] {"pendant", "urp", "urpx", "script", "urscript"},
-        folder(),
+        used,
         this::open);
   }
 
@@ -175,7 +179,7 @@ final class ProgramFiles {
         parent,
         new SaveRequest(
             "Save the script of " + document.name() + " as",
-            folder().orElse(home()).resolve(script.name()),
+            folder().orElse(used.get()).resolve(script.name()),
             List.of("script"),
             EditedFiles.besides(script, programs)),
         chosen -> chosen.ifPresent(path -> saver.export(SavedProgram.create(path, script.text()))));
@@ -227,7 +231,7 @@ final class ProgramFiles {
             "Save " + document.name() + " as",
             document.file().isPresent()
                 ? here.toAbsolutePath()
-                : folder().orElse(home()).resolve(here),
+                : folder().orElse(used.get()).resolve(here),
             List.of(document.isTree() ? "pendant" : "script"),
             path -> fitting(document, path),
             EditedFiles.besides(document, programs)),
@@ -246,14 +250,6 @@ final class ProgramFiles {
     }
     String bare = TreeFile.isForeign(name) ? name.substring(0, name.lastIndexOf('.')) : name;
     return path.resolveSibling(bare + ProgramDocument.TREE);
-  }
-
-  /** The folder of the program that was opened last. */
-  private Path home() {
-    return recent().stream()
-        .findFirst()
-        .map(file -> file.toAbsolutePath().getParent())
-        .orElse(Path.of(System.getProperty("user.home")));
   }
 
   private Consumer<Boolean> remembering(ProgramDocument document, Consumer<Boolean> then) {

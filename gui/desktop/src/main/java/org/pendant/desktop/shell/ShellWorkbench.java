@@ -19,6 +19,7 @@ final class ShellWorkbench implements Workbench {
   private final ActionTable actions;
   private final Settings settings;
   private final BiConsumer<String, BooleanSupplier> tell;
+  private final UsedFolder usedFolder = new UsedFolder();
   private DockFrame docks;
   private final Typing typing;
   private Optional<Supplier<View>> sourceView = Optional.empty();
@@ -95,6 +96,11 @@ final class ShellWorkbench implements Workbench {
   /** {@code files} says which files are open. */
   void openFilesAre(Supplier<List<Path>> files) {
     openFiles = files;
+  }
+
+  /** Where dialogs for files begin. */
+  UsedFolder usedFolder() {
+    return usedFolder;
   }
 
   @Override

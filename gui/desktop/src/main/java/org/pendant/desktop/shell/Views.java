@@ -114,7 +114,7 @@ final class Views {
           link.beforeRun(document, script);
         });
     program = programScreen(workbench, programs, move, scene);
-    program.addToHead(treeBar);
+    program.addBelow(treeBar);
     editor.setValues(
         new HoverValues(debug, () -> past.past().orElseGet(session::state).variables())::of);
     installation.addListener(

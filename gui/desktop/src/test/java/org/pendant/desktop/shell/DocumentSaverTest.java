@@ -154,6 +154,7 @@ final class DocumentSaverTest {
                     notices,
                     told::add,
                     warned::add,
+                    new UsedFolder(),
                     notices)
                 .save(read, saved::add));
     assertEquals(List.of(false), saved);
@@ -205,10 +206,24 @@ final class DocumentSaverTest {
     return new CloseDialog(
         programs,
         new ProgramFiles(
-            programs, saver, new NoSettings(), notices, told::add, warned::add, notices),
+            programs,
+            saver,
+            new NoSettings(),
+            notices,
+            told::add,
+            warned::add,
+            new UsedFolder(),
+            notices),
         installation,
         new InstallationFiles(
-            installation, saver, new NoSettings(), notices, told::add, warned::add, notices),
+            installation,
+            saver,
+            new NoSettings(),
+            notices,
+            told::add,
+            warned::add,
+            new UsedFolder(),
+            notices),
         queue,
         notices,
         () -> left.add(text()));
