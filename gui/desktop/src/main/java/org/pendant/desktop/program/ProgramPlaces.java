@@ -9,11 +9,15 @@ import java.util.Set;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.kit.form.Measure;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.MoveKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.StepNames;
+import org.pendant.project.program.Timing;
 import org.pendant.project.program.TreeNames;
 import org.pendant.project.program.WaypointPosition;
 import org.pendant.project.program.WaypointTarget;
@@ -58,10 +62,10 @@ final class ProgramPlaces {
     List<WaypointMarkers.Mark> marks = new ArrayList<>();
     poses.forEach(
         (name, pose) -> marks.add(new WaypointMarkers.Mark(name, pose, chosen.contains(name))));
-    List<List<Integer>> ways = new ArrayList<>();
+    List<List<WaypointMarkers.Stop>> ways = new ArrayList<>();
     for (ProgramNode section : tree.sections()) {
-      List<Integer> way = new ArrayList<>();
-      follow(section, way);
+      List<WaypointMarkers.Stop> way = new ArrayList<>();
+      follow(section, Optional.empty(), selected, way);
       if (way.size() > 1) {
         ways.add(way);
       }
@@ -69,16 +73,38 @@ final class ProgramPlaces {
     return new WaypointMarkers(marks, ways);
   }
 
-  private void follow(ProgramNode node, List<Integer> way) {
+  private void follow(
+      ProgramNode node,
+      Optional<MotionStep.Move> above,
+      Set<Long> selected,
+      List<WaypointMarkers.Stop> way) {
     if (node.suppressed()) {
       return;
     }
     if (node.step() instanceof MotionStep.Waypoint waypoint
         && waypoint.target() instanceof WaypointTarget.Fixed fixed
         && numbers.containsKey(fixed.name())) {
-      way.add(numbers.get(fixed.name()));
+      way.add(
+          new WaypointMarkers.Stop(
+              numbers.get(fixed.name()),
+              node.key(),
+              above.map(move -> how(move, waypoint.timing())).orElse(""),
+              selected.contains(node.key())));
     }
-    node.children().forEach(each -> follow(each, way));
+    Optional<MotionStep.Move> move =
+        node.step() instanceof MotionStep.Move own ? Optional.of(own) : above;
+    node.children().forEach(each -> follow(each, move, selected, way));
+  }
+
+  /** Such as {@code MoveL at 250 mm/s}. */
+  private static String how(MotionStep.Move move, Timing timing) {
+    Measure speed = move.kind() == MoveKind.JOINT ? Measure.DEGREE_PER_S : Measure.MILLIMETRE_PER_S;
+    return StepNames.label(move)
+        + switch (timing) {
+          case Timing.AsMove _ -> " at " + speed.words(move.speed());
+          case Timing.Own own -> " at " + speed.words(own.speed());
+          case Timing.Duration duration -> " in " + Measure.SECOND.words(duration.timeS());
+        };
   }
 
   private static Optional<Pose> inBase(WaypointPosition place, Installation installation) {

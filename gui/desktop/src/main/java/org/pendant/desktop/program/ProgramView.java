@@ -325,6 +325,17 @@ public final class ProgramView implements View {
     return program.isPresent() && !asText ? list.lead().orElse(0) : 0;
   }
 
+  /** Selects a node of the program in front; tells so where that cannot be seen. */
+  public void choose(long key) {
+    if (program.isEmpty() || asText || host.tree().find(key).isEmpty()) {
+      return;
+    }
+    list.select(key);
+    if (!content.isShowing()) {
+      workbench.notify(label(key) + " is selected on the Program screen");
+    }
+  }
+
   /** Brings a node of an open program into view and selects it. */
   public void show(RunNode node) {
     programs.select(node.document());

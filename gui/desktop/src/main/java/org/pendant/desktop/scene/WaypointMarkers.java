@@ -1,6 +1,8 @@
 package org.pendant.desktop.scene;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.desktop.scene.mesh.Lines;
 import org.pendant.models.pose.Pose;
 
@@ -8,9 +10,9 @@ import org.pendant.models.pose.Pose;
  * Waypoint markers: the places that a program moves to, and their order; immutable.
  *
  * @param marks each place once
- * @param ways numbers of marks that follow each other, from 0
+ * @param ways stops that follow each other
  */
-public record WaypointMarkers(List<Mark> marks, List<List<Integer>> ways) {
+public record WaypointMarkers(List<Mark> marks, List<List<Stop>> ways) {
   /** No places. */
   public static final WaypointMarkers NONE = new WaypointMarkers(List.of(), List.of());
 
@@ -27,19 +29,59 @@ public record WaypointMarkers(List<Mark> marks, List<List<Integer>> ways) {
    */
   public record Mark(String name, Pose inBase, boolean chosen) {}
 
+  /**
+   * A stop: the program goes to a place.
+   *
+   * @param mark number of the place, from 0
+   * @param node key of the node that goes there
+   * @param how it does, such as {@code MoveL at 250 mm/s}
+   * @param chosen whether the user looks at the node just now
+   */
+  public record Stop(int mark, long node, String how, boolean chosen) {}
+
   /** Copies the lists. */
   public WaypointMarkers {
     marks = List.copyOf(marks);
     ways = ways.stream().map(List::copyOf).toList();
   }
 
+  /** The stop at a place; after the one that is chosen there the next one. */
+  public Optional<Stop> next(int mark) {
+    return after(stops().filter(each -> each.mark() == mark).toList(), 1);
+  }
+
+  /** The stop so many further on than the one that is chosen; empty without stops. */
+  public Optional<Stop> stepped(int by) {
+    return after(stops().toList(), by);
+  }
+
+  private Stream<Stop> stops() {
+    return ways.stream().flatMap(List::stream);
+  }
+
+  private static Optional<Stop> after(List<Stop> stops, int by) {
+    if (stops.isEmpty()) {
+      return Optional.empty();
+    }
+    for (int i = 0; i < stops.size(); i++) {
+      if (stops.get(i).chosen()) {
+        return Optional.of(stops.get(Math.floorMod(i + by, stops.size())));
+      }
+    }
+    return Optional.of(by > 0 ? stops.getFirst() : stops.getLast());
+  }
+
   /** Dashed lines from each place to the next one. */
   public Lines lines(SceneTheme theme) {
     Lines lines = new Lines();
     int rgb = theme == SceneTheme.LIGHT ? LIGHT_RGB : DARK_RGB;
-    for (List<Integer> way : ways) {
+    for (List<Stop> way : ways) {
       for (int i = 1; i < way.size(); i++) {
-        dash(marks.get(way.get(i - 1)).inBase(), marks.get(way.get(i)).inBase(), rgb, lines);
+        dash(
+            marks.get(way.get(i - 1).mark()).inBase(),
+            marks.get(way.get(i).mark()).inBase(),
+            rgb,
+            lines);
       }
     }
     return lines;

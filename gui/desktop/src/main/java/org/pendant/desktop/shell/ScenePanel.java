@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
@@ -35,6 +36,7 @@ import org.pendant.desktop.scene.TraceRing;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.view.SceneView;
 import org.pendant.desktop.session.StillArm;
+import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.export.SaveDialog;
@@ -101,6 +103,7 @@ final class ScenePanel implements View, GhostArm {
     shows = new SceneShows(workbench.settings());
     pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
     picture.setHand(new PullingHand(pull, () -> past.get().isPresent()));
+    picture.setPoseWords(pose -> FormMemory.read(workbench.settings()).words(pose));
     bar = bar();
     panel.add(bar, BorderLayout.NORTH);
     panel.add(picture, BorderLayout.CENTER);
@@ -182,6 +185,11 @@ final class ScenePanel implements View, GhostArm {
   /** Shows the places that a program goes to from now on. */
   void show(WaypointMarkers marks) {
     waypointMarkers = marks;
+  }
+
+  /** Tells the key of a node of the program whose place or way people click. */
+  void onNode(LongConsumer listener) {
+    picture.onNode(listener);
   }
 
   /** Shows the features of an installation that are finished. */

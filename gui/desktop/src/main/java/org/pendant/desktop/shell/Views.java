@@ -114,6 +114,7 @@ final class Views {
           link.beforeRun(document, script);
         });
     program = programScreen(workbench, programs, move, scene);
+    scene.onNode(program::choose);
     program.addBelow(treeBar);
     editor.setValues(
         new HoverValues(debug, () -> past.past().orElseGet(session::state).variables())::of);

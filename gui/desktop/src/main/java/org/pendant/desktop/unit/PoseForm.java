@@ -58,4 +58,15 @@ public record PoseForm(DisplayUnit length, DisplayUnit angle, RotationForm rotat
     }
     return texts;
   }
+
+  /** The place in one line and the rotation in the next. */
+  public String words(Pose pose) {
+    List<String> texts = readings(pose);
+    List<String> names = labels();
+    StringBuilder turn = new StringBuilder();
+    for (int i = 3; i < texts.size(); i++) {
+      turn.append(i == 3 ? "" : ", ").append(names.get(i)).append(' ').append(texts.get(i));
+    }
+    return place(pose) + "\n" + turn;
+  }
 }

@@ -1,6 +1,7 @@
 package org.pendant.desktop.program;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.desktop.program.Trees.move;
 import static org.pendant.desktop.program.Trees.place;
 import static org.pendant.desktop.program.Trees.waypoint;
@@ -19,12 +20,22 @@ final class ProgramPlacesTest {
           .withWaypoint("A", place(1))
           .withWaypoint("B", place(2));
 
+  private static List<List<Integer>> numbers(WaypointMarkers marks) {
+    return marks.ways().stream()
+        .map(way -> way.stream().map(WaypointMarkers.Stop::mark).toList())
+        .toList();
+  }
+
   @Test
   void eachPlaceIsMarkedOnceAndGoneToInOrder() {
     WaypointMarkers marks = ProgramPlaces.of(tree, Installation.NONE, Set.of(4L));
     assertEquals(
         List.of("A", "B"), marks.marks().stream().map(WaypointMarkers.Mark::name).toList());
-    assertEquals(List.of(List.of(0, 1, 0)), marks.ways());
+    assertEquals(List.of(List.of(0, 1, 0)), numbers(marks));
+    assertEquals(
+        List.of(3L, 4L, 5L),
+        marks.ways().getFirst().stream().map(WaypointMarkers.Stop::node).toList());
+    assertTrue(marks.ways().getFirst().get(1).chosen());
     assertEquals(
         List.of(false, true), marks.marks().stream().map(WaypointMarkers.Mark::chosen).toList());
   }
@@ -33,6 +44,13 @@ final class ProgramPlacesTest {
   void suppressedNodesAreNotGoneTo() {
     ProgramTree less = tree.withNode(4, node -> node.withSuppressed(true));
     assertEquals(
-        List.of(List.of(0, 0)), ProgramPlaces.of(less, Installation.NONE, Set.of()).ways());
+        List.of(List.of(0, 0)), numbers(ProgramPlaces.of(less, Installation.NONE, Set.of())));
+  }
+
+  @Test
+  void aStopTellsHowItIsGoneTo() {
+    WaypointMarkers.Stop stop =
+        ProgramPlaces.of(tree, Installation.NONE, Set.of()).ways().getFirst().getFirst();
+    assertTrue(stop.how().matches("Move[JLP] at [0-9.]+ (deg|mm)/s"), stop.how());
   }
 }

@@ -53,5 +53,8 @@ final class PoseFormTest {
     assertEquals(
         List.of("450.00 mm", "-300.00 mm", "150.00 mm", "0.00\u00b0", "0.00\u00b0", "90.00\u00b0"),
         RPY.readings(pose));
+    assertEquals(
+        "450.00, -300.00, 150.00 mm\nRoll 0.00\u00b0, Pitch 0.00\u00b0, Yaw 90.00\u00b0",
+        RPY.words(pose));
   }
 }

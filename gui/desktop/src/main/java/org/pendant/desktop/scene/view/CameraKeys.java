@@ -42,6 +42,8 @@ final class CameraKeys {
     for (StandardView direction : StandardView.values()) {
       keys.run(direction.key(), () -> view.look(direction));
     }
+    keys.run("N", () -> view.stepMark(1));
+    keys.run("shift N", () -> view.stepMark(-1));
     keys.run("O", () -> view.setLens(view.lens().other()));
     keys.run("HOME", view::fit);
     keys.run("ENTER", view::zoomToTool);

@@ -6,11 +6,13 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.SceneModel;
@@ -27,8 +29,11 @@ final class SceneOverlay {
   private static final List<String> JOINT_FRAMES =
       List.of("J1", "J2", "J3", "J4", "J5", "J6, flange");
 
-  /** With more of them names would cover the picture. */
-  private static final int MAX_PLACE_NAMES = 15;
+  /** Of more of them few would have room. */
+  private static final int MAX_PLACE_NAMES = 60;
+
+  /** Points that are no farther apart share a name. */
+  private static final double SAME_PLACE_EM = 0.3;
 
   private static final int MIN_WIDTH_FOR_LEGEND = 150;
   private static final double NEAR_POINTER_EM = 1.2;
@@ -55,18 +60,17 @@ final class SceneOverlay {
 
   /** The colours of the trace and what they mean; nothing while there is no trace. */
   void legend(SceneModel model) {
-    if (model.trace().size() < 2 || width < MIN_WIDTH_FOR_LEGEND) {
+    Optional<Rectangle2D> box = legendBox(model);
+    if (box.isEmpty()) {
       return;
     }
-    int bar = Math.min(11 * em, width - 5 * em);
-    int thick = Math.max(4, em / 2);
+    plate(box.get().getX(), box.get().getY(), box.get().getWidth(), box.get().getHeight());
+    int bar = legendBar();
+    int thick = legendThickness();
     int left = em;
     int bottom = height - em;
     double mostMmPerS = 1000 * model.trace().scaleMPerS();
-    String most = number(mostMmPerS) + " mm/s";
-    int wide = bar - em / 2 + metrics.stringWidth(most) / 2;
-    int high = thick + metrics.getHeight() + em / 2;
-    plate(left - em / 2.0, bottom - high, wide + em, high + em / 2.0);
+    String most = mostText(model);
     int top = bottom - thick - metrics.getHeight();
     for (int x = 0; x < bar; x++) {
       double place = (x + 0.5) / bar;
@@ -80,6 +84,28 @@ final class SceneOverlay {
     centred(most, left + bar - em / 2.0, base);
   }
 
+  private int legendBar() {
+    return Math.min(11 * em, width - 5 * em);
+  }
+
+  private int legendThickness() {
+    return Math.max(4, em / 2);
+  }
+
+  private static String mostText(SceneModel model) {
+    return number(1000 * model.trace().scaleMPerS()) + " mm/s";
+  }
+
+  private Optional<Rectangle2D> legendBox(SceneModel model) {
+    if (model.trace().size() < 2 || width < MIN_WIDTH_FOR_LEGEND) {
+      return Optional.empty();
+    }
+    int wide = legendBar() - em / 2 + metrics.stringWidth(mostText(model)) / 2;
+    int high = legendThickness() + metrics.getHeight() + em / 2;
+    return Optional.of(
+        new Rectangle2D.Double(em / 2.0, height - em - high, wide + em, high + em / 2.0));
+  }
+
   private static String number(double mmPerS) {
     return mmPerS < 10 && mmPerS != Math.rint(mmPerS)
         ? String.valueOf(Math.round(10 * mmPerS) / 10.0)
@@ -90,72 +116,117 @@ final class SceneOverlay {
     graphics.drawString(text, (float) (x - metrics.stringWidth(text) / 2.0), base);
   }
 
-  /** Names beside the frames of the joints, where they are drawn. */
-  void frameNames(PictureRequest shown) {
-    Map<Point2D, String> names = new LinkedHashMap<>();
-    List<Pose> frames = shown.model().framesInBase();
-    for (int i = 0; i < frames.size() && i < JOINT_FRAMES.size(); i++) {
-      Pose frame = frames.get(i);
-      String name = JOINT_FRAMES.get(i);
-      shown
-          .camera()
-          .pixel(new Vector3(frame.x(), frame.y(), frame.z()), width, height)
-          .ifPresent(at -> addName(names, at, name));
-    }
-    names.forEach((at, name) -> chip(name, at.getX() + em / 2.0, at.getY() - em));
-  }
-
-  /** Names beside the places that a program goes to; that of a chosen one comes last, on top. */
-  void placeNames(PictureRequest shown) {
+  /** Names beside places and frames, each where it can be read; returns where they stand. */
+  List<LabelPlaces.Placed> names(PictureRequest shown) {
+    List<LabelPlaces.Label> labels = new ArrayList<>();
     List<WaypointMarkers.Mark> marks = shown.model().waypointMarkers().marks();
-    if (marks.size() > MAX_PLACE_NAMES) {
-      marks = marks.stream().filter(WaypointMarkers.Mark::chosen).toList();
-    }
-    Map<Point2D, String> names = new LinkedHashMap<>();
-    for (boolean chosen : new boolean[] {false, true}) {
-      for (WaypointMarkers.Mark mark : marks) {
-        Pose place = mark.inBase();
-        if (mark.chosen() == chosen) {
-          shown
-              .camera()
-              .pixel(new Vector3(place.x(), place.y(), place.z()), width, height)
-              .ifPresent(at -> addName(names, at, mark.name()));
-        }
+    for (int i = 0; i < marks.size(); i++) {
+      WaypointMarkers.Mark mark = marks.get(i);
+      if (mark.chosen() || i < MAX_PLACE_NAMES) {
+        add(labels, shown, mark.name(), mark.inBase(), i, mark.chosen());
       }
     }
-    names.forEach((at, name) -> chip(name, at.getX() + em / 2.0, at.getY() + 1.5 * em));
+    List<Pose> frames = shown.model().framesInBase();
+    for (int i = 0; i < frames.size() && i < JOINT_FRAMES.size(); i++) {
+      add(labels, shown, JOINT_FRAMES.get(i), frames.get(i), -1, false);
+    }
+    List<LabelPlaces.Placed> placed =
+        LabelPlaces.of(
+            labels,
+            em,
+            chipHeight(1),
+            this::chipWidth,
+            new Rectangle2D.Double(0, 0, width, height),
+            legendBox(shown.model()).stream().toList());
+    placed.stream().filter(LabelPlaces.Placed::apart).forEach(this::line);
+    for (LabelPlaces.Placed each : placed) {
+      chip(each.label().text(), each.box().getX(), each.box().getY());
+    }
+    return placed;
   }
 
-  /** Frames in one place share a plate. */
-  private void addName(Map<Point2D, String> names, Point2D at, String name) {
-    for (Map.Entry<Point2D, String> other : names.entrySet()) {
-      if (other.getKey().distance(at) < em) {
-        other.setValue(other.getValue() + ", " + name);
+  /** Names of one place share a plate. */
+  private void add(
+      List<LabelPlaces.Label> labels,
+      PictureRequest shown,
+      String name,
+      Pose pose,
+      int mark,
+      boolean chosen) {
+    Optional<Point2D> at =
+        shown.camera().pixel(new Vector3(pose.x(), pose.y(), pose.z()), width, height);
+    if (at.isEmpty()) {
+      return;
+    }
+    for (int i = 0; i < labels.size(); i++) {
+      LabelPlaces.Label other = labels.get(i);
+      if (other.at().distance(at.get()) < SAME_PLACE_EM * em) {
+        String both = other.text() + ", " + name;
+        labels.set(
+            i,
+            new LabelPlaces.Label(
+                both, other.at(), chosen ? mark : other.mark(), chosen || other.chosen()));
         return;
       }
     }
-    names.put(at, name);
+    labels.add(new LabelPlaces.Label(name, at.get(), mark, chosen));
   }
 
-  /** The name of what the pointer is on. */
-  void pointed(Optional<Point> pointer, Optional<String> name) {
-    if (pointer.isPresent() && name.isPresent()) {
+  /** From a name to its point. */
+  private void line(LabelPlaces.Placed name) {
+    Point2D point = name.label().at();
+    graphics.setColor(Palette.quiet());
+    graphics.setStroke(new BasicStroke(1));
+    graphics.draw(new Line2D.Double(LabelPlaces.nearest(name.box(), point), point));
+    double dot = em / 6.0;
+    graphics.fill(new Ellipse2D.Double(point.getX() - dot, point.getY() - dot, 2 * dot, 2 * dot));
+  }
+
+  /** Marks a place or a way. */
+  void mark(MarkTarget target) {
+    Color accent = Palette.accent();
+    graphics.setColor(new Color(accent.getRed(), accent.getGreen(), accent.getBlue(), 190));
+    graphics.setStroke(new BasicStroke(em / 4f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    if (target.from().isPresent()) {
+      graphics.draw(new Line2D.Double(target.from().get(), target.at()));
+      return;
+    }
+    double radius = 0.7 * em;
+    graphics.draw(
+        new Ellipse2D.Double(
+            target.at().getX() - radius, target.at().getY() - radius, 2 * radius, 2 * radius));
+  }
+
+  /** What is known of what the pointer is on, in lines. */
+  void pointed(Optional<Point> pointer, Optional<String> words) {
+    if (pointer.isPresent() && words.isPresent()) {
       double x = pointer.get().x + NEAR_POINTER_EM * em;
-      double y = pointer.get().y + 2 * NEAR_POINTER_EM * em;
-      chip(name.get(), x, y);
+      double y = pointer.get().y + NEAR_POINTER_EM * em;
+      int lines = (int) words.get().lines().count();
+      double left = Math.clamp(x, 0, Math.max(0, width - chipWidth(words.get())));
+      double top = Math.clamp(y, 0, Math.max(0, height - chipHeight(lines)));
+      chip(words.get(), left, top);
     }
   }
 
-  /** A short text on a plate, kept inside of the picture; {@code y} is its base line. */
-  private void chip(String text, double x, double y) {
-    double wide = metrics.stringWidth(text) + em;
-    double high = metrics.getHeight() + em / 4.0;
-    double left = Math.clamp(x, 0, Math.max(0, width - wide));
-    double top = Math.clamp(y - metrics.getAscent() - em / 8.0, 0, Math.max(0, height - high));
-    plate(left, top, wide, high);
+  private double chipWidth(String text) {
+    return em + text.lines().mapToInt(metrics::stringWidth).max().orElse(0);
+  }
+
+  private double chipHeight(int lines) {
+    return lines * metrics.getHeight() + em / 4.0;
+  }
+
+  /** A short text on a plate with this corner. */
+  private void chip(String text, double left, double top) {
+    List<String> lines = text.lines().toList();
+    plate(left, top, chipWidth(text), chipHeight(lines.size()));
     graphics.setColor(Palette.dark() ? Color.WHITE : Color.BLACK);
-    graphics.drawString(
-        text, (float) (left + em / 2.0), (float) (top + em / 8.0 + metrics.getAscent()));
+    double base = top + em / 8.0 + metrics.getAscent();
+    for (String each : lines) {
+      graphics.drawString(each, (float) (left + em / 2.0), (float) base);
+      base += metrics.getHeight();
+    }
   }
 
   private void plate(double x, double y, double wide, double high) {

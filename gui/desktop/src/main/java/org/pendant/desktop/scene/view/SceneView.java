@@ -12,6 +12,8 @@ import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
+import java.util.function.LongConsumer;
 import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
 import javax.swing.Timer;
@@ -56,6 +58,7 @@ public final class SceneView extends JPanel {
   private transient Optional<BufferedImage> picture = Optional.empty();
 
   private final transient ArmDrag drag = new ArmDrag(this);
+  private final transient MarkMouse marks = new MarkMouse(this, drag);
   private final transient HoverTracker hover =
       new HoverTracker(this::pick, EventQueue::invokeLater, this::repaint);
   private final Timer rest = Faults.timer(REST_MS, () -> loop.ifPresent(PictureLoop::settle));
@@ -74,13 +77,15 @@ public final class SceneView extends JPanel {
         .setAccessibleDescription(
             "Arrows turn the view, shift and arrows move it, plus and minus zoom, Enter looks at"
                 + " the tool, Home at the whole robot, 1 to 6 from the standard directions, O"
-                + " without perspective");
+                + " without perspective, N chooses the next place of the program");
     addMouseListener(drag);
     addMouseMotionListener(drag);
     CameraMouse mouse = new CameraMouse(this, drag);
     addMouseListener(mouse);
     addMouseMotionListener(mouse);
     addMouseWheelListener(mouse);
+    addMouseListener(marks);
+    addMouseMotionListener(marks);
     addMouseListener(hover);
     addMouseMotionListener(hover);
     CameraKeys.bind(this);
@@ -185,6 +190,21 @@ public final class SceneView extends JPanel {
   public void setHand(ArmHand hand) {
     assert EventQueue.isDispatchThread();
     drag.setHand(hand);
+  }
+
+  /** Tells the key of a node of the program whose place or way people click. */
+  public void onNode(LongConsumer listener) {
+    marks.setListener(listener);
+  }
+
+  /** How people read the pose of a place that the pointer is on, in lines. */
+  public void setPoseWords(Function<Pose, String> words) {
+    marks.setWords(words);
+  }
+
+  /** Chooses the node of the next stop of the program (1), or of the one before (-1). */
+  void stepMark(int by) {
+    marks.step(by);
   }
 
   /** What is on the screen. */
@@ -337,10 +357,11 @@ public final class SceneView extends JPanel {
     }
     Graphics2D own = (Graphics2D) graphics.create();
     SceneOverlay overlay = new SceneOverlay(own, getWidth(), getHeight());
-    overlay.placeNames(drawn.get());
-    overlay.frameNames(drawn.get());
+    marks.finder().ifPresent(finder -> finder.chosenWays().forEach(overlay::mark));
+    marks.target().ifPresent(overlay::mark);
+    marks.setLabels(overlay.names(drawn.get()));
     overlay.legend(drawn.get().model());
-    overlay.pointed(hover.pointer(), hover.name());
+    overlay.pointed(hover.pointer(), marks.target().map(MarkTarget::words).or(hover::name));
     drag.paint(own, drawn.get(), getWidth(), getHeight());
     own.dispose();
   }

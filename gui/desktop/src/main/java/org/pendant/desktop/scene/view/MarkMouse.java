@@ -1,0 +1,108 @@
+package org.pendant.desktop.scene.view;
+
+import java.awt.Cursor;
+import java.awt.Point;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.LongConsumer;
+import javax.swing.SwingUtilities;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Mark mouse: the pointer on places and ways of the program: shows what is known of them, and a
+ * click chooses the node that goes there.
+ */
+final class MarkMouse extends MouseAdapter {
+  private final SceneView view;
+  private final ArmDrag drag;
+  private Function<Pose, String> words = pose -> "";
+  private LongConsumer chosen = node -> {};
+  private List<LabelPlaces.Placed> labels = List.of();
+  private Optional<MarkTarget> target = Optional.empty();
+
+  /**
+   * Nobody listens yet.
+   *
+   * @param drag has the pointer first
+   */
+  MarkMouse(SceneView view, ArmDrag drag) {
+    this.view = view;
+    this.drag = drag;
+  }
+
+  void setWords(Function<Pose, String> ofPose) {
+    words = ofPose;
+  }
+
+  void setListener(LongConsumer listener) {
+    chosen = listener;
+  }
+
+  /** Where names stand since the last painting. */
+  void setLabels(List<LabelPlaces.Placed> placed) {
+    labels = placed;
+  }
+
+  /** What the pointer is on. */
+  Optional<MarkTarget> target() {
+    return target;
+  }
+
+  /** What is seen; empty while nothing is. */
+  Optional<MarkFinder> finder() {
+    return view.drawn()
+        .map(shown -> new MarkFinder(shown, view.getWidth(), view.getHeight(), labels, words));
+  }
+
+  /** Chooses the node of the next stop of the program, or the one before. */
+  void step(int by) {
+    view.drawn()
+        .flatMap(shown -> shown.model().waypointMarkers().stepped(by))
+        .ifPresent(stop -> chosen.accept(stop.node()));
+  }
+
+  private void look(Optional<Point> pointer) {
+    Optional<MarkTarget> now = pointer.flatMap(at -> finder().flatMap(finder -> finder.at(at)));
+    if (!now.equals(target)) {
+      boolean leads = now.filter(each -> each.node() != 0).isPresent();
+      target = now;
+      view.setCursor(
+          Cursor.getPredefinedCursor(leads ? Cursor.HAND_CURSOR : Cursor.DEFAULT_CURSOR));
+      view.repaint();
+    }
+  }
+
+  @Override
+  public void mouseMoved(MouseEvent event) {
+    if (!drag.takesPointer()) {
+      look(Optional.of(event.getPoint()));
+    }
+  }
+
+  @Override
+  public void mouseDragged(MouseEvent event) {
+    if (target.isPresent() && !drag.takesPointer()) {
+      look(Optional.empty());
+    }
+  }
+
+  @Override
+  public void mouseExited(MouseEvent event) {
+    if (!drag.takesPointer()) {
+      look(Optional.empty());
+    }
+  }
+
+  @Override
+  public void mouseClicked(MouseEvent event) {
+    if (event.getClickCount() == 1 && SwingUtilities.isLeftMouseButton(event)) {
+      finder()
+          .flatMap(finder -> finder.at(event.getPoint()))
+          .filter(each -> each.node() != 0)
+          .ifPresent(each -> chosen.accept(each.node()));
+    }
+  }
+}
