@@ -8,6 +8,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
@@ -21,6 +22,9 @@ import org.pendant.project.installation.text.InstallationText;
 
 /** Autosave: keeps unsaved texts in case of a crash, and offers them at the next start. */
 final class Autosave {
+  /** So many names of files that were not saved are told in one question. */
+  private static final int MAX_NAMES = 3;
+
   private final Programs programs;
   private final ActiveInstallation installation;
   private final RecoveryFolder recovery;
@@ -63,17 +67,43 @@ final class Autosave {
   void offerLeftBehind() {
     Background.run(
         recovery::leftBehind,
-        found -> found.forEach(this::offer),
+        this::offer,
         failed ->
             tell.accept(
                 "Texts kept from the last time cannot be read: " + FileTrouble.reason(failed)));
   }
 
+  /** Several are offered together: most people want all of them back. */
+  private void offer(List<RecoveryFolder.LeftBehind> found) {
+    if (found.size() < 2) {
+      found.forEach(this::offer);
+      return;
+    }
+    String names =
+        found.stream().limit(MAX_NAMES).map(Autosave::where).collect(Collectors.joining(", "));
+    int more = found.size() - MAX_NAMES;
+    notices.ask(
+        "recovery",
+        "Pendant ended before "
+            + found.size()
+            + " files were saved: "
+            + names
+            + (more > 0 ? " and " + more + " more" : "")
+            + ".",
+        List.of(
+            new Choice("Restore all", () -> found.forEach(this::restore)),
+            new Choice("One by one", () -> found.forEach(this::offer)),
+            Choice.nothing("Ask next time")));
+  }
+
+  private static String where(RecoveryFolder.LeftBehind left) {
+    return left.file().map(Object::toString).orElse(left.name());
+  }
+
   private void offer(RecoveryFolder.LeftBehind left) {
-    String where = left.file().map(Object::toString).orElse(left.name());
     notices.ask(
         "recovery-" + left.kept().getFileName(),
-        "Pendant ended before " + where + " was saved.",
+        "Pendant ended before " + where(left) + " was saved.",
         List.of(
             new Choice("Restore", () -> restore(left)),
             new Choice("Discard", () -> forget(left)),

@@ -3,6 +3,8 @@ package org.pendant.desktop.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
@@ -11,10 +13,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +32,7 @@ import org.pendant.kit.fault.ReportedFaults;
 final class AutosaveTest {
   @TempDir Path folder;
 
+  private final Notices notices = new Notices();
   private final List<String> told = new ArrayList<>();
 
   @Test
@@ -62,9 +67,73 @@ final class AutosaveTest {
     }
   }
 
+  @Test
+  void severalTextsThatWereLeftBehindAreRestoredTogether() throws Exception {
+    Programs programs = new Programs(ProgramDocument.untitled("new.script", ""));
+    leaveBehind(1, "first.script", "lost = 1\n");
+    leaveBehind(2, "second.script", "lost = 2\n");
+    Autosave autosave = keeper(programs, folder);
+    DispatchThread.run(autosave::offerLeftBehind);
+    DispatchThread.await(() -> notices.shows("recovery"));
+    DispatchThread.run(() -> choose("recovery-restore-all"));
+    DispatchThread.await(
+        () ->
+            Stream.of("lost = 1\n", "lost = 2\n")
+                .allMatch(
+                    text ->
+                        programs.all().stream()
+                            .anyMatch(each -> each.script().text().equals(text))));
+    assertEquals(List.of(), told);
+  }
+
+  @Test
+  void textsThatWereLeftBehindCanBeChosenOneByOne() throws Exception {
+    leaveBehind(1, "first.script", "lost = 1\n");
+    leaveBehind(2, "second.script", "lost = 2\n");
+    Autosave autosave = keeper(new Programs(ProgramDocument.untitled("new.script", "")), folder);
+    DispatchThread.run(autosave::offerLeftBehind);
+    DispatchThread.await(() -> notices.shows("recovery"));
+    DispatchThread.run(() -> choose("recovery-one-by-one"));
+    DispatchThread.await(
+        () -> notices.shows("recovery-0-1.recovery") && notices.shows("recovery-0-2.recovery"));
+  }
+
+  /** As a process does that ends before a text is saved; there has never been one of number 0. */
+  private void leaveBehind(int number, String name, String text) throws IOException {
+    RecoveryFolder own = new RecoveryFolder(folder);
+    own.keep(number, Optional.empty(), name, text);
+    Path kept;
+    try (Stream<Path> files = Files.list(folder)) {
+      kept =
+          files
+              .filter(path -> path.toString().endsWith("-" + number + ".recovery"))
+              .findFirst()
+              .orElseThrow();
+    }
+    String[] lines = Files.readString(kept).split("\n", 3);
+    Files.delete(kept);
+    Files.writeString(folder.resolve("0-" + number + ".recovery"), lines[0] + "\n0 0\n" + lines[2]);
+  }
+
+  private void choose(String button) {
+    find(notices, button).orElseThrow().doClick();
+  }
+
+  private static Optional<JButton> find(Component component, String name) {
+    if (component instanceof JButton button && name.equals(button.getName())) {
+      return Optional.of(button);
+    }
+    return component instanceof Container container
+        ? Stream.of(container.getComponents())
+            .map(each -> find(each, name))
+            .flatMap(Optional::stream)
+            .findFirst()
+        : Optional.empty();
+  }
+
   private Autosave keeper(Programs programs, Path kept) {
     return new Autosave(
-        programs, new ActiveInstallation(), new RecoveryFolder(kept), new Notices(), told::add);
+        programs, new ActiveInstallation(), new RecoveryFolder(kept), notices, told::add);
   }
 
   /** Looks again and again, as the window does. */
