@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -12,6 +14,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The menu bar: where things are, and that they can be seen and used. */
 @Tag("slow")
@@ -19,6 +22,8 @@ final class MenuWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
 
   private final OpenWindow window = sharedWindow.window();
+
+  @TempDir Path folder;
 
   @Test
   void noMenuHasMoreThanFourteenEntries() {
@@ -74,15 +79,37 @@ final class MenuWindowTest {
   @Test
   void checkMarkShowsWhetherADockIsThereAndAClickTurnsItOver() {
     window.click("menu-view");
+    window.click("menu-view-docks");
     assertTrue(window.selected("menu-dock-fold-right"));
     window.click("menu-dock-fold-right");
     window.click("menu-view");
+    window.click("menu-view-docks");
     assertFalse(window.selected("menu-dock-fold-right"));
     window.click("menu-dock-fold-right");
     window.click("menu-view");
+    window.click("menu-view-docks");
     assertTrue(window.selected("menu-dock-fold-right"));
     window.press("ESCAPE");
     window.press("ESCAPE");
+  }
+
+  @Test
+  void programOfNodesIsExportedAfterAListOfWhatNoRobotKnows() {
+    window.perform("Example: stack boxes");
+    window.awaitWords("program-name", "stack_boxes.pendant");
+    window.press("alt F");
+    window.click("menu-file-export");
+    window.click("menu-file-export-urp");
+    window.awaitWords("urp-export-text", "no robot has loaded such a file yet");
+    window.clickText("urp-export", "Export\u2026");
+    window.awaitFocus("save-dialog");
+    Path file = folder.resolve("boxes.urp");
+    window.press("control A");
+    window.type(file + "\n");
+    window.awaitHidden("save-dialog");
+    window.awaitWords("status-text", "Saved " + file);
+    assertTrue(Files.exists(file));
+    window.raise();
   }
 
   @Test

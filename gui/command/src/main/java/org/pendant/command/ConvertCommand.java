@@ -140,14 +140,8 @@ final class ConvertCommand implements Subcommand {
   private static Result urp(TreeFile file, String to, Console console) {
     String name = file.programName();
     ProgramTree tree = file.tree();
-    console.complain(
-        to
-            + ": note: writing .urp is experimental, as its form is not published; no robot has"
-            + " loaded such a file yet");
-    for (String own : UrpPrograms.ownForms(name, tree, file.installation())) {
-      console.complain(
-          to + ": note: " + own + " is written in a form of Pendant's own, which no robot knows");
-    }
+    UrpPrograms.notes(name, tree, file.installation())
+        .forEach(note -> console.complain(to + ": note: " + note));
     return Result.of(UrpPrograms.write(name, tree, file.installation()));
   }
 

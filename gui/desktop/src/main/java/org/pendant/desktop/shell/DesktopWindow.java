@@ -202,6 +202,13 @@ final class DesktopWindow {
 
   private void addActions(ProgramActions programActions) {
     programActions.addFiles(files, programs);
+    new UrpExport(
+            programs,
+            () -> views.installation().current(),
+            notices,
+            docks.component(),
+            status::tell)
+        .addAction(actions);
     installationFiles.addActions(actions);
     actions.add(
         Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));

@@ -1,5 +1,6 @@
 package org.pendant.project.program.urp;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.installation.Installation;
 import org.pendant.project.polyscope.xml.PackedXml;
@@ -52,6 +53,18 @@ public final class UrpPrograms {
    */
   public static byte[] write(String name, ProgramTree tree, Installation installation) {
     return PackedXml.packed(new UrpProgramWriter(name, tree, installation).write());
+  }
+
+  /** What people should know of the file of a program before they take it to a robot. */
+  public static List<String> notes(String name, ProgramTree tree, Installation installation) {
+    List<String> notes = new ArrayList<>();
+    notes.add(
+        "writing .urp is experimental, as its form is not published; no robot has loaded such a"
+            + " file yet");
+    for (String own : ownForms(name, tree, installation)) {
+      notes.add(own + " is written in a form of Pendant's own, which no robot knows");
+    }
+    return List.copyOf(notes);
   }
 
   /**
