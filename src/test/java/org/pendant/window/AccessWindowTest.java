@@ -1,6 +1,7 @@
 package org.pendant.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -46,6 +47,16 @@ final class AccessWindowTest {
     window.press("ENTER");
     window.awaitFocus("key-filter");
     assertEquals("", window.nameless());
+    window.press("ESCAPE");
+    window.awaitHidden("key-filter");
+  }
+
+  @Test
+  void noTwoActionsOfOneScreenHaveTheSameKey() {
+    window.perform("Change keys");
+    window.awaitFocus("key-filter");
+    window.awaitWords("key-table", "Undo in the program");
+    assertFalse(window.words("key-table").contains("conflict"), () -> window.words("key-table"));
     window.press("ESCAPE");
     window.awaitHidden("key-filter");
   }

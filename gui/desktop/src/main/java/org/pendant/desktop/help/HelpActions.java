@@ -57,7 +57,8 @@ public final class HelpActions {
    */
   public void add(Consumer<Runnable> explain, Consumer<Example> open) {
     actions.add(
-        Action.of("help.documentation", "Documentation", "", () -> panel.open(HelpPage.FIRST)));
+        Action.of(
+            "help.documentation", "Help and documentation", "", () -> panel.open(HelpPage.FIRST)));
     actions.add(
         Action.of(
             "help.context",

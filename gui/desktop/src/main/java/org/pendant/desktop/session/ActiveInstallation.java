@@ -78,10 +78,24 @@ public final class ActiveInstallation {
       current = next;
       problem = "";
       writing = true;
-      document.setText(InstallationText.write(next));
+      document.setText(text(next));
       writing = false;
       tell();
     }
+  }
+
+  /** What is on disk may be written another way: who is back there has nothing to save. */
+  private String text(Installation next) {
+    return document
+        .onDisk()
+        .map(SavedProgram::text)
+        .filter(text -> says(text, next))
+        .orElseGet(() -> InstallationText.write(next));
+  }
+
+  private static boolean says(String text, Installation wanted) {
+    ReadInstallation read = InstallationText.read(text);
+    return read.problems().isEmpty() && read.installation().equals(wanted);
   }
 
   /** What the controller was started with, unless a document says just this already. */

@@ -106,6 +106,7 @@ final class DesktopWindow {
     this.programs = programs;
     this.closed = closed;
     actions = new ActionTable(settings);
+    actions.setScreens(List.of("editor", "tree"));
     workbench = new ShellWorkbench(session, actions, settings, status::tell, typing);
     runner = new ProgramRunner(session, programs, this::tellOfProgram, workbench::showSource);
     ProgramActions programActions = new ProgramActions(actions, session, runner);

@@ -43,6 +43,18 @@ final class ActiveInstallationTest {
   }
 
   @Test
+  void whoIsBackAtWhatIsOnDiskHasNothingToSaveHoweverItIsWritten() {
+    String byHand = InstallationText.write(MOVED).replaceFirst("\n", "\n\n");
+    active.open(document(byHand));
+    assertEquals(MOVED, active.current());
+    active.set(Installation.NONE);
+    assertTrue(active.document().modified());
+    active.set(MOVED);
+    assertEquals(byHand, active.document().text());
+    assertFalse(active.document().modified());
+  }
+
+  @Test
   void aTextThatIsNoInstallationChangesNothingAndIsTold() {
     active.open(document(InstallationText.write(MOVED)));
     active.document().setText("pendant installation 1\nnonsense\n");

@@ -24,6 +24,7 @@ public final class ActionTable implements Actions {
   private final Map<String, Action> byId = new LinkedHashMap<>();
   private final Map<String, Supplier<String>> reasons = new HashMap<>();
   private final List<Runnable> listeners = new ArrayList<>();
+  private List<String> screens = List.of();
 
   /** No actions yet. */
   public ActionTable(Settings settings) {
@@ -125,11 +126,27 @@ public final class ActionTable implements Actions {
     tell();
   }
 
-  /** Other actions that are done by this key. */
+  /**
+   * Actions whose ids begin with one of these words are done on a screen of their own each: they
+   * may have the same keys.
+   */
+  public void setScreens(List<String> begins) {
+    screens = List.copyOf(begins);
+  }
+
+  private Optional<String> screen(String id) {
+    return screens.stream().filter(each -> id.startsWith(each + ".")).findFirst();
+  }
+
+  private boolean meet(String one, String other) {
+    return screen(one).isEmpty() || screen(other).isEmpty() || screen(one).equals(screen(other));
+  }
+
+  /** Other actions that are done by this key, where this one is. */
   public List<Action> conflicts(String id, String keys) {
     KeyStroke stroke = KeyStroke.getKeyStroke(keys);
     return byId.values().stream()
-        .filter(each -> !each.id().equals(id))
+        .filter(each -> !each.id().equals(id) && meet(id, each.id()))
         .filter(each -> stroke != null && stroke.equals(strokeOf(each.id()).orElse(null)))
         .toList();
   }

@@ -1,14 +1,16 @@
 package org.pendant.kit.action;
 
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * Fuzzy match: whether the letters of a query occur in a text in their order, and how well: letters
- * at the start of words and letters in a row count more.
+ * Fuzzy match: whether each word of a query is found in a text, as letters in a row or as letters
+ * in a row at the begins of several of its words, and how well: begins and rows count more.
  *
  * @param score higher is better
  */
@@ -17,36 +19,89 @@ public record FuzzyMatch(int score) {
   private static final int IN_A_ROW = 8;
   private static final int WORD_BEGIN = 6;
   private static final int TEXT_BEGIN = 9;
-  private static final int PLACES = 3;
+  private static final int WHOLE = 12;
+  private static final int NONE = Integer.MIN_VALUE;
 
   static Optional<FuzzyMatch> of(String query, String text) {
-    String wanted = query.toLowerCase(Locale.ROOT).replace(" ", "");
+    String wanted = query.strip().toLowerCase(Locale.ROOT);
     String lower = text.toLowerCase(Locale.ROOT);
-    int best = best(wanted, 0, lower, 0, false);
-    return best == Integer.MIN_VALUE ? Optional.empty() : Optional.of(new FuzzyMatch(best));
+    int score = lower.contains(wanted) ? WHOLE : 0;
+    for (String word : wanted.split("\\s+", -1)) {
+      int best = Math.max(row(word, lower), new Begins(word, lower).best(0, 0));
+      if (best == NONE) {
+        return Optional.empty();
+      }
+      score += best;
+    }
+    return Optional.of(new FuzzyMatch(score - text.length() / 8));
   }
 
-  /** The best score of the query from {@code q} on in the text from {@code t} on. */
-  private static int best(String query, int q, String text, int t, boolean row) {
-    if (q == query.length()) {
-      return -text.length() / 8;
-    }
-    int best = Integer.MIN_VALUE;
-    int place = text.indexOf(query.charAt(q), t);
-    // The first few places are enough: texts are short, and this keeps the search small.
-    for (int tries = 0; place >= 0 && tries < PLACES; tries++) {
-      int rest = best(query, q + 1, text, place + 1, true);
-      if (rest != Integer.MIN_VALUE) {
-        int begin = place == 0 ? TEXT_BEGIN : beginsWord(text, place) ? WORD_BEGIN : 0;
-        best = Math.max(best, rest + FOUND + begin + (row && place == t ? IN_A_ROW : 0));
+  /** All letters in a row, anywhere; a single one says too little inside of a word. */
+  private static int row(String word, String text) {
+    int best = NONE;
+    if (word.length() > 1) {
+      for (int at = text.indexOf(word); at >= 0; at = text.indexOf(word, at + 1)) {
+        best = Math.max(best, inRow(text, at, word.length()));
       }
-      place = text.indexOf(query.charAt(q), place + 1);
     }
     return best;
   }
 
+  private static int inRow(String text, int at, int length) {
+    int begin = at == 0 ? TEXT_BEGIN : beginsWord(text, at) ? WORD_BEGIN : 0;
+    return begin + length * FOUND + (length - 1) * IN_A_ROW;
+  }
+
   private static boolean beginsWord(String text, int index) {
     return index == 0 || !Character.isLetterOrDigit(text.charAt(index - 1));
+  }
+
+  /** Letters that go on at the begins of later words, as {@code rupr} for {@code Run program}. */
+  private static final class Begins {
+    private final String word;
+    private final String text;
+    private final Map<Integer, Integer> known = new HashMap<>();
+
+    Begins(String word, String text) {
+      this.word = word;
+      this.text = text;
+    }
+
+    /** The best score of the letters from {@code letter} on in the text from {@code from} on. */
+    int best(int letter, int from) {
+      if (letter == word.length()) {
+        return 0;
+      }
+      int place = letter * (text.length() + 1) + from;
+      Integer before = known.get(place);
+      if (before != null) {
+        return before;
+      }
+      int best = NONE;
+      for (int at = from; at < text.length(); at++) {
+        if (beginsWord(text, at)) {
+          best = Math.max(best, bestAt(letter, at));
+        }
+      }
+      known.put(place, best);
+      return best;
+    }
+
+    /** As {@link #best}, with a row that begins at a place. */
+    private int bestAt(int letter, int at) {
+      int best = NONE;
+      int length = 0;
+      while (letter + length < word.length()
+          && at + length < text.length()
+          && word.charAt(letter + length) == text.charAt(at + length)) {
+        length++;
+        int rest = best(letter + length, at + length);
+        if (rest != NONE) {
+          best = Math.max(best, rest + inRow(text, at, length));
+        }
+      }
+      return best;
+    }
   }
 
   /** Those that match, best first; all in their order for an empty query. */

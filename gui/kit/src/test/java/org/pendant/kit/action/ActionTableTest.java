@@ -142,4 +142,17 @@ final class ActionTableTest {
     KeyStroke stroke = KeyStroke.getKeyStroke("control alt DOWN");
     assertEquals(stroke, KeyStroke.getKeyStroke(KeyText.keys(stroke)));
   }
+
+  @Test
+  void actionsOfDifferentScreensMayHaveTheSameKey() {
+    actions.setScreens(List.of("editor", "tree"));
+    add("editor.undo", "control Z");
+    add("tree.undo", "control Z");
+    assertEquals(List.of(), actions.conflicts("tree.undo", "control Z"));
+    add("run", "control Z");
+    assertEquals(
+        List.of("run"),
+        actions.conflicts("tree.undo", "control Z").stream().map(Action::id).toList());
+    assertEquals(2, actions.conflicts("run", "control Z").size());
+  }
 }

@@ -15,9 +15,31 @@ final class FuzzyMatchTest {
 
   @Test
   void lettersMustOccurInTheirOrder() {
-    assertTrue(FuzzyMatch.of("rnp", "Run program").isPresent());
-    assertEquals(Optional.empty(), FuzzyMatch.of("pnr", "Run program"));
+    assertTrue(FuzzyMatch.of("rupr", "Run program").isPresent());
+    assertEquals(Optional.empty(), FuzzyMatch.of("pr", "Run a"));
+    assertEquals(Optional.empty(), FuzzyMatch.of("prur", "Run program"));
     assertEquals(Optional.empty(), FuzzyMatch.of("x", ""));
+  }
+
+  @Test
+  void lettersThatAreScatteredInWordsAreNoMatch() {
+    assertEquals(Optional.empty(), FuzzyMatch.of("scene", "Switch the controller off and on"));
+    assertEquals(Optional.empty(), FuzzyMatch.of("rnp", "Run program"));
+  }
+
+  @Test
+  void lettersInARowAreFoundInsideOfWordsToo() {
+    assertEquals(
+        List.of("Point out", "Add: Waypoint"), filter("point", "Add: Waypoint", "Point out"));
+    assertEquals(List.of("Next"), filter("n", "Undo", "Next"));
+  }
+
+  @Test
+  void wordsMayComeInAnyOrderAndTheOrderOfTheTextWins() {
+    assertEquals(
+        List.of("Dark colours", "Colours: Dark"),
+        filter("dark colours", "Colours: Dark", "Dark colours"));
+    assertEquals(List.of(), filter("dark light", "Colours: Dark"));
   }
 
   @Test
@@ -30,7 +52,8 @@ final class FuzzyMatchTest {
   @Test
   void beginsOfWordsWinOverLettersInside() {
     assertEquals(
-        List.of("Find program", "Stuff a plan"), filter("fp", "Stuff a plan", "Find program"));
+        List.of("Find program", "Unprotect a file"),
+        filter("pro", "Unprotect a file", "Find program"));
   }
 
   @Test
