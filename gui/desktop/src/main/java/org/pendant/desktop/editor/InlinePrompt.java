@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -82,7 +83,7 @@ final class InlinePrompt {
   /** Says at the field why what stands there will not do. */
   void refuse(String reason) {
     field.putClientProperty("JComponent.outline", "error");
-    complaint.setText("<html><body style=\"width: 240px\">" + reason.replace("<", "&lt;"));
+    complaint.setText("<html><body style=\"width: 240px\">" + Markup.escaped(reason));
     complaint.setVisible(true);
     overlay.show(place, false);
     field.selectAll();

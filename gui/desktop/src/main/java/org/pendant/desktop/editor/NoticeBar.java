@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 
 /** Notice bar: asks something above the text of one program, without stopping the user. */
@@ -27,7 +28,7 @@ final class NoticeBar extends JPanel {
    */
   void ask(String question, Map<String, Runnable> answers) {
     removeAll();
-    JLabel label = new JLabel("<html>" + question.replace("<", "&lt;"));
+    JLabel label = new JLabel("<html>" + Markup.escaped(question));
     add(label, "growx, pushx, wmin 0");
     answers.forEach(
         (title, answer) -> {

@@ -13,6 +13,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.desktop.editor.text.Place;
+import org.pendant.kit.theme.Markup;
 
 /** Places table: places in programs, one a row; ENTER or a double click opens one. */
 @SuppressWarnings("serial") // never written to a stream
@@ -82,7 +83,7 @@ final class PlacesTable extends JTable {
   }
 
   private static String escaped(String text) {
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(" ", "&nbsp;");
+    return Markup.escaped(text).replace(" ", "&nbsp;");
   }
 
   /** The rows. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.pendant.kit.theme.Markup;
 
 /** Markdown, as much of it as the documentation uses, as HTML that a text component can show. */
 final class Markdown {
@@ -45,7 +46,7 @@ final class Markdown {
       if (line.startsWith("```")) {
         break;
       }
-      html.append(escaped(line)).append('\n');
+      html.append(Markup.escaped(line)).append('\n');
     }
     html.append("</pre>\n");
   }
@@ -130,7 +131,7 @@ final class Markdown {
     int end = 0;
     while (code.find()) {
       line.append(marked(text.substring(end, code.start())));
-      line.append("<code>").append(escaped(code.group(1))).append("</code>");
+      line.append("<code>").append(Markup.escaped(code.group(1))).append("</code>");
       end = code.end();
     }
     return links(line.append(marked(text.substring(end))).toString());
@@ -141,11 +142,7 @@ final class Markdown {
   }
 
   private static String marked(String text) {
-    String bold = BOLD.matcher(escaped(text)).replaceAll("<b>$1</b>");
+    String bold = BOLD.matcher(Markup.escaped(text)).replaceAll("<b>$1</b>");
     return ITALIC.matcher(bold).replaceAll("<i>$1</i>");
-  }
-
-  private static String escaped(String text) {
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
   }
 }

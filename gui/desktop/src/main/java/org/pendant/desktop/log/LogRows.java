@@ -13,6 +13,7 @@ import javax.swing.Timer;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.pendant.kit.fault.Faults;
+import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -173,6 +174,12 @@ final class LogRows extends JTable {
     }
   }
 
+  private boolean cut(LogLine line, int column) {
+    int width = getColumnModel().getColumn(column).getWidth();
+    List<String> lines = message.lines(line, getFontMetrics(getFont()), width);
+    return lines.size() == 1 && lines.getFirst().endsWith("\u2026");
+  }
+
   private int messageColumn() {
     for (int i = 0; i < getColumnCount(); i++) {
       if (LogColumn.at(convertColumnIndexToModel(i)) == LogColumn.MESSAGE) {
@@ -206,7 +213,8 @@ final class LogRows extends JTable {
       case CODE -> CodeHelp.of(line.code()).map(CodeHelp::meaning).orElse(null);
       case SEVERITY -> line.severity();
       case THREAD -> line.thread().isEmpty() ? null : line.thread();
-      case TIME, WALL_TIME, SOURCE, MESSAGE -> null;
+      case MESSAGE -> cut(line, column) ? Markup.toolTip(line.text()) : null;
+      case TIME, WALL_TIME, SOURCE -> null;
     };
   }
 }

@@ -7,6 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Actions;
+import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 
 /** Empty pane: says what will be here while the program in front is a script. */
@@ -36,7 +37,7 @@ final class EmptyPane extends JPanel {
     text.setForeground(Palette.quiet());
     text.setText(
         "<html><center>"
-            + name.replace("<", "&lt;")
+            + Markup.escaped(name)
             + " is a script. Programs made of nodes are shown here.");
   }
 }

@@ -1,5 +1,6 @@
 package org.pendant.desktop.editor.text;
 
+import org.pendant.kit.theme.Markup;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.Hover;
 import org.pendant.language.service.Quantity;
@@ -111,6 +112,6 @@ public final class RichText {
   }
 
   private static String escaped(String text) {
-    return ByteText.decoded(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+    return Markup.escaped(ByteText.decoded(text));
   }
 }
