@@ -7,6 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.form.RemarkSpace;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
@@ -47,7 +48,7 @@ final class FrameCard {
     offer(Map.of());
     card.add(features, "growx");
     card.add(fields.component(), "grow");
-    card.add(problem, Remark.LAYOUT);
+    card.add(new RemarkSpace(1, problem), Remark.LAYOUT);
     card.add(row, "grow, gaptop 4");
     card.setVisible(false);
   }

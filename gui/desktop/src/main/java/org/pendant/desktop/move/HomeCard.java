@@ -11,6 +11,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.form.RemarkSpace;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
@@ -42,7 +43,7 @@ final class HomeCard {
         standard, "move-standard-home", "Home is where a robot is when it is switched on");
     standard.addActionListener(event -> presenter.home().set(BoxSetup.START_RAD));
     card.add(grid(), "grow");
-    card.add(problem, Remark.LAYOUT);
+    card.add(new RemarkSpace(1, problem), Remark.LAYOUT);
     card.add(row(go, here), "grow, gaptop 4");
     card.add(row(set, reset, standard), "grow");
   }

@@ -8,6 +8,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.form.RemarkSpace;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
@@ -36,7 +37,7 @@ final class PayloadCard {
     card.add(quiet("X, Y, Z: centre of gravity, in the flange"));
     card.add(grid(ToolPresenter.INERTIA, LABELS.size()), "grow, gaptop 8");
     card.add(quiet("Inertia about it, along the axes of the flange"));
-    card.add(problem, Remark.LAYOUT);
+    card.add(new RemarkSpace(1, problem), Remark.LAYOUT);
     TitledCard.compact(set, reset);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
     row.setOpaque(false);

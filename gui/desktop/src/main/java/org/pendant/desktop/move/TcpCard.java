@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.form.RemarkSpace;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
@@ -53,7 +54,7 @@ final class TcpCard {
     forget.addActionListener(event -> tool.named().forget(name.getText().strip()));
     card.add(names(), "grow");
     card.add(fields.component(), "grow, gaptop 4");
-    card.add(problem, Remark.LAYOUT);
+    card.add(new RemarkSpace(1, problem), Remark.LAYOUT);
     card.add(buttons(), "grow, gaptop 4");
     showNames(List.of());
   }
