@@ -1,7 +1,9 @@
 package org.pendant.desktop.shell;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import javax.swing.AbstractButton;
@@ -12,9 +14,10 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JToggleButton;
+import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
-import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Palette;
 
 /**
@@ -26,11 +29,12 @@ final class SceneBar extends JPanel {
 
   private final transient Actions actions;
   private final transient List<Runnable> states = new ArrayList<>();
+  private final transient Map<String, Squeeze.Part> spares = new HashMap<>();
   private final JButton more = new JButton("More \u25BE");
   private final JPopupMenu menu = new JPopupMenu();
 
   SceneBar(Actions actions) {
-    super(new WrappingRow(2));
+    super(new MigLayout("insets 2 4 2 4, gap 2, hidemode 3"));
     this.actions = actions;
     setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     more.setToolTipText("More to see, and the picture as a file");
@@ -44,6 +48,9 @@ final class SceneBar extends JPanel {
     JButton button = new JButton(title);
     button.addActionListener(event -> run.run());
     add(described(button, id, describes, key));
+    JMenuItem item = new JMenuItem(title);
+    item.addActionListener(event -> run.run());
+    spare(button, item);
   }
 
   /** A button that is on or off. */
@@ -60,6 +67,24 @@ final class SceneBar extends JPanel {
     button.addActionListener(event -> set.accept(button.isSelected()));
     states.add(() -> button.setSelected(on.getAsBoolean()));
     add(described(button, id, describes, key));
+    JCheckBoxMenuItem item = new JCheckBoxMenuItem(title);
+    item.addActionListener(event -> set.accept(item.isSelected()));
+    states.add(() -> item.setSelected(on.getAsBoolean()));
+    spare(button, item);
+  }
+
+  /** What has no room in the bar is in the menu. */
+  private void spare(AbstractButton button, JMenuItem item) {
+    item.setName(button.getName() + "-item");
+    item.setToolTipText(button.getToolTipText());
+    item.setVisible(false);
+    menu.add(item);
+    spares.put(
+        button.getName(),
+        whole -> {
+          button.setVisible(whole);
+          item.setVisible(!whole);
+        });
   }
 
   private static AbstractButton described(
@@ -101,9 +126,16 @@ final class SceneBar extends JPanel {
     return title.substring(0, 1).toLowerCase(java.util.Locale.ROOT) + title.substring(1);
   }
 
-  /** Nothing more is added. */
-  SceneBar done() {
+  /**
+   * Nothing more is added.
+   *
+   * @param spared the ids of what goes to the menu where there is little room, the first one first
+   */
+  SceneBar done(List<String> spared) {
     add(more);
+    Squeeze squeeze =
+        new Squeeze(this, spared.stream().map(id -> spares.get(id.replace('.', '-'))).toList());
+    squeeze.fitLater();
     refresh();
     return this;
   }

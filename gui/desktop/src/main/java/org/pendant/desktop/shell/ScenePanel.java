@@ -51,6 +51,19 @@ import org.pendant.models.pose.Pose;
 
 /** Scene panel: the arm in 3D, what is around it, and where its tool has been. */
 final class ScenePanel implements View, GhostArm {
+  /** What goes to the menu of the bar in a narrow dock, the first one first. */
+  private static final List<String> SPARED =
+      List.of(
+          "scene.back",
+          "scene.right",
+          "scene.left",
+          "scene.ortho",
+          "scene.frames",
+          "scene.front",
+          "scene.top",
+          "scene.tool",
+          "scene.drag");
+
   /** Points of the tool's way that are remembered: a minute of steady motion. */
   private static final int TRACE_POINTS = 2000;
 
@@ -159,7 +172,7 @@ final class ScenePanel implements View, GhostArm {
         shows::setFeatures);
     buttons.item("scene.clear", "Forget where the tool was", trace::clear);
     buttons.item("scene.save", "Save the picture\u2026", this::save);
-    return buttons.done();
+    return buttons.done(SPARED);
   }
 
   @Override
