@@ -3,16 +3,22 @@ package org.pendant.window;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The debug bar, and the script that follows the program. */
 @Tag("slow")
 final class DebugWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
+
+  @TempDir private static Path folder;
 
   private final OpenWindow window = sharedWindow.window();
 
@@ -67,6 +73,30 @@ final class DebugWindowTest {
     window.awaitWords("program-state", "stopped");
     window.press("F5");
     window.await("the next start follows again", () -> window.selected("script-follow"));
+    window.press("shift F5");
+    window.awaitWords("program-state", "stopped");
+  }
+
+  @Test
+  void aLoopOfNodesThatNeverWaitsIsToldAtItsNodeAndWhileItRuns() throws IOException {
+    Path file = folder.resolve("busy.pendant");
+    Files.writeString(
+        file,
+        """
+        pendant program 1
+        main
+          loop rule=forever
+            if condition="get_standard_digital_in(7)"
+              script-line code="textmsg(1)"
+        """);
+    window.open(file);
+    window.click("rail-program");
+    window.awaitWords("program-tree", "warning: this loop never ends and never waits");
+    window.perform("Show Problems");
+    window.awaitWords("problems-table", "never waits");
+    window.press("F5");
+    window.awaitWords(
+        "status-text", "The program never waits, so robot time crawls: it is at node");
     window.press("shift F5");
     window.awaitWords("program-state", "stopped");
   }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ThreadSnapshot;
 
 /** Steps of a thread, and other ways to be held. */
 class SteppingTest {
@@ -389,5 +390,23 @@ class SteppingTest {
   void withoutTheWishForItAFailingProgramJustEnds() {
     fixture.start("def prog():\n  x = 1\n  x = x / (x - 1)\nend\n").go();
     assertInstanceOf(Ending.Failed.class, fixture.ending());
+  }
+
+  @Test
+  void aThreadThatNeverWaitsIsKnown() {
+    DebugFixture spins = new DebugFixture();
+    spins.start("def prog():\n  i = 0\n  while True:\n    i = 1 - i\n  end\nend\n").advance(20);
+    assertEquals(List.of(), spins.debugger.busyThreads(30));
+    spins.advance(20);
+    List<ThreadSnapshot> busy = spins.debugger.busyThreads(30);
+    assertEquals(List.of(0), busy.stream().map(ThreadSnapshot::id).toList());
+    assertEquals(4, busy.getFirst().line(), "in the loop, not before it");
+  }
+
+  @Test
+  void aThreadThatWaitsAtTimesIsNotBusy() {
+    DebugFixture waits = new DebugFixture();
+    waits.start("def prog():\n  while True:\n    sync()\n  end\nend\n").advance(40);
+    assertEquals(List.of(), waits.debugger.busyThreads(2));
   }
 }

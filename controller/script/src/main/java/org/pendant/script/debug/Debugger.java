@@ -209,6 +209,13 @@ public final class Debugger {
     return probe.threads();
   }
 
+  /**
+   * Where those threads are that have computed for the last {@code frames} frames without waiting.
+   */
+  public List<ThreadSnapshot> busyThreads(int frames) {
+    return probe.busyThreads(frames);
+  }
+
   /** Parameters and local variables of a call. */
   public List<Variable> variables(int thread, int depth) {
     return Variables.of(probe.variables(thread, depth));

@@ -106,6 +106,28 @@ public final class ProgramProbe {
     return snapshots;
   }
 
+  /** Those threads that have not waited for anything in the last {@code frames} frames. */
+  public List<ThreadSnapshot> busyThreads(int frames) {
+    List<ThreadSnapshot> busy = new ArrayList<>();
+    machine
+        .run()
+        .ifPresent(
+            run ->
+                run.threads().stream()
+                    .filter(thread -> thread.busyFrames >= frames)
+                    .forEach(thread -> busy.add(ahead(run, thread))));
+    return busy;
+  }
+
+  /** A thread that was stopped by the end of its slice stands before what it continues with. */
+  private static ThreadSnapshot ahead(ProgramRun run, ScriptThread thread) {
+    ThreadSnapshot snapshot = snapshot(run, thread);
+    int top = thread.depth - 1;
+    List<ThreadSnapshot.Level> stack = new ArrayList<>(snapshot.stack());
+    stack.set(0, level(thread, top, thread.pcs[top]));
+    return new ThreadSnapshot(snapshot.id(), snapshot.name(), snapshot.waitsFor(), stack);
+  }
+
   /** One thread. */
   public ThreadSnapshot snapshot(int thread) {
     return snapshot(run(), thread(thread));
@@ -114,15 +136,14 @@ public final class ProgramProbe {
   private static ThreadSnapshot snapshot(ProgramRun run, ScriptThread thread) {
     List<ThreadSnapshot.Level> stack = new ArrayList<>();
     for (int i = thread.depth - 1; i >= 0; i--) {
-      stack.add(level(thread, i));
+      stack.add(level(thread, i, thread.reached(i)));
     }
     return new ThreadSnapshot(
         thread.id(), thread.functions[0].name(), waitsFor(run, thread), stack);
   }
 
-  private static ThreadSnapshot.Level level(ScriptThread thread, int index) {
+  private static ThreadSnapshot.Level level(ScriptThread thread, int index, int pc) {
     ScriptFunction function = thread.functions[index];
-    int pc = thread.reached(index);
     StatementTable statements = function.statements();
     int statement = statements.beginningAt(pc);
     boolean next = thread.trapped && index == thread.depth - 1 && statement >= 0;

@@ -123,6 +123,7 @@ final class Scheduler {
       ScriptThread thread = order.get(i);
       thread.deferred = false;
       thread.waking = thread.state != ScriptThread.State.RUNNABLE;
+      thread.busyFrames = thread.waking ? 0 : thread.busyFrames + 1;
       if (!thread.waking || thread.debtNs > 0) {
         computing++;
       }

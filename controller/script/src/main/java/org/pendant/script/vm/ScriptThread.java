@@ -38,6 +38,9 @@ final class ScriptThread {
   /** The thread whose end this one waits for. */
   Optional<ScriptThread> joined = Optional.empty();
 
+  /** Frames in a row that it began without having waited in the one before. */
+  int busyFrames;
+
   boolean critical;
 
   /** Stopped at a trap: the instruction pointer stands before the statement that comes next. */

@@ -28,6 +28,7 @@ public final class DebugPresenter {
   private final OpenBreakpoints breakpoints;
   private final Stepping steps;
   private final ThreadWatch running;
+  private final BusyWatch busy;
   private final StartedProgram started = new StartedProgram();
   private final HeldProgram held = new HeldProgram(started);
   private final ValueTree variables;
@@ -53,6 +54,7 @@ public final class DebugPresenter {
     breakpoints = new OpenBreakpoints(link, programs, started, workbench::notify);
     steps = new Stepping(link, started::toRun, workbench::notify);
     running = new ThreadWatch(link, () -> System.nanoTime() / 1_000_000, this::tellListeners);
+    busy = new BusyWatch(link, () -> System.nanoTime() / 1_000_000);
     variables = new ValueTree(link, DebugPresenter::readVariables, this::reloadValues);
     watches = new Watches(workbench.settings());
     watchTree =
@@ -161,6 +163,16 @@ public final class DebugPresenter {
   /** Has the threads of a program that runs looked at, now and then. */
   public void lookAtThreads() {
     running.refresh(program, held());
+  }
+
+  /** Looks, now and then, whether the program that runs waits at times. */
+  public void lookForBusyThreads() {
+    busy.refresh(runsFree());
+  }
+
+  /** A thread that has not waited for a second of robot time, as seen last. */
+  public Optional<ThreadSnapshot> busyThread() {
+    return busy.busy();
   }
 
   /** The line of the present text where a line of the running one is. */

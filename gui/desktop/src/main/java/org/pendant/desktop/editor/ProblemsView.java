@@ -145,10 +145,17 @@ public final class ProblemsView implements View {
   }
 
   private void go() {
-    if (row() >= 0) {
-      workbench.show(ScriptEditor.ID);
-      editor.current().jump(model.at(row()).span());
+    if (row() < 0) {
+      return;
     }
+    Problem problem = model.at(row());
+    if (editor.current().generated() && !editor.component().isShowing()) {
+      // The tree shows the node of the line.
+      workbench.showSource(problem.line(), problem.column());
+      return;
+    }
+    workbench.show(ScriptEditor.ID);
+    editor.current().jump(problem.span());
   }
 
   private void fix() {

@@ -20,7 +20,9 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.Place;
+import org.pendant.desktop.editor.text.Problem;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -226,6 +228,11 @@ public final class ScriptEditor implements View {
   /** Has {@code menu} open beside lines. */
   public void setMarginMenu(MarginMenu menu) {
     marginMenu = menu;
+  }
+
+  /** What the check found in the text of a program, its script for a tree; empty while it runs. */
+  public Optional<List<Problem>> problems(ProgramDocument program) {
+    return editor(program).flatMap(ProgramEditor::analysed).map(AnalysedText::problems);
   }
 
   /** Where people are in the text of a program. */

@@ -5,7 +5,6 @@ import java.awt.CardLayout;
 import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -61,6 +60,7 @@ public final class ProgramView implements View {
   private final TreeProgram.Listener changes = new Changes();
   private Optional<TreeProgram> program = Optional.empty();
   private boolean asText;
+  private Map<Long, List<NodeProblem>> warned = Map.of();
   private boolean follow;
   private boolean fromScript;
   private long followed;
@@ -205,9 +205,8 @@ public final class ProgramView implements View {
     list.setLabels(labels());
     program.ifPresent(
         shown -> {
-          Map<Long, List<NodeProblem>> problems = new HashMap<>();
-          shown.problems().forEach(each -> problems.put(each.key(), shown.problems(each.key())));
-          list.setProblems(problems);
+          warned = link.warnings().of(shown);
+          list.setProblems(link.warnings().with(shown));
           pane.showProblems(shown.problems());
         });
     showForm();
@@ -274,6 +273,9 @@ public final class ProgramView implements View {
       return;
     }
     TreeProgram shown = program.get();
+    if (!link.warnings().of(shown).equals(warned)) {
+      showChecked();
+    }
     TreeMarks marks = link.marks(shown, state);
     list.setMarks(marks);
     if (follow && marks.execution() != 0 && marks.execution() != followed) {

@@ -37,6 +37,7 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
   private final ScriptEditor editor;
   private final DebugPresenter debug;
   private final Consumer<String> tell;
+  private final NodeWarnings warnings;
   private int seenCaret;
   private Optional<ProgramDocument> seenIn = Optional.empty();
   private Function<ProgramDocument, OptionalInt> past = document -> OptionalInt.empty();
@@ -46,6 +47,12 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
     this.editor = editor;
     this.debug = debug;
     this.tell = tell;
+    warnings = new NodeWarnings(editor);
+  }
+
+  /** What the check of scripts warns of, by node. */
+  NodeWarnings warnings() {
+    return warnings;
   }
 
   // --- the script
@@ -178,12 +185,16 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
   private static long nodeAt(TreeProgram program, int line) {
     String text =
         program.script().text().lines().skip(Math.max(0, line - 1)).findFirst().orElse("");
+    long labelled = labelled(program, text);
+    return labelled != 0 ? labelled : key(program.script(), line);
+  }
+
+  /** The node that a line of a script is the label of; 0 for none. */
+  static long labelled(TreeProgram program, String text) {
     Matcher label = LABEL.matcher(text);
     List<ProgramNode> nodes = program.tree().nodes();
-    if (label.find() && Integer.parseInt(label.group(1)) <= nodes.size()) {
-      return nodes.get(Integer.parseInt(label.group(1)) - 1).key();
-    }
-    return key(program.script(), line);
+    boolean found = label.find() && Integer.parseInt(label.group(1)) <= nodes.size();
+    return found ? nodes.get(Integer.parseInt(label.group(1)) - 1).key() : 0;
   }
 
   /** The node where the user has put the caret of the script since the last call. */

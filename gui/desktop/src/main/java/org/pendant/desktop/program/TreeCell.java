@@ -119,7 +119,10 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     }
     looks.problems(shown.key()).stream()
         .findFirst()
-        .ifPresent(problem -> text.append(", not complete: ").append(problem.message()));
+        .ifPresent(
+            problem ->
+                text.append(problem.blocks() ? ", not complete: " : ", warning: ")
+                    .append(problem.message()));
     return text.toString();
   }
 

@@ -67,6 +67,7 @@ final class Views {
   private final EditorLink link;
   private final FileKeeper keeper;
   private final List<DebugBar> debugBars;
+  private final BusyNotice busy;
   private final PortsView ports;
   private final RobotSession session;
   private final Consumer<String> tell;
@@ -116,6 +117,8 @@ final class Views {
     program = programScreen(workbench, programs, move, scene);
     scene.onNode(program::choose);
     program.addBelow(treeBar);
+    busy =
+        new BusyNotice(workbench, debug, line -> runs.node(runner.program(), debug.lineNow(line)));
     editor.setValues(
         new HoverValues(debug, () -> past.past().orElseGet(session::state).variables())::of);
     installation.addListener(
@@ -338,6 +341,7 @@ final class Views {
     }
     Faults.guard(() -> debug.refresh(state));
     debugBars.forEach(each -> Faults.guard(each::refresh));
+    Faults.guard(busy::refresh);
     Faults.guard(
         () -> {
           if (!past.follow(state, log)) {
