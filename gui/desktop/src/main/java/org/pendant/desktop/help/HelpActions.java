@@ -54,8 +54,9 @@ public final class HelpActions {
    *
    * @param explain shows what is known about the name at the caret, or does what it is given
    * @param open opens a copy of an example
+   * @param screen the id of the view in the main area
    */
-  public void add(Consumer<Runnable> explain, Consumer<Example> open) {
+  public void add(Consumer<Runnable> explain, Consumer<Example> open, Supplier<String> screen) {
     actions.add(
         Action.of(
             "help.documentation", "Help and documentation", "", () -> panel.open(HelpPage.FIRST)));
@@ -64,7 +65,7 @@ public final class HelpActions {
             "help.context",
             "Help on the name at the caret",
             "F1",
-            () -> explain.accept(() -> panel.open(HelpPage.FIRST))));
+            () -> explain.accept(() -> panel.open(HelpPage.of(screen.get())))));
     actions.add(
         Action.of("help.shortcuts", "Keyboard shortcuts", "", () -> panel.open(HelpPage.KEYS)));
     for (Example each : Example.all()) {

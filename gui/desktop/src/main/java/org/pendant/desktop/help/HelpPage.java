@@ -19,6 +19,18 @@ record HelpPage(String name, String title) {
   /** Where reading begins. */
   static final HelpPage FIRST = new HelpPage("docs/desktop.md", "The window");
 
+  /** The page about a screen, by the id of its view; the first one where there is none. */
+  static HelpPage of(String screen) {
+    String name =
+        switch (screen) {
+          case "program" -> "docs/program-trees.md";
+          case "script" -> "docs/language.md";
+          case "installation" -> "docs/installations.md";
+          default -> FIRST.name();
+        };
+    return all().stream().filter(each -> each.name().equals(name)).findFirst().orElse(FIRST);
+  }
+
   /** All pages of the list, in its order. */
   static List<HelpPage> all() {
     return List.of(

@@ -238,7 +238,7 @@ final class DesktopWindow {
             StateFolder.of(System.getenv()),
             ConfigurationFolder.of(System.getProperties(), System.getenv()),
             status::tell)
-        .add(views::explain, examples::open);
+        .add(views::explain, examples::open, () -> docks.mainView().orElse(""));
     welcome.addAction();
   }
 

@@ -16,6 +16,13 @@ final class HelpPageTest {
   }
 
   @Test
+  void screensHaveTheirPage() {
+    assertEquals("Programs of nodes", HelpPage.of("program").title());
+    assertEquals("Installations", HelpPage.of("installation").title());
+    assertEquals(HelpPage.FIRST, HelpPage.of("log"));
+  }
+
+  @Test
   void linksAreReadFromWhereThePageIs() {
     HelpPage ports = new HelpPage("docs/protocols/README.md", "Ports");
     assertEquals("docs/protocols/rtde.md", ports.target("rtde.md"));
