@@ -55,6 +55,10 @@ public final class SceneView extends JPanel {
   private transient Optional<SceneModel> model = Optional.empty();
   private Lens lens = Lens.PERSPECTIVE;
   private transient Optional<Camera> camera = Optional.empty();
+
+  /** Whether all of the robot was asked for, and nobody has turned to anything else since. */
+  private boolean whole;
+
   private transient Optional<BufferedImage> picture = Optional.empty();
 
   private final transient ArmDrag drag = new ArmDrag(this);
@@ -94,6 +98,9 @@ public final class SceneView extends JPanel {
         new ComponentAdapter() {
           @Override
           public void componentResized(ComponentEvent event) {
+            if (whole) {
+              fit();
+            }
             want();
           }
         });
@@ -114,11 +121,13 @@ public final class SceneView extends JPanel {
   /** Looks at the robot from a standard direction, so that all of it is seen. */
   public void look(StandardView direction) {
     model.ifPresent(
-        shown ->
-            setCamera(
-                Camera.of(direction, SceneBounds.of(shown), aspect())
-                    .through(lens)
-                    .fitted(SceneBounds.of(shown), aspect())));
+        shown -> {
+          setCamera(
+              Camera.of(direction, SceneBounds.of(shown), aspect())
+                  .through(lens)
+                  .fitted(SceneBounds.of(shown), aspect()));
+          whole = true;
+        });
   }
 
   /** How depth is shown. */
@@ -157,6 +166,7 @@ public final class SceneView extends JPanel {
   /** Shows all of the robot, from the same direction. */
   public void fit() {
     model.ifPresent(shown -> change(current -> current.fitted(SceneBounds.of(shown), aspect())));
+    whole = camera.isPresent();
   }
 
   /** Looks at the tool centre point from near by. */
@@ -177,6 +187,7 @@ public final class SceneView extends JPanel {
   /** Looks from there from now on. */
   public void setCamera(Camera next) {
     assert EventQueue.isDispatchThread();
+    whole = false;
     camera = Optional.of(next);
     want();
   }
