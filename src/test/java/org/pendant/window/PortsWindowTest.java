@@ -47,8 +47,13 @@ final class PortsWindowTest {
       window.awaitWords("ports-summary", "1 client");
       window.awaitWords(
           "ports-table", "Primary | " + address.getHostAddress() + ":" + port + " | 1");
+      window.click("rail-script");
+      window.choose("script-tabs", "visitor.script");
+      window.awaitShown("received-bar");
+      window.awaitWords("script-text", "while True:");
       window.press("shift F5");
       window.awaitWords("program-state", "stopped");
+      window.click("rail-run");
     }
     window.click("ports-open");
     window.awaitWords("ports-summary", "Closed");

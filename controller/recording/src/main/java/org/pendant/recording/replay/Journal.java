@@ -7,11 +7,13 @@ import java.util.OptionalLong;
 import java.util.Set;
 import org.pendant.controller.CommandJournal;
 import org.pendant.controller.Controller;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.models.time.FrameTime;
+import org.pendant.script.vm.Program;
 
 /**
  * Journal: every command that has changed a controller since it was switched on, with the place in
@@ -24,6 +26,7 @@ import org.pendant.models.time.FrameTime;
  */
 public final class Journal {
   private static final int CHUNK = 1024;
+  private static final int LOOKED_AT = 10_000;
 
   private final Controller controller;
   private final JournalLimits limits;
@@ -106,6 +109,25 @@ public final class Journal {
             Fingerprint.of(controller.state()));
     // last, so that a reader that sees the number sees the command
     size = count + 1;
+  }
+
+  /**
+   * The program that was started last, if that was among the newest {@value #LOOKED_AT} commands.
+   */
+  public Optional<Program> newestProgram() {
+    int count = size;
+    for (int i = count - 1; i >= Math.max(0, count - LOOKED_AT); i--) {
+      switch (entry(i).command()) {
+        case ProgramCommand.StartProgram start -> {
+          return Optional.of(start.program());
+        }
+        case ProgramCommand.ReplaceProgram replace -> {
+          return Optional.of(replace.program());
+        }
+        default -> {}
+      }
+    }
+    return Optional.empty();
   }
 
   /** How many commands it has. */

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.FakeModbus;
 import org.pendant.controller.external.FakeServer;
@@ -287,6 +288,18 @@ final class RerunRefusalTest {
     Controller controller = new Controller(ControllerOptions.headless());
     controller.advance();
     assertThrows(IllegalArgumentException.class, () -> Journal.of(controller));
+  }
+
+  @Test
+  void theProgramThatWasStartedLastIsKnown() {
+    Play play = new Play(ControllerOptions.headless());
+    assertEquals(Optional.empty(), play.journal.newestProgram());
+    play.start("def first():\n  sleep(0.01)\nend\n").until(20);
+    play.at(
+            30,
+            new ProgramCommand.StartProgram(play.program("def second():\n  sleep(0.01)\nend\n")))
+        .until(40);
+    assertEquals("second", play.journal.newestProgram().orElseThrow().name());
   }
 
   @Test

@@ -2,6 +2,7 @@ package org.pendant.desktop.debug;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -61,10 +62,14 @@ public final class EditorLink implements BreakpointListener {
     openBreakpoints.beforeRun(program, script);
   }
 
-  /** A program that is none of the open ones has started. */
-  public void strangerStarted() {
+  /**
+   * A program that is none of the user's has started.
+   *
+   * @param received its text as it is shown, if it is
+   */
+  public void strangerStarted(Optional<ProgramDocument> received) {
     openBreakpoints.started().ifPresent(program -> editor.setExecution(program, Execution.NONE));
-    openBreakpoints.strangerStarted();
+    openBreakpoints.strangerStarted(received);
   }
 
   /** Shows where the program is. */

@@ -97,7 +97,7 @@ final class HeldProgram {
    */
   int line() {
     return selected
-        .filter(scope -> held() && !started.stranger())
+        .filter(scope -> held() && !started.hidden())
         .flatMap(scope -> thread(scope.thread()).map(each -> level(each, scope.depth())))
         .filter(level -> !level.source().equals("interpreter"))
         .map(level -> started.toNow(level.line()))

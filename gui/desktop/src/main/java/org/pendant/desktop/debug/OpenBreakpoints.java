@@ -205,9 +205,14 @@ public final class OpenBreakpoints {
     }
   }
 
-  /** A program that is none of the open ones has started: no breakpoint is meant for it. */
-  void strangerStarted() {
-    started.startStranger();
+  /**
+   * A program that is none of the user's has started: no breakpoint is meant for it but those in
+   * its own text.
+   *
+   * @param received its text as it is shown, if it is
+   */
+  void strangerStarted(Optional<ProgramDocument> received) {
+    started.startStranger(received);
     send();
     tellListeners();
   }

@@ -27,18 +27,23 @@ final class StartedProgram {
     stranger = false;
   }
 
-  /** A program that is none of the open ones was started; its lines stay as they are. */
-  void startStranger() {
-    document = Optional.empty();
-    script = RunScript.whole(Source.of("", ""));
-    text = "";
-    mapped = "";
+  /**
+   * A program that is none of the user's was started; its lines stay as they are.
+   *
+   * @param received its text as it is shown, if it is
+   */
+  void startStranger(Optional<ProgramDocument> received) {
+    document = received;
+    script = RunScript.whole(received.map(ProgramDocument::source).orElse(Source.of("", "")));
+    text = received.map(ProgramDocument::text).orElse("");
+    mapped = text;
+    lines = LineMap.between(text, text);
     stranger = true;
   }
 
-  /** Whether what was started is none of the open programs. */
-  boolean stranger() {
-    return stranger;
+  /** Whether the text of what was started is not shown. */
+  boolean hidden() {
+    return stranger && document.isEmpty();
   }
 
   Optional<ProgramDocument> document() {

@@ -127,7 +127,7 @@ final class EditorActions {
             PREFIX + id,
             title,
             keys,
-            () -> editor.component().isShowing() && !editor.current().generated(),
+            () -> editor.component().isShowing() && editor.current().editable(),
             () -> run.accept(editor.current())));
   }
 

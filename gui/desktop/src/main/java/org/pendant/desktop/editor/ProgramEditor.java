@@ -113,7 +113,7 @@ final class ProgramEditor extends JPanel {
             hidePopups();
           }
         });
-    area.setEditable(!generated());
+    area.setEditable(editable());
     coming = new TextReturn(area, marks);
     follower = new LineFollower(area, scroll, following);
     area.addHierarchyListener(this::shown);
@@ -128,6 +128,17 @@ final class ProgramEditor extends JPanel {
     JPanel head = new JPanel(new BorderLayout());
     if (generated()) {
       head.add(new GeneratedBar(program, editorHost), BorderLayout.NORTH);
+    } else if (program.received()) {
+      ReceivedBar bar = new ReceivedBar(program, editorHost);
+      head.add(bar, BorderLayout.NORTH);
+      program.addListener(
+          new ProgramDocument.Listener() {
+            @Override
+            public void fileChanged() {
+              bar.look();
+              area.setEditable(editable());
+            }
+          });
     }
     head.add(notice, BorderLayout.SOUTH);
     return head;
@@ -147,6 +158,11 @@ final class ProgramEditor extends JPanel {
             follower.look();
           });
     }
+  }
+
+  /** Whether the text can be changed here. */
+  boolean editable() {
+    return !generated() && !program.received();
   }
 
   /** Whether the text comes from a tree, so that it cannot be changed here. */
@@ -243,7 +259,7 @@ final class ProgramEditor extends JPanel {
 
   /** Opens the menu of quick fixes. */
   void fix() {
-    if (!generated()) {
+    if (editable()) {
       fixes.open();
     }
   }

@@ -28,6 +28,7 @@ public final class ProgramDocument {
   private String savedText;
   private String text;
   private boolean gone;
+  private boolean received;
 
   /** Who wants to know. */
   public interface Listener {
@@ -60,6 +61,13 @@ public final class ProgramDocument {
   /** A program without a file, not modified yet. */
   public static ProgramDocument untitled(String name, String text) {
     return new ProgramDocument(name, Optional.empty(), text, Optional.empty());
+  }
+
+  /** A script that was sent to the controller from outside: it cannot be changed, only saved. */
+  public static ProgramDocument received(String name, String text) {
+    ProgramDocument document = untitled(name, text);
+    document.received = true;
+    return document;
   }
 
   /** A program as it was read. */
@@ -100,6 +108,11 @@ public final class ProgramDocument {
   /** Whether it is a program of PolyScope X, which can be shown and run, but not changed. */
   public boolean readOnly() {
     return onDisk.filter(SavedProgram::readOnly).isPresent();
+  }
+
+  /** Whether it was sent to the controller from outside and has not been saved since. */
+  public boolean received() {
+    return received;
   }
 
   /**
@@ -147,7 +160,7 @@ public final class ProgramDocument {
 
   /** Whether the text is another one than on disk, or is on disk no more. */
   public boolean modified() {
-    return gone || !text.equals(savedText);
+    return !received && (gone || !text.equals(savedText));
   }
 
   /** Its file is on disk no more, so that the text is all there is. */
@@ -196,6 +209,7 @@ public final class ProgramDocument {
     onDisk = Optional.of(file);
     savedText = file.text();
     gone = false;
+    received = false;
     tellFileChanged();
   }
 

@@ -42,6 +42,14 @@ public final class Programs {
         .findFirst();
   }
 
+  /** Opens a program behind the current one. */
+  public void open(ProgramDocument program) {
+    if (!open.contains(program)) {
+      open.add(program);
+      tell();
+    }
+  }
+
   /** Makes a program the current one, opening it if it is not open. */
   public void select(ProgramDocument program) {
     if (current != program) {

@@ -110,6 +110,11 @@ public final class RobotSession implements AutoCloseable {
     return origin.strangers();
   }
 
+  /** The text of the program that was started last; empty if it is not known any more. */
+  public Optional<Source> startedSource() {
+    return driven.journal().newestProgram().map(Program::source);
+  }
+
   /** Whether the program that runs, or ran last, came from others. */
   public boolean strangerLast() {
     return origin.strangerLast();

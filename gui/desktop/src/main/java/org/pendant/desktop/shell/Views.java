@@ -75,6 +75,7 @@ final class Views {
   private final StartChoice start;
   private final PastViews past;
   private TreeRuns runs;
+  private final ReceivedProgram received;
   private long strangers;
 
   /**
@@ -94,6 +95,7 @@ final class Views {
             workbench,
             new DesktopPorts(
                 session, StateFolder.of(System.getenv()).resolve("desktop"), this::visited));
+    received = new ReceivedProgram(programs);
     debug = new DebugPresenter(workbench, programs);
     keeper = new FileKeeper(workbench.settings(), programs, editor, debug.breakpoints());
     link = new EditorLink(editor, debug, programs);
@@ -246,7 +248,7 @@ final class Views {
   /** What starts next is none of the open programs. */
   private void forgetRun() {
     runner.forget();
-    link.strangerStarted();
+    link.strangerStarted(Optional.empty());
   }
 
   /** What is asked before a program starts. */
@@ -302,11 +304,12 @@ final class Views {
 
   /** Shows a line of the program that was started last, whichever is in front. */
   private void showStarted(ShellWorkbench workbench, Programs programs, int line) {
-    if (runner.program().isEmpty() && session.strangerLast()) {
+    Optional<ProgramDocument> started = runner.program().or(received::shown);
+    if (started.isEmpty() && session.strangerLast()) {
       workbench.notify("Line " + line + " is in a program that was sent from outside");
       return;
     }
-    runner.program().ifPresent(programs::select);
+    started.ifPresent(programs::select);
     workbench.showSource(debug.lineNow(line), 1);
   }
 
@@ -337,7 +340,7 @@ final class Views {
     if (session.strangersStarted() != strangers) {
       strangers = session.strangersStarted();
       runner.forget();
-      link.strangerStarted();
+      link.strangerStarted(received.show(session.startedSource()));
     }
     Faults.guard(() -> debug.refresh(state));
     debugBars.forEach(each -> Faults.guard(each::refresh));

@@ -1,6 +1,7 @@
 package org.pendant.desktop.debug;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
@@ -85,7 +86,7 @@ final class DebugFixture {
 
   /** Others start a program of their own, which runs until it is held or has ended. */
   void runStranger(String... lines) {
-    debug.breakpoints().strangerStarted();
+    debug.breakpoints().strangerStarted(Optional.empty());
     Source source = Source.of("stranger", String.join("\n", lines) + "\n");
     var _ =
         submit(new ProgramCommand.StartProgram(controller.load(source).program().orElseThrow()));
