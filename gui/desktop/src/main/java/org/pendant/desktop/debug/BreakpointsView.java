@@ -2,6 +2,8 @@ package org.pendant.desktop.debug;
 
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Optional;
@@ -68,7 +70,10 @@ public final class BreakpointsView implements View {
             openBreakpoints::source);
     table = new JTable(rows);
     setUpTable();
-    list = new DebugPanel("breakpoints-content", new JScrollPane(table));
+    JScrollPane scroll = new JScrollPane(table);
+    // What is refused takes room from the row that is edited.
+    scroll.getViewport().addComponentListener(new Shrinking());
+    list = new DebugPanel("breakpoints-content", scroll);
     panel.setName("breakpoints");
     panel.add(buttons(), BorderLayout.NORTH);
     panel.add(list);
@@ -189,6 +194,7 @@ public final class BreakpointsView implements View {
 
   private void edit(int row, int column) {
     if (row >= 0 && table.editCellAt(row, column)) {
+      table.scrollRectToVisible(table.getCellRect(row, column, true));
       table.getEditorComponent().requestFocusInWindow();
     }
   }
@@ -274,5 +280,16 @@ public final class BreakpointsView implements View {
   @Override
   public void refresh(ControllerState state) {
     debug.refresh(state);
+  }
+
+  /** Keeps the row that is edited in sight. */
+  private final class Shrinking extends ComponentAdapter {
+    @Override
+    public void componentResized(ComponentEvent event) {
+      if (table.isEditing()) {
+        table.scrollRectToVisible(
+            table.getCellRect(table.getEditingRow(), table.getEditingColumn(), true));
+      }
+    }
   }
 }
