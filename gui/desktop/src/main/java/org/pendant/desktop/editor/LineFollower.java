@@ -13,12 +13,15 @@ import org.fife.ui.rsyntaxtextarea.folding.FoldManager;
 final class LineFollower {
   private final ScriptArea area;
   private final FollowSwitch following;
+  private final JScrollPane scroll;
   private int line;
+  private int height;
   private boolean revealing;
 
   LineFollower(ScriptArea area, JScrollPane scroll, FollowSwitch following) {
     this.area = area;
     this.following = following;
+    this.scroll = scroll;
     scroll.addMouseWheelListener(event -> scrolled());
     scroll
         .getVerticalScrollBar()
@@ -70,6 +73,12 @@ final class LineFollower {
   }
 
   private void moved() {
+    if (scroll.getViewport().getHeight() != height) {
+      // Something beside the text has opened or closed.
+      height = scroll.getViewport().getHeight();
+      look();
+      return;
+    }
     boolean there = line > 0 && line <= area.getLineCount() && area.isShowing();
     if (!revealing && there && !inSight(line)) {
       following.left();

@@ -377,6 +377,13 @@ final class ScriptEditorTest {
         });
     EventQueue.invokeAndWait(() -> window.editor().setExecution(program, Execution.running(200)));
     EventQueue.invokeAndWait(() -> assertTrue(inSight(200)));
+    EventQueue.invokeAndWait(() -> window.frame().setSize(1200, 500));
+    EventQueue.invokeAndWait(() -> window.frame().validate());
+    EventQueue.invokeAndWait(
+        () -> {
+          assertTrue(window.editor().follows(), "a smaller window is no scrolling");
+          assertTrue(inSight(200));
+        });
     EventQueue.invokeAndWait(() -> area.scrollRectToVisible(new Rectangle(0, 0, 1, 1)));
     EventQueue.invokeAndWait(
         () -> {
