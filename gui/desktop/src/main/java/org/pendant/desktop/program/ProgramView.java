@@ -3,8 +3,6 @@ package org.pendant.desktop.program;
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
-import java.awt.event.KeyEvent;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -45,7 +43,7 @@ public final class ProgramView implements View {
   private final ScriptLink link;
   private final Consumer<WaypointMarkers> scene;
   private final CardLayout cards = new CardLayout();
-  private final JPanel content = new Content();
+  private final JPanel content = new KeyedPanel(this::perform);
   private final TreeList list = new TreeList();
   private final TreeCommands commands;
   private final ProgramHost host;
@@ -87,7 +85,7 @@ public final class ProgramView implements View {
     this.link = link;
     this.scene = scene;
     follow = workbench.settings().get(FOLLOW).map(Boolean::parseBoolean).orElse(true);
-    commands = new TreeCommands(new Chosen(), new SystemClipboard(), workbench::notify);
+    commands = new TreeCommands(new ListSelection(list), new SystemClipboard(), workbench::notify);
     host =
         new ProgramHost(
             workbench,
@@ -480,6 +478,10 @@ public final class ProgramView implements View {
     }
   }
 
+  private boolean perform(KeyStroke stroke) {
+    return !asText && TreeActions.perform(workbench.actions(), stroke, keysMeanTree());
+  }
+
   /** Whether the running node is kept in sight. */
   boolean follows() {
     return follow;
@@ -489,38 +491,5 @@ public final class ProgramView implements View {
     follow = !follow;
     workbench.settings().put(FOLLOW, String.valueOf(follow));
     pane.showFollow(follow);
-  }
-
-  /** The tree's selection for commands. */
-  private final class Chosen implements TreeCommands.Selection {
-    @Override
-    public Set<Long> selected() {
-      return list.selected();
-    }
-
-    @Override
-    public OptionalLong lead() {
-      return list.lead();
-    }
-
-    @Override
-    public void select(Collection<Long> keys) {
-      list.select(keys);
-    }
-  }
-
-  /** The screen: keys that mean something on it come before those of the window. */
-  @SuppressWarnings("serial") // never written to a stream
-  private final class Content extends JPanel {
-    @Override
-    protected boolean processKeyBinding(
-        KeyStroke stroke, KeyEvent event, int condition, boolean pressed) {
-      if (condition == WHEN_ANCESTOR_OF_FOCUSED_COMPONENT
-          && !asText
-          && TreeActions.perform(workbench.actions(), stroke, keysMeanTree())) {
-        return true;
-      }
-      return super.processKeyBinding(stroke, event, condition, pressed);
-    }
   }
 }
