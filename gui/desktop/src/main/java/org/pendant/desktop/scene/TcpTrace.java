@@ -8,8 +8,11 @@ public final class TcpTrace {
   /** No way at all. */
   public static final TcpTrace EMPTY = new TcpTrace(new float[0], 0, 1);
 
-  /** Numbers of a point: x, y, z, m, and its speed, m/s, below 0 where a new line begins. */
-  static final int STRIDE = 4;
+  /**
+   * Numbers of a point: x, y, z, m, its speed, m/s, below 0 where a new line begins, and the line
+   * of the program.
+   */
+  static final int STRIDE = 5;
 
   /** The oldest points fade, so that none of them vanishes suddenly: this share of all. */
   private static final float FADING_SHARE = 0.35f;
@@ -62,6 +65,16 @@ public final class TcpTrace {
   public float speedShare(int i) {
     float speed = Math.max(points[STRIDE * i + 3], 0);
     return (float) (speed / scaleMPerS);
+  }
+
+  /** Speed on the way to point {@code i}, m/s. */
+  public double speedMPerS(int i) {
+    return Math.max(points[STRIDE * i + 3], 0);
+  }
+
+  /** The line that the program had reached at point {@code i}; 0 without a program. */
+  public int line(int i) {
+    return (int) points[STRIDE * i + 4];
   }
 
   /** How well point {@code i} is still seen: 1, or less, down to 0, as it is about to go. */

@@ -33,9 +33,13 @@ public final class TraceRing {
     ring = new float[TcpTrace.STRIDE * capacity];
   }
 
-  /** Adds where the tool centre point is at a robot time, s, if it has moved. */
-  public void add(ArmState arm, double timeS) {
-    add(arm.actualTcpInBase(), arm.tool().inFlange(), timeS);
+  /**
+   * Adds where the tool centre point is at a robot time, s, if it has moved.
+   *
+   * @param line that the program has reached; 0 without a program
+   */
+  public void add(ArmState arm, double timeS, int line) {
+    add(arm.actualTcpInBase(), arm.tool().inFlange(), timeS, line);
   }
 
   /**
@@ -43,7 +47,7 @@ public final class TraceRing {
    *
    * @param timeS robot time, s
    */
-  void add(Pose tcpInBase, Pose tcpInFlange, double timeS) {
+  void add(Pose tcpInBase, Pose tcpInFlange, double timeS, int line) {
     double stepM =
         Math.sqrt(
             square(tcpInBase.x() - lastX)
@@ -59,6 +63,7 @@ public final class TraceRing {
     ring[at + 1] = (float) tcpInBase.y();
     ring[at + 2] = (float) tcpInBase.z();
     ring[at + 3] = begins ? -1 : (float) (stepM / elapsedS);
+    ring[at + 4] = line;
     count++;
     lastX = tcpInBase.x();
     lastY = tcpInBase.y();

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import javax.imageio.ImageIO;
@@ -205,6 +206,11 @@ final class ScenePanel implements View, GhostArm {
     picture.onNode(listener);
   }
 
+  /** Tells the line of the program at which the tool was where people click. */
+  void onLine(IntConsumer listener) {
+    picture.onLine(listener);
+  }
+
   /** Shows the features of an installation that are finished. */
   void show(List<Feature> installed) {
     List<WaypointMarkers.Mark> marks = new ArrayList<>();
@@ -248,7 +254,7 @@ final class ScenePanel implements View, GhostArm {
     Surroundings around = surroundings(state.arm().description().id());
     ArmState arm = state.arm();
     if (past.get().isEmpty()) {
-      trace.add(arm, state.timeS());
+      trace.add(arm, state.timeS(), state.program().line());
     }
     Seen now =
         new Seen(

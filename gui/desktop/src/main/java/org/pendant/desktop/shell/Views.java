@@ -118,6 +118,7 @@ final class Views {
         });
     program = programScreen(workbench, programs, move, scene);
     scene.onNode(program::choose);
+    scene.onLine(line -> showTraced(workbench, programs, line));
     program.addBelow(treeBar);
     busy =
         new BusyNotice(workbench, debug, line -> runs.node(runner.program(), debug.lineNow(line)));
@@ -311,6 +312,15 @@ final class Views {
     }
     started.ifPresent(programs::select);
     workbench.showSource(debug.lineNow(line), 1);
+  }
+
+  /** Leads to the line at which the tool was somewhere, unless that would take the screen away. */
+  private void showTraced(ShellWorkbench workbench, Programs programs, int line) {
+    if (editor.component().isShowing() || program.component().isShowing()) {
+      showStarted(workbench, programs, line);
+    } else {
+      tell.accept("The tool was there at line " + line + " of the program");
+    }
   }
 
   /** Lets others reach the controller. */

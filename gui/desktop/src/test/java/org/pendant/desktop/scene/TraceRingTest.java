@@ -12,7 +12,7 @@ import org.pendant.models.pose.Pose;
 
 final class TraceRingTest {
   private static void add(TraceRing ring, double x, double timeS) {
-    ring.add(new Pose(x, 0, 0, 0, 0, 0), Pose.ZERO, timeS);
+    ring.add(new Pose(x, 0, 0, 0, 0, 0), Pose.ZERO, timeS, 7);
   }
 
   @Test
@@ -27,6 +27,8 @@ final class TraceRingTest {
     assertEquals(3, trace.size());
     assertEquals(0, trace.x(0));
     assertEquals(0.3f, trace.x(2));
+    assertEquals(7, trace.line(2));
+    assertEquals(0.2, trace.speedMPerS(2), 1e-6);
   }
 
   @Test
@@ -96,7 +98,7 @@ final class TraceRingTest {
     TraceRing ring = new TraceRing(10);
     add(ring, 0, 0);
     add(ring, 0.1, 1);
-    ring.add(new Pose(0.1, 0, -0.2, 0, 0, 0), new Pose(0, 0, 0.2, 0, 0, 0), 1.002);
+    ring.add(new Pose(0.1, 0, -0.2, 0, 0, 0), new Pose(0, 0, 0.2, 0, 0, 0), 1.002, 7);
 
     TcpTrace trace = ring.trace();
 

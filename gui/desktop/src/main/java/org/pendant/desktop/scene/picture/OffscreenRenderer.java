@@ -31,7 +31,7 @@ final class OffscreenRenderer implements PictureRenderer {
 
   @Override
   public void trace(ArmState arm, double timeS) {
-    ring.add(arm, timeS);
+    ring.add(arm, timeS, 0);
   }
 
   @Override

@@ -8,9 +8,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.WaypointMarkers.Mark;
 import org.pendant.desktop.scene.WaypointMarkers.Stop;
+import org.pendant.kit.form.Measure;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -55,7 +57,7 @@ final class MarkFinder {
 
   /** What is at a point. */
   Optional<MarkTarget> at(Point point) {
-    return named(point).or(() -> place(point)).or(() -> way(point));
+    return named(point).or(() -> place(point)).or(() -> way(point)).or(() -> trace(point));
   }
 
   private Optional<MarkTarget> named(Point point) {
@@ -83,7 +85,7 @@ final class MarkFinder {
     Optional<Stop> stop = markers.next(number);
     String how = stop.map(each -> "\n" + each.how()).orElse("");
     String text = mark.name() + "\n" + words.apply(mark.inBase()) + how;
-    return new MarkTarget(text, stop.map(Stop::node).orElse(0L), at, Optional.empty());
+    return new MarkTarget(text, stop.map(Stop::node).orElse(0L), 0, at, Optional.empty());
   }
 
   private Optional<MarkTarget> way(Point point) {
@@ -99,6 +101,28 @@ final class MarkFinder {
       }
     }
     return nearest;
+  }
+
+  /** Where the tool was. */
+  private Optional<MarkTarget> trace(Point point) {
+    TcpTrace trace = shown.model().trace();
+    Optional<MarkTarget> nearest = Optional.empty();
+    double nearestPx = NEAR_LINE_PX;
+    for (int i = 0; i < trace.size(); i++) {
+      Optional<Point2D> at =
+          shown.camera().pixel(new Vector3(trace.x(i), trace.y(i), trace.z(i)), width, height);
+      if (at.isPresent() && at.get().distance(point) < nearestPx) {
+        nearestPx = at.get().distance(point);
+        nearest = Optional.of(target(trace, i, at.get()));
+      }
+    }
+    return nearest;
+  }
+
+  private static MarkTarget target(TcpTrace trace, int i, Point2D at) {
+    String speed = Measure.MILLIMETRE_PER_S.brief(trace.speedMPerS(i)) + " mm/s";
+    String line = trace.line(i) == 0 ? "" : "Line " + trace.line(i) + "\n";
+    return new MarkTarget(line + speed, 0, trace.line(i), at, Optional.empty());
   }
 
   /** The way to the node that is chosen. */
@@ -126,7 +150,7 @@ final class MarkFinder {
   private record Line(String begin, String end, Stop stop, Point2D from, Point2D to) {
     MarkTarget target() {
       String text = begin + " \u2192 " + end + "\n" + stop.how();
-      return new MarkTarget(text, stop.node(), to, Optional.of(from));
+      return new MarkTarget(text, stop.node(), 0, to, Optional.of(from));
     }
   }
 }

@@ -7,19 +7,21 @@ import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import javax.swing.SwingUtilities;
 import org.pendant.models.pose.Pose;
 
 /**
  * Mark mouse: the pointer on places and ways of the program: shows what is known of them, and a
- * click chooses the node that goes there.
+ * click chooses the node that goes there, or the line at which the tool was there.
  */
 final class MarkMouse extends MouseAdapter {
   private final SceneView view;
   private final ArmDrag drag;
   private Function<Pose, String> words = pose -> "";
   private LongConsumer chosen = node -> {};
+  private IntConsumer lineChosen = line -> {};
   private List<LabelPlaces.Placed> labels = List.of();
   private Optional<MarkTarget> target = Optional.empty();
 
@@ -39,6 +41,10 @@ final class MarkMouse extends MouseAdapter {
 
   void setListener(LongConsumer listener) {
     chosen = listener;
+  }
+
+  void setLineListener(IntConsumer listener) {
+    lineChosen = listener;
   }
 
   /** Where names stand since the last painting. */
@@ -67,7 +73,7 @@ final class MarkMouse extends MouseAdapter {
   private void look(Optional<Point> pointer) {
     Optional<MarkTarget> now = pointer.flatMap(at -> finder().flatMap(finder -> finder.at(at)));
     if (!now.equals(target)) {
-      boolean leads = now.filter(each -> each.node() != 0).isPresent();
+      boolean leads = now.filter(MarkMouse::leads).isPresent();
       target = now;
       view.setCursor(
           Cursor.getPredefinedCursor(leads ? Cursor.HAND_CURSOR : Cursor.DEFAULT_CURSOR));
@@ -101,8 +107,20 @@ final class MarkMouse extends MouseAdapter {
     if (event.getClickCount() == 1 && SwingUtilities.isLeftMouseButton(event)) {
       finder()
           .flatMap(finder -> finder.at(event.getPoint()))
-          .filter(each -> each.node() != 0)
-          .ifPresent(each -> chosen.accept(each.node()));
+          .filter(MarkMouse::leads)
+          .ifPresent(this::choose);
+    }
+  }
+
+  private static boolean leads(MarkTarget target) {
+    return target.node() != 0 || target.line() != 0;
+  }
+
+  private void choose(MarkTarget there) {
+    if (there.node() != 0) {
+      chosen.accept(there.node());
+    } else {
+      lineChosen.accept(there.line());
     }
   }
 }

@@ -13,6 +13,7 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
@@ -206,6 +207,11 @@ public final class SceneView extends JPanel {
   /** Tells the key of a node of the program whose place or way people click. */
   public void onNode(LongConsumer listener) {
     marks.setListener(listener);
+  }
+
+  /** Tells the line of the program at which the tool was where people click. */
+  public void onLine(IntConsumer listener) {
+    marks.setLineListener(listener);
   }
 
   /** How people read the pose of a place that the pointer is on, in lines. */

@@ -81,4 +81,19 @@ final class MarkFinderTest {
     assertEquals(4, finder(name).at(new Point(30, 15)).orElseThrow().node());
     assertEquals(Optional.empty(), finder().at(new Point(30, 15)));
   }
+
+  @Test
+  void aPointOfTheWayOfTheToolTellsItsLineAndSpeed() {
+    MarkFinder finder =
+        new MarkFinder(
+            new PictureRequest(model.withTrace(Models.trace(TRAY, 44)), camera, WIDTH, HEIGHT),
+            WIDTH,
+            HEIGHT,
+            List.of(),
+            pose -> "");
+    Pose between = new Pose(TRAY.x(), TRAY.y(), TRAY.z() + 0.1, 0, 0, 0);
+    MarkTarget found = finder.at(near(pixel(between))).orElseThrow();
+    assertEquals(44, found.line());
+    assertEquals("Line 44\n100 mm/s", found.words());
+  }
 }
