@@ -57,4 +57,25 @@ final class ConditionCheckTest {
     workOff();
     assertEquals("count", offered.getFirst());
   }
+
+  @Test
+  void ofAMessageOnlyWhatStandsInBracesIsRead() {
+    ConditionCheck messages = check.forMessages();
+    assertEquals("", messages.now(4, "turn {count} of {2 * count}: {"));
+    assertTrue(messages.now(4, "turn {coun}").contains("coun"));
+  }
+
+  @Test
+  void namesAreCompletedInTheBracesOfAMessage() {
+    ConditionCheck messages = check.forMessages();
+    List<String> offered = new ArrayList<>();
+    messages.complete(
+        4, "cou", 3, found -> found.stream().map(Completion::label).forEach(offered::add));
+    workOff();
+    assertEquals(List.of(), offered);
+    messages.complete(
+        4, "at {cou", 7, found -> found.stream().map(Completion::label).forEach(offered::add));
+    workOff();
+    assertEquals("count", offered.getFirst());
+  }
 }
