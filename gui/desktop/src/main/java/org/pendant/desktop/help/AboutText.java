@@ -29,9 +29,8 @@ final class AboutText {
             + System.getProperty("os.arch")
             + ".",
         "",
-        "| | |",
-        "| Logs and reports | [" + logs + "](folder:logs) |",
-        "| Settings and internal errors | [" + settings + "](folder:settings) |",
+        "- Logs and reports: [`" + logs + "`](folder:logs)",
+        "- Settings and internal errors: [`" + settings + "`](folder:settings)",
         "",
         "Robots of Universal Robots are simulated from published numbers and recordings. Pendant is"
             + " not made by Universal Robots, and nothing here replaces a risk assessment.",

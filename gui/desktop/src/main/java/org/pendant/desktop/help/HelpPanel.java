@@ -4,6 +4,7 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Rectangle;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
@@ -21,6 +22,8 @@ import javax.swing.UIManager;
 import javax.swing.event.HyperlinkEvent;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Document;
+import javax.swing.text.Element;
+import javax.swing.text.html.HTMLDocument;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
 import net.miginfocom.swing.MigLayout;
@@ -124,7 +127,22 @@ final class HelpPanel {
     text.setBackground(Palette.card());
     text.setCaretPosition(0);
     if (!place.isEmpty()) {
-      EventQueue.invokeLater(() -> text.scrollToReference(place));
+      EventQueue.invokeLater(() -> scrollTo(place));
+    }
+  }
+
+  private void scrollTo(String heading) {
+    Element found = ((HTMLDocument) text.getDocument()).getElement(heading);
+    if (found == null) {
+      return;
+    }
+    try {
+      Rectangle place = text.modelToView2D(found.getStartOffset()).getBounds();
+      place.height = text.getVisibleRect().height; // to the upper edge
+      text.scrollRectToVisible(place);
+      text.setCaretPosition(found.getStartOffset());
+    } catch (BadLocationException e) {
+      throw new IllegalStateException(e);
     }
   }
 
@@ -181,7 +199,9 @@ final class HelpPanel {
         "pre {background-color: "
             + hex(UIManager.getColor("Panel.background"))
             + "; padding: 6px}");
-    style.addRule("td {padding: 2px 12px 2px 0}");
+    style.addRule("h1, h2, h3 {margin-bottom: 0}");
+    style.addRule("pre, table {margin-top: 10px}");
+    style.addRule("th, td {padding: 2px 16px 2px 0}");
     style.addRule("ul {margin-left: 18px}");
     style.addRule("a {color: " + hex(Palette.accent()) + "}");
     HTMLEditorKit kit = new HTMLEditorKit();

@@ -26,7 +26,7 @@ final class ShortcutText {
                   .filter(each -> !actions.keysOf(each.id()).isEmpty())
                   .toList();
           if (!withKeys.isEmpty()) {
-            text.append("\n## ").append(title).append("\n\n");
+            text.append("\n## ").append(title).append("\n\n| Keys | Action |\n| --- | --- |\n");
             withKeys.forEach(each -> text.append(row(actions, each)));
           }
         });
@@ -34,7 +34,12 @@ final class ShortcutText {
   }
 
   private static String row(ActionTable actions, Action action) {
-    String keys = KeyText.shown(actions.keysOf(action.id())).replace("|", "\\|");
-    return "| **" + keys + "** | " + action.title() + " |\n";
+    String keys = KeyText.shown(actions.keysOf(action.id()));
+    return "| **" + plain(keys) + "** | " + plain(action.title()) + " |\n";
+  }
+
+  /** Signs that mean something in Markdown mean themselves. */
+  private static String plain(String text) {
+    return text.replaceAll("[\\\\|*_`\\[\\]<>&]", "\\\\$0");
   }
 }

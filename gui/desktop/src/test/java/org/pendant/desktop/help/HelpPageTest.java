@@ -2,7 +2,10 @@ package org.pendant.desktop.help;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 final class HelpPageTest {
@@ -13,6 +16,21 @@ final class HelpPageTest {
         assertFalse(Markdown.html(HelpTexts.read(each.name())).isEmpty(), each.title());
       }
     }
+  }
+
+  @Test
+  void linksToPlacesOfPagesLeadToHeadings() {
+    Pattern link = Pattern.compile("href=\"([^\":]*)#([^\"]+)\"");
+    int links = 0;
+    for (HelpPage each : HelpPage.all()) {
+      Matcher found = link.matcher(HelpTexts.find(each.name()).map(Markdown::html).orElse(""));
+      while (found.find()) {
+        String target = Markdown.html(HelpTexts.read(each.target(found.group(1))));
+        assertTrue(target.contains("id=\"" + found.group(2) + "\""), each + ": " + found.group());
+        links++;
+      }
+    }
+    assertTrue(links > 20, links + " links");
   }
 
   @Test

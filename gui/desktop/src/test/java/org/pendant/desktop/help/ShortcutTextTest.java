@@ -31,8 +31,18 @@ final class ShortcutTextTest {
     String text =
         ShortcutText.of(
             actions, Map.of("Program", List.of("program.run", "program.other"), "Go", List.of()));
-    assertTrue(text.contains("## Program\n\n| **F5** | Run program |\n"), text);
+    assertTrue(text.contains("## Program\n\n| Keys | Action |"), text);
+    assertTrue(text.contains("\n| **F5** | Run program |\n"), text);
     assertFalse(text.contains("Something else"), text);
     assertFalse(text.contains("## Go"), text);
+  }
+
+  @Test
+  void signsOfKeysAndTitlesMeanNothingElse() {
+    ActionTable actions = new ActionTable(new Nothing());
+    actions.add(Action.of("view.bottom", "Show *all* of a|b", "control BACK_SLASH", () -> {}));
+    String html = Markdown.html(ShortcutText.of(actions, Map.of("View", List.of("view.bottom"))));
+    assertTrue(html.contains("<strong>Ctrl+\\</strong>"), html);
+    assertTrue(html.contains(">Show *all* of a|b<"), html);
   }
 }
