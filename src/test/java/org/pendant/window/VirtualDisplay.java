@@ -33,7 +33,9 @@ record VirtualDisplay(String name, Process server) implements AutoCloseable {
                 "0",
                 size + "x24",
                 "-nolisten",
-                "tcp")
+                "tcp",
+                // Or it begins anew when its last window has gone, and who comes then may hang.
+                "-noreset")
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();
     // It writes its number when it can be used.

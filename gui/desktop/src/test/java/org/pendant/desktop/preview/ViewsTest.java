@@ -144,7 +144,8 @@ final class ViewsTest {
           runToItsEnd();
           view.refresh(session.state());
           JTable table = find(view.component(), "log-table", JTable.class);
-          assertEquals(3, rows(table).filter(row -> !row.contains(LATE)).count());
+          // three of the program, and that it started and ended
+          assertEquals(5, rows(table).filter(row -> !row.contains(LATE)).count());
           find(view.component(), "log-search", JTextField.class).setText("stopped");
           find(view.component(), "log-show-source", AbstractButton.class).doClick(0);
           assertEquals(List.of("source 5:1"), workbench.told());

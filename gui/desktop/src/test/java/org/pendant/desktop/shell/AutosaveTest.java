@@ -84,6 +84,7 @@ final class AutosaveTest {
                         programs.all().stream()
                             .anyMatch(each -> each.script().text().equals(text))));
     assertEquals(List.of(), told);
+    DispatchThread.await(() -> !isLeft(1) && !isLeft(2));
   }
 
   @Test
@@ -113,6 +114,10 @@ final class AutosaveTest {
     String[] lines = Files.readString(kept).split("\n", 3);
     Files.delete(kept);
     Files.writeString(folder.resolve("0-" + number + ".recovery"), lines[0] + "\n0 0\n" + lines[2]);
+  }
+
+  private boolean isLeft(int number) {
+    return Files.exists(folder.resolve("0-" + number + ".recovery"));
   }
 
   private void choose(String button) {

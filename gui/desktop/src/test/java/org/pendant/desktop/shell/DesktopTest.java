@@ -47,7 +47,7 @@ final class DesktopTest {
           });
       desktop.awaitClosed();
       String settings = Files.readString(folder.resolve("settings.txt"));
-      assertTrue(settings.contains("dock.main.selected = log"), settings);
+      assertTrue(settings.contains("dock.screen = log"), settings);
       assertTrue(settings.contains("window.bounds = 0 0 1024 700"), settings);
       assertEquals(0, Arrays.stream(Window.getWindows()).filter(Window::isShowing).count());
     } finally {
