@@ -47,6 +47,20 @@ final class HelpWindowTest {
   }
 
   @Test
+  void linksAreFollowedByKeys() {
+    window.perform("Help and documentation");
+    window.awaitFocus("help-pages");
+    window.awaitWords("help-text", "The desktop");
+    window.press("TAB");
+    window.awaitFocus("help-text");
+    window.press("control T");
+    window.press("ENTER");
+    window.awaitWords("help-text", "The command line");
+    window.press("ESCAPE");
+    window.awaitHidden("help-text");
+  }
+
+  @Test
   void aboutTellsVersionLogsAndLicence() {
     window.perform("About Pendant");
     window.awaitWords("help-text", "Version");

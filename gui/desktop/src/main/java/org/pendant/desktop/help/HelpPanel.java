@@ -1,31 +1,33 @@
 package org.pendant.desktop.help;
 
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import javax.swing.AbstractAction;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JEditorPane;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import javax.swing.UIManager;
 import javax.swing.event.HyperlinkEvent;
+import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Document;
 import javax.swing.text.Element;
+import javax.swing.text.html.HTML;
 import javax.swing.text.html.HTMLDocument;
 import javax.swing.text.html.HTMLEditorKit;
-import javax.swing.text.html.StyleSheet;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.theme.Overlay;
@@ -70,6 +72,7 @@ final class HelpPanel {
         });
     text.setName("help-text");
     text.setEditable(false);
+    addLinkKeys();
     text.addHyperlinkListener(
         event -> {
           if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
@@ -85,6 +88,26 @@ final class HelpPanel {
     panel.add(close());
     panel.setPreferredSize(UIScale.scale(USUAL));
     overlay = new Overlay("help", under, panel);
+  }
+
+  /** Ctrl+T and Ctrl+Shift+T choose links already; the usual action knows no pages of the help. */
+  private void addLinkKeys() {
+    text.getInputMap().put(KeyStroke.getKeyStroke("ENTER"), "activate-link-action");
+    text.getActionMap()
+        .put(
+            "activate-link-action",
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                Element chosen =
+                    ((HTMLDocument) text.getDocument())
+                        .getCharacterElement(text.getSelectionStart());
+                if (chosen.getAttributes().getAttribute(HTML.Tag.A) instanceof AttributeSet link
+                    && link.getAttribute(HTML.Attribute.HREF) instanceof String target) {
+                  follow(target);
+                }
+              }
+            });
   }
 
   private JButton close() {
@@ -108,7 +131,7 @@ final class HelpPanel {
     list.setSelectedValue(page, true);
     choosing = false;
     // Reading the look and the keys is for this thread, the rest takes long for long pages.
-    HTMLEditorKit kit = kit();
+    HTMLEditorKit kit = HelpStyle.kit();
     String own = made.apply(page);
     Background.run(
         () -> document(kit, own.isEmpty() ? HelpTexts.read(page.name()) : own),
@@ -166,6 +189,10 @@ final class HelpPanel {
     }
     String name = shown.target(link);
     String place = link.contains("#") ? link.substring(link.indexOf('#') + 1) : "";
+    if (name.equals(shown.name()) && !place.isEmpty()) {
+      scrollTo(place);
+      return;
+    }
     Optional<HelpPage> listed =
         HelpPage.all().stream().filter(each -> each.name().equals(name)).findFirst();
     if (listed.isPresent()) {
@@ -175,41 +202,5 @@ final class HelpPanel {
     } else {
       outside.accept(name);
     }
-  }
-
-  /** In the colours and letters of the look. */
-  private static HTMLEditorKit kit() {
-    StyleSheet style = new StyleSheet();
-    style.addStyleSheet(new HTMLEditorKit().getStyleSheet());
-    int size = UIManager.getFont("Label.font").getSize();
-    String words = hex(UIManager.getColor("Label.foreground"));
-    style.addRule(
-        "body {font-family: "
-            + UIManager.getFont("Label.font").getFamily()
-            + "; font-size: "
-            + size
-            + "pt; color: "
-            + words
-            + "; margin: 12px}");
-    style.addRule("h1 {font-size: " + (size * 3 / 2) + "pt; margin-top: 0}");
-    style.addRule("h2 {font-size: " + (size * 5 / 4) + "pt; margin-top: " + size + "px}");
-    style.addRule("h3 {font-size: " + size + "pt; margin-top: " + size + "px}");
-    style.addRule("code, pre {font-family: JetBrains Mono; font-size: " + (size - 1) + "pt}");
-    style.addRule(
-        "pre {background-color: "
-            + hex(UIManager.getColor("Panel.background"))
-            + "; padding: 6px}");
-    style.addRule("h1, h2, h3 {margin-bottom: 0}");
-    style.addRule("pre, table {margin-top: 10px}");
-    style.addRule("th, td {padding: 2px 16px 2px 0}");
-    style.addRule("ul {margin-left: 18px}");
-    style.addRule("a {color: " + hex(Palette.accent()) + "}");
-    HTMLEditorKit kit = new HTMLEditorKit();
-    kit.setStyleSheet(style);
-    return kit;
-  }
-
-  private static String hex(Color color) {
-    return String.format("#%06x", color.getRGB() & 0xFFFFFF);
   }
 }
