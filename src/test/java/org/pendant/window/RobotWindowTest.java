@@ -93,10 +93,10 @@ final class RobotWindowTest {
   @Test
   void anotherRobotIsSwitchedOn() {
     window.choose("robot", "UR10e");
-    window.awaitWords("status-text", "ur10e");
+    window.awaitWords("status-text", "UR10e");
     window.awaitWords("readiness", "Ready");
     window.choose("robot", "UR5e");
-    window.awaitWords("status-text", "ur5e");
+    window.awaitWords("status-text", "UR5e");
     window.awaitWords("readiness", "Ready");
   }
 

@@ -133,7 +133,10 @@ public final class InstallationView implements View {
       JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
       // one card a page: they all have one width
       sheet.setLayout(
-          new MigLayout("insets " + GAP, "[grow, fill, :" + USUAL_CARD + ":" + WIDEST_CARD + "]"));
+          new MigLayout(
+              "insets " + GAP,
+              "[grow, fill, :" + USUAL_CARD + ":" + WIDEST_CARD + "]",
+              each.fillsHeight() ? "[grow, fill]" : ""));
       sheet.add(each.component());
       JScrollPane scroll = scroll(sheet);
       scroll.setName("installation-" + each.id());

@@ -15,6 +15,11 @@ interface Page {
   /** What is shown; the same component always. */
   JComponent component();
 
+  /** Whether its card takes all the height that there is. */
+  default boolean fillsHeight() {
+    return false;
+  }
+
   /** Shows the installation as it is now. */
   void show();
 

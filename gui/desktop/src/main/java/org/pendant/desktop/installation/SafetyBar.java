@@ -56,6 +56,8 @@ final class SafetyBar {
     List.of(unlock, apply, discard, really, back).forEach(row::add);
     row.add(checksum);
     checksum.setName(page + "-checksum");
+    checksum.setToolTipText(
+        "Of the settings as shown: equal ones have the same, any change makes another one");
     panel.setOpaque(false);
     panel.add(row, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
     panel.add(state, Remark.LAYOUT);

@@ -23,7 +23,7 @@ import org.pendant.kit.theme.Palette;
 
 /** Signals page: names, uses and levels of all signals. */
 final class SignalsPage implements Page {
-  private static final int ROWS = 14;
+  private static final int MIN_ROWS = 10;
   private static final int LIVE_MS = 100;
 
   private final TitledCard card = new TitledCard("I/O", "[grow, fill]");
@@ -42,7 +42,8 @@ final class SignalsPage implements Page {
     table.setCellSelectionEnabled(true);
     table.putClientProperty("terminateEditOnFocusLost", true);
     table.getTableHeader().setReorderingAllowed(false);
-    int[] widths = {130, 150, 190, 90, 80};
+    int[] widths = {140, 150, 190, 90, 80};
+    table.getColumnModel().getColumn(0).setMinWidth(widths[0]);
     for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
     }
@@ -73,7 +74,7 @@ final class SignalsPage implements Page {
     card.add(head, "wmin 0");
     JScrollPane scroll = new JScrollPane(table);
     scroll.setName("signals-scroll");
-    card.add(scroll, "wmin 0, h " + ROWS + "*24");
+    card.add(scroll, "wmin 0, growy, pushy, h " + MIN_ROWS * 24 + ":" + MIN_ROWS * 24 + ":");
     card.add(problem, Remark.LAYOUT);
     Remark note = new Remark("signals-note", Palette::quiet);
     note.say(
@@ -149,6 +150,11 @@ final class SignalsPage implements Page {
   @Override
   public JComponent component() {
     return card;
+  }
+
+  @Override
+  public boolean fillsHeight() {
+    return true;
   }
 
   @Override

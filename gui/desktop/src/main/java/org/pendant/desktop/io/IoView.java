@@ -47,7 +47,7 @@ public final class IoView implements View {
   private final SignalLabels labels;
   private final List<MemoryCard> memories = new ArrayList<>();
   private final JTextField search = new JTextField(12);
-  private final JCheckBox onlyUsed = new JCheckBox("Only those in use");
+  private final JCheckBox onlyUsed = new JCheckBox("Only registers in use");
   private final JLabel forced = new JLabel("", ForcedMark.of(true), SwingConstants.LEADING);
   private final JButton release = new JButton("Release all");
   private final ModbusCard modbus = new ModbusCard();
@@ -106,8 +106,7 @@ public final class IoView implements View {
           workbench.settings().put(USED_SETTING, Boolean.toString(onlyUsed.isSelected()));
           filter();
         });
-    bar.add(group(labelled("Register", search), search));
-    bar.add(group(onlyUsed));
+    bar.add(group(labelled("Register", search), search, onlyUsed));
     TitledCard.named(
         release, "io-release-all", "Bring all forced inputs to rest: low, 0 V, 4 mA or 0");
     release.addActionListener(event -> presenter.releaseAll());

@@ -151,12 +151,12 @@ final class RobotChange {
     Background.run(
         () -> {
           session.restart(session.options().withRobot(id));
-          return id;
+          return session.options().arm().displayName();
         },
-        done -> {
+        name -> {
           settings.put(ROBOT, id);
           showRobot.accept(id);
-          tell.accept("The controller was switched on with another arm: " + id);
+          tell.accept("The controller was switched on with another arm: " + name);
         },
         failed -> tell.accept(failed.getMessage()));
   }

@@ -1,11 +1,17 @@
 package org.pendant.kit.action;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Point;
+import java.awt.event.MouseEvent;
 import javax.swing.Icon;
 import javax.swing.JButton;
+import javax.swing.JToolTip;
 
 /** A button that does an action of the table and shows whether it can be done, and why not. */
 @SuppressWarnings("serial") // never written to a stream
 public final class ActionButton extends JButton {
+  private static final int GAP = 4;
+
   private final transient ActionTable actions;
   private final String id;
   private String shown = "";
@@ -35,6 +41,14 @@ public final class ActionButton extends JButton {
       getAccessibleContext().setAccessibleName(actions.find(id).map(Action::title).orElse(id));
       getAccessibleContext().setAccessibleDescription(tip);
     }
+  }
+
+  /** Above the button: under the pointer it would lie over the buttons beside this one. */
+  @Override
+  public Point getToolTipLocation(MouseEvent event) {
+    JToolTip tip = createToolTip();
+    tip.setTipText(getToolTipText());
+    return new Point(0, -tip.getPreferredSize().height - UIScale.scale(GAP));
   }
 
   private String tip() {

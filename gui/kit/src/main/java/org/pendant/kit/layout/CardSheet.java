@@ -40,6 +40,6 @@ public final class CardSheet extends JPanel implements Scrollable {
 
   @Override
   public boolean getScrollableTracksViewportHeight() {
-    return false;
+    return getParent().getHeight() > getPreferredSize().height;
   }
 }

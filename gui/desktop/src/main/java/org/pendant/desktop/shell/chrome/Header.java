@@ -76,6 +76,9 @@ public final class Header extends JPanel {
             chooseRobot.accept(choice.id());
           }
         });
+    checksum.setToolTipText(
+        "Checksum of the safety configuration: equal ones mean equal safety settings, any change"
+            + " makes another one");
     time.setName("robot-time");
     time.setText(clock(0));
     time.putClientProperty("FlatLaf.styleClass", "monospaced");

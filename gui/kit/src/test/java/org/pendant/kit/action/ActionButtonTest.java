@@ -1,0 +1,34 @@
+package org.pendant.kit.action;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.event.MouseEvent;
+import java.util.Optional;
+import javax.swing.JToolTip;
+import org.junit.jupiter.api.Test;
+import org.pendant.kit.settings.Settings;
+
+final class ActionButtonTest {
+  /** Remembers nothing. */
+  private record Nothing() implements Settings {
+    @Override
+    public Optional<String> get(String name) {
+      return Optional.empty();
+    }
+
+    @Override
+    public void put(String name, String text) {}
+  }
+
+  @Test
+  void tipsStandAboveTheButtonAndNotOverItsNeighbours() {
+    ActionTable actions = new ActionTable(new Nothing());
+    actions.add(Action.of("program.run", "Run program", "F5", () -> {}));
+    ActionButton button = new ActionButton(actions, "program.run", "Run", null);
+    JToolTip tip = button.createToolTip();
+    tip.setTipText(button.getToolTipText());
+    MouseEvent there = new MouseEvent(button, MouseEvent.MOUSE_MOVED, 0, 0, 5, 5, 0, false);
+    int top = button.getToolTipLocation(there).y;
+    assertTrue(top + tip.getPreferredSize().height < 0, "at " + top);
+  }
+}
