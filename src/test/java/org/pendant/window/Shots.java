@@ -126,6 +126,10 @@ final class Shots {
     window.clickText("notices", "Open it");
     window.await(
         "the installation is open", () -> !window.words("notices").contains("stack_boxes.pinst"));
+    // It tells where the file is, which is of no interest to others.
+    window.await(
+        "the status line has ended",
+        () -> !window.shows("status-text") || window.words("status-text").isBlank());
     window.click("rail-program");
     window.clickRow("program-tree", "Feeder");
     shoot("program", theme);
@@ -169,6 +173,8 @@ final class Shots {
   private void program(String... lines) throws IOException {
     Path file = Files.createTempDirectory("pendant-shot").resolve("station.script");
     Files.write(file, List.of(lines));
+    // A popup may have had the keys.
+    window.raise();
     window.open(file);
   }
 
