@@ -34,7 +34,7 @@ record VirtualDisplay(String name, Process server) implements AutoCloseable {
                 size + "x24",
                 "-nolisten",
                 "tcp",
-                // Or it begins anew when its last window has gone, and who comes then may hang.
+                // Or it begins anew when its last window has gone, while the next is on its way.
                 "-noreset")
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();

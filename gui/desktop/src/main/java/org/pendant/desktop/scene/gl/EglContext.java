@@ -27,6 +27,8 @@ final class EglContext implements GlContext {
       "; the 3D view needs OpenGL 3.3 by EGL: on Debian and Ubuntu apt install libegl1"
           + " libegl-mesa0 libgl1-mesa-dri, on Fedora dnf install mesa-libEGL mesa-dri-drivers";
 
+  private static final String LIBRARY = "libEGL.so.1";
+
   private final long display;
   private final long context;
 
@@ -57,6 +59,10 @@ final class EglContext implements GlContext {
       }
       Configuration.OPENGL_CONTEXT_API.set("EGL");
       Configuration.SHARED_LIBRARY_EXTRACT_PATH.set(NativeFolder.ofUser().toString());
+      if (Configuration.EGL_LIBRARY_NAME.get() == null) {
+        SystemLibrary.path(LIBRARY)
+            .ifPresent(path -> Configuration.EGL_LIBRARY_NAME.set(path.toString()));
+      }
       return openLoaded();
     } catch (IOException e) {
       throw new SceneUnavailable("LWJGL cannot be unpacked: " + e.getMessage(), e);
