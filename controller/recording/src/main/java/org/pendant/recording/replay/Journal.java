@@ -112,9 +112,13 @@ public final class Journal {
   }
 
   /**
-   * The program that was started last, if that was among the newest {@value #LOOKED_AT} commands.
+   * The program that was started last; empty if that was before the newest {@value #LOOKED_AT}
+   * commands, or if the journal is full and cannot know.
    */
   public Optional<Program> newestProgram() {
+    if (fullFrame.isPresent()) {
+      return Optional.empty();
+    }
     int count = size;
     for (int i = count - 1; i >= Math.max(0, count - LOOKED_AT); i--) {
       switch (entry(i).command()) {

@@ -29,6 +29,7 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
+import org.pendant.script.vm.Program;
 
 /** What cannot be repeated is refused with its reason; what was before still can. */
 @Tag("slow")
@@ -200,6 +201,17 @@ final class RerunRefusalTest {
             + " kept, 3 or 1 MB",
         refusal(play, 40));
     repeats(play, 39);
+  }
+
+  @Test
+  void aFullJournalDoesNotKnowWhichProgramWasStartedLast() {
+    Play play = new Play(ControllerOptions.headless(), new JournalLimits(1, 1 << 20));
+    Program first = play.program("def first():\n  sleep(0.01)\nend\n");
+    play.at(1, new ProgramCommand.StartProgram(first)).until(20);
+    assertEquals("first", play.journal.newestProgram().orElseThrow().name());
+    Program second = play.program("def second():\n  sleep(0.01)\nend\n");
+    play.at(30, new ProgramCommand.StartProgram(second)).until(40);
+    assertEquals(Optional.empty(), play.journal.newestProgram());
   }
 
   @Test
