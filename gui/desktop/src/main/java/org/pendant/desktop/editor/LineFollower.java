@@ -16,7 +16,6 @@ final class LineFollower {
   private final JScrollPane scroll;
   private int line;
   private int height;
-  private boolean revealing;
 
   LineFollower(ScriptArea area, JScrollPane scroll, FollowSwitch following) {
     this.area = area;
@@ -58,12 +57,10 @@ final class LineFollower {
     if (wanted < 1 || wanted > area.getLineCount() || !area.isShowing() || inSight(wanted)) {
       return;
     }
-    revealing = true;
     Rectangle place = place(wanted);
     Rectangle seen = area.getVisibleRect();
     int y = Math.max(0, place.y - (seen.height - place.height) / 2);
     area.scrollRectToVisible(new Rectangle(seen.x, y, 1, seen.height));
-    revealing = false;
   }
 
   private void scrolled() {
@@ -80,7 +77,7 @@ final class LineFollower {
       return;
     }
     boolean there = line > 0 && line <= area.getLineCount() && area.isShowing();
-    if (!revealing && there && !inSight(line)) {
+    if (there && !inSight(line)) {
       following.left();
     }
   }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ProgramEvent;
@@ -20,9 +21,7 @@ final class StateChanges {
   private RobotMode mode = RobotMode.POWER_OFF;
   private ProgramState program = ProgramState.STOPPED;
   private List<ProgramEvent> events = List.of();
-  private double beganS = Double.NaN;
-  private double pauseBeganS;
-  private double pausedS;
+  private RunTime time = RunTime.NONE;
 
   /** What has changed, oldest first; usually nothing. */
   List<String> in(ControllerState state) {
@@ -52,9 +51,7 @@ final class StateChanges {
     mode = state.safety().robotMode();
     program = state.program().state();
     events = state.newProgramEvents();
-    beganS = Double.NaN;
-    pausedS = 0;
-    pauseBeganS = state.timeS();
+    time = program == ProgramState.PAUSED ? RunTime.NONE.paused(state.timeS()) : RunTime.NONE;
   }
 
   private void robot(RobotMode now, List<String> changes) {
@@ -72,8 +69,7 @@ final class StateChanges {
       }
       switch (each) {
         case ProgramEvent.Started started -> {
-          beganS = state.timeS();
-          pausedS = 0;
+          time = RunTime.began(state.timeS());
           program = ProgramState.RUNNING;
           changes.add("Program " + started.name() + " started");
         }
@@ -97,8 +93,7 @@ final class StateChanges {
   }
 
   private String ran(double timeS) {
-    double pauseS = program == ProgramState.PAUSED ? timeS - pauseBeganS : 0;
-    return Double.isNaN(beganS) ? "" : " after " + seconds(timeS - beganS - pausedS - pauseS);
+    return time.known() ? " after " + seconds(time.ranS(timeS)) : "";
   }
 
   private void pause(ControllerState state, List<String> changes) {
@@ -107,11 +102,11 @@ final class StateChanges {
       return;
     }
     if (now == ProgramState.PAUSED) {
-      pauseBeganS = state.timeS();
+      time = time.paused(state.timeS());
       changes.add("Program " + state.program().name() + " paused");
     } else if (program == ProgramState.PAUSED && now == ProgramState.RUNNING) {
-      double pauseS = state.timeS() - pauseBeganS;
-      pausedS += pauseS;
+      double pauseS = state.timeS() - time.pauseBeganS();
+      time = time.resumed(state.timeS());
       changes.add("Program " + state.program().name() + " resumed after " + seconds(pauseS));
     }
     program = now;

@@ -13,15 +13,18 @@ public record RunTime(double beganS, double pausedS, double pauseBeganS, double 
   /** No program has run, or nobody knows since when it runs. */
   public static final RunTime NONE = new RunTime(Double.NaN, 0, Double.NaN, Double.NaN);
 
-  static RunTime began(double timeS) {
+  /** A program starts at {@code timeS}. */
+  public static RunTime began(double timeS) {
     return new RunTime(timeS, 0, Double.NaN, Double.NaN);
   }
 
-  RunTime paused(double timeS) {
+  /** The same, paused at {@code timeS}. */
+  public RunTime paused(double timeS) {
     return new RunTime(beganS, pausedS, timeS, Double.NaN);
   }
 
-  RunTime resumed(double timeS) {
+  /** The same, resumed at {@code timeS}. */
+  public RunTime resumed(double timeS) {
     return new RunTime(beganS, pausedS(timeS), Double.NaN, Double.NaN);
   }
 

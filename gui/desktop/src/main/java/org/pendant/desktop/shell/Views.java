@@ -328,11 +328,11 @@ final class Views {
     ports.open(wishes);
   }
 
-  /** Keeps what the window tells. */
   private void visited(String text) {
     log.visited(text);
   }
 
+  /** Keeps what the window tells. */
   void told(String text) {
     log.told(text);
   }

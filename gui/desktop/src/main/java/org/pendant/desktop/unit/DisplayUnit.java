@@ -45,6 +45,7 @@ public enum DisplayUnit {
     this.decimals = decimals;
   }
 
+  /** What stands behind numbers, such as {@code mm}. */
   public String symbol() {
     return symbol;
   }
