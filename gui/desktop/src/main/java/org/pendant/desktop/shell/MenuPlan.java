@@ -13,13 +13,10 @@ import java.util.stream.Stream;
 import org.pendant.desktop.help.Example;
 
 /**
- * Menu plan: which action is in which menu. A menu has at most {@value #MOST} entries, so that all
- * of it fits in a small window; what comes later finds a place by how its id begins.
+ * Menu plan: which action is in which menu. A menu has at most 14 entries, so that all of it fits
+ * in a small window; what comes later finds a place by how its id begins.
  */
 final class MenuPlan {
-  /** How many entries a menu has at most. */
-  static final int MOST = 14;
-
   /** These are on the Program screen, and too many for a menu. */
   private static final String ON_SCREEN = "tree.add-";
 
