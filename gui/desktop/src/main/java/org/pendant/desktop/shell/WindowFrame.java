@@ -20,6 +20,7 @@ import javax.swing.JFrame;
 import javax.swing.JLabel;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.icon.SvgIcon;
+import org.pendant.kit.layout.WindowBounds;
 import org.pendant.kit.settings.Settings;
 
 /**

@@ -1,18 +1,18 @@
-package org.pendant.desktop.shell;
+package org.pendant.kit.layout;
 
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
 
-/** Window bounds: where the window is, as settings have it: x, y, width, height. */
-final class WindowBounds {
+/** Window bounds: where a window is, as settings have it: x, y, width, height. */
+public final class WindowBounds {
   private static final int WIDTH = 1440;
   private static final int HEIGHT = 900;
 
   private WindowBounds() {}
 
   /** As much of the screen as is useful, in its middle. */
-  static Rectangle usual(Rectangle screen) {
+  public static Rectangle usual(Rectangle screen) {
     int width = Math.min(WIDTH, screen.width);
     int height = Math.min(HEIGHT, screen.height);
     return new Rectangle(
@@ -27,7 +27,7 @@ final class WindowBounds {
    *
    * @param screens what of each can be used
    */
-  static Optional<Rectangle> within(Rectangle bounds, List<Rectangle> screens) {
+  public static Optional<Rectangle> within(Rectangle bounds, List<Rectangle> screens) {
     return screens.stream()
         .filter(bounds::intersects)
         .findFirst()
@@ -43,12 +43,13 @@ final class WindowBounds {
             });
   }
 
-  static String format(Rectangle bounds) {
+  /** As {@link #parse} reads it. */
+  public static String format(Rectangle bounds) {
     return bounds.x + " " + bounds.y + " " + bounds.width + " " + bounds.height;
   }
 
   /** Empty for texts that are no bounds. */
-  static Optional<Rectangle> parse(String text) {
+  public static Optional<Rectangle> parse(String text) {
     if (!text.matches("-?\\d{1,5} -?\\d{1,5} \\d{2,5} \\d{2,5}")) {
       return Optional.empty();
     }

@@ -1,4 +1,4 @@
-package org.pendant.desktop.shell;
+package org.pendant.kit.layout;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
