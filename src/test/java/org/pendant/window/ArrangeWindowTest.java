@@ -1,7 +1,9 @@
 package org.pendant.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import java.util.HashSet;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
@@ -32,6 +34,21 @@ final class ArrangeWindowTest {
     window.awaitShown("outline-tree");
     window.click("rail-run");
     window.awaitHidden("outline-tree");
+  }
+
+  @Test
+  void aPanelGoesIntoAWindowOfItsOwnAndBackWhenThatIsClosed() {
+    List<String> before = window.tabs("dock-tabs-lower");
+    window.perform("Move Outline to a window of its own");
+    window.awaitShown("window-outline");
+    window.awaitShown("outline-tree");
+    assertFalse(window.tabs("dock-tabs-lower").contains("Outline"));
+    window.awaitShown("variables-view");
+    window.askToClose("window-outline");
+    window.awaitHidden("window-outline");
+    window.raise();
+    window.awaitShown("outline-tree");
+    assertEquals(new HashSet<>(before), new HashSet<>(window.tabs("dock-tabs-lower")));
   }
 
   @Test

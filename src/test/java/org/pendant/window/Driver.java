@@ -115,7 +115,7 @@ final class Driver {
       case "drag-row" -> dragRow(what);
       case "drag" -> drag(what);
       case "choose" -> Places.dispatched(() -> choose(what));
-      case "close" -> Places.dispatched(Driver::close);
+      case "close" -> Places.dispatched(() -> close(what));
       case "raise" -> Places.dispatched(Driver::raise);
       case "size" -> Places.dispatched(() -> size(what));
       default -> {
@@ -230,8 +230,8 @@ final class Driver {
     throw new IllegalArgumentException(words[0] + " does not offer " + words[1]);
   }
 
-  private static String close() {
-    Frame frame = (Frame) Places.find("pendant");
+  private static String close(String name) {
+    Frame frame = (Frame) Places.find(name);
     frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
     return "";
   }

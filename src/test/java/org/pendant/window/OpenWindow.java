@@ -263,7 +263,13 @@ final class OpenWindow implements AutoCloseable {
 
   /** Asks the window to close, as its frame's button does. */
   void askToClose() {
-    act("close", "");
+    askToClose("pendant");
+  }
+
+  /** Asks a window to close, that of a panel, say. */
+  void askToClose(String name) {
+    awaitShown(name);
+    act("close", name);
   }
 
   /** Makes the window as large as {@code size}, such as {@code 1024x700}. */

@@ -123,7 +123,11 @@ final class DesktopWindow {
             status::tell,
             runner::startByInput);
     docks =
-        new DockFrame(new DockPlan(settings, views.home(), Views.WIDE), views.all(), views.home());
+        new DockFrame(
+            new DockPlan(settings, views.home(), Views.WIDE),
+            views.all(),
+            views.home(),
+            this::furnish);
     workbench.attach(docks);
     SaveQueue saves = new SaveQueue();
     DocumentSaver saver = new DocumentSaver(saves, notices, status::tell, this::warn);
@@ -416,6 +420,12 @@ final class DesktopWindow {
     robot.choose(id);
   }
 
+  /** What the window of a panel has in common with this one. */
+  private void furnish(JFrame panelWindow) {
+    panelWindow.setIconImages(WindowFrame.icons());
+    KeyBindings.bind(panelWindow.getRootPane(), actions);
+  }
+
   private void dispose() {
     refresh.stop();
     keep.stop();
@@ -424,6 +434,7 @@ final class DesktopWindow {
     Faults.guard(autosave::end);
     Faults.guard(others::end);
     Faults.guard(views.keeper()::look);
+    docks.close();
     window.end();
     closed.run();
   }

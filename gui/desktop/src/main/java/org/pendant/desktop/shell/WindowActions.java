@@ -47,7 +47,7 @@ final class WindowActions {
             case LEFT -> "control shift B";
             case RIGHT -> "control B";
             case LOWER -> "control alt J";
-            case BOTTOM, MAIN -> "control J";
+            case BOTTOM, MAIN, WINDOW -> "control J";
           };
       actions.add(
           Action.of(

@@ -4,13 +4,10 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Graphics2D;
-import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
 import java.awt.Image;
-import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
-import java.awt.Toolkit;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
@@ -64,26 +61,13 @@ final class WindowFrame {
 
   private Rectangle remembered() {
     GraphicsEnvironment screens = GraphicsEnvironment.getLocalGraphicsEnvironment();
-    List<Rectangle> rooms = new ArrayList<>();
-    for (GraphicsDevice each : screens.getScreenDevices()) {
-      rooms.add(room(each));
-    }
     return WindowBounds.parse(settings.get(BOUNDS).orElse(""))
-        .flatMap(bounds -> WindowBounds.within(bounds, rooms))
+        .flatMap(bounds -> WindowBounds.within(bounds, WindowBounds.screens()))
         .orElseGet(() -> WindowBounds.usual(screens.getMaximumWindowBounds()));
   }
 
-  private static Rectangle room(GraphicsDevice screen) {
-    Rectangle bounds = screen.getDefaultConfiguration().getBounds();
-    Insets taken = Toolkit.getDefaultToolkit().getScreenInsets(screen.getDefaultConfiguration());
-    return new Rectangle(
-        bounds.x + taken.left,
-        bounds.y + taken.top,
-        bounds.width - taken.left - taken.right,
-        bounds.height - taken.top - taken.bottom);
-  }
-
-  private static List<Image> icons() {
+  /** Pendant's picture in the sizes that desktops ask for. */
+  static List<Image> icons() {
     JLabel white = new JLabel();
     white.setForeground(Color.WHITE);
     List<Image> icons = new ArrayList<>();

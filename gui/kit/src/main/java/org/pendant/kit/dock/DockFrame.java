@@ -3,25 +3,33 @@ package org.pendant.kit.dock;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JComponent;
+import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JLayer;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
 import javax.swing.plaf.LayerUI;
+import org.pendant.kit.layout.WindowBounds;
 import org.pendant.kit.theme.Palette;
 
-/** Dock frame: the views, one in the main area, the others as tabs in docks around it. */
+/**
+ * Dock frame: the views, one in the main area, the others as tabs in docks around it or in windows
+ * of their own.
+ */
 public final class DockFrame {
   private final DockPlan plan;
   private final Map<String, Dockable> views = new LinkedHashMap<>();
@@ -32,6 +40,8 @@ public final class DockFrame {
   private final JPanel main = new JPanel(new BorderLayout());
   private final JPanel area = new JPanel(null);
   private final JLayer<JPanel> layer;
+  private final Map<String, FloatingDock> windows = new LinkedHashMap<>();
+  private final Consumer<JFrame> furnish;
   private final ViewFocus focus;
   private Optional<String> shown = Optional.empty();
   private Optional<Rectangle> drop = Optional.empty();
@@ -40,9 +50,15 @@ public final class DockFrame {
    * All views where the plan says.
    *
    * @param home where each view belongs at first
+   * @param furnish gives each window of a view what all windows have: keys and a picture
    */
-  public DockFrame(DockPlan plan, List<? extends Dockable> all, Map<String, Side> home) {
+  public DockFrame(
+      DockPlan plan,
+      List<? extends Dockable> all,
+      Map<String, Side> home,
+      Consumer<JFrame> furnish) {
     this.plan = plan;
+    this.furnish = furnish;
     this.home = new LinkedHashMap<>(home);
     all.forEach(view -> views.put(view.id(), view));
     focus = new ViewFocus(views.values());
@@ -60,6 +76,7 @@ public final class DockFrame {
     area.setLayout(new DockLayout(plan, main, panes, dividers));
     layer = new JLayer<>(area, new DropShade());
     layer.setName("dock-frame");
+    layer.addHierarchyListener(event -> showWindows());
     fill();
   }
 
@@ -84,6 +101,10 @@ public final class DockFrame {
     if (view != null) {
       // A tab is not visible, and takes no focus, before it is laid out.
       area.validate();
+      Window window = SwingUtilities.getWindowAncestor(view.component());
+      if (window != null && !window.isFocused() && window.isShowing()) {
+        window.toFront();
+      }
       focus.give(view);
     }
   }
@@ -114,6 +135,26 @@ public final class DockFrame {
     plan.move(id, to, index);
     fill();
     give(id);
+  }
+
+  /** Moves a view into a window of its own whose corner is at {@code corner} of the screen. */
+  void moveToWindow(String id, Point corner) {
+    plan.windowBounds(id)
+        .or(() -> Optional.of(windowBounds(id)))
+        .ifPresent(bounds -> plan.setWindowBounds(id, new Rectangle(corner, bounds.getSize())));
+    move(id, Side.WINDOW);
+  }
+
+  /** Moves a view out of its window to where it was before. */
+  void putBack(String id) {
+    plan.putBack(id);
+    fill();
+    give(id);
+  }
+
+  /** Closes the windows of views; the plan keeps what was in them. */
+  public void close() {
+    windows.values().forEach(FloatingDock::close);
   }
 
   /** Where a view is. */
@@ -164,7 +205,14 @@ public final class DockFrame {
       shown = front;
       main.removeAll();
     }
+    windows.forEach(
+        (id, window) -> {
+          if (plan.sideOf(id).orElseThrow() != Side.WINDOW) {
+            window.close();
+          }
+        });
     panes.values().forEach(DockPane::follow);
+    showWindows();
     if (main.getComponentCount() == 0) {
       main.add(
           front.isPresent() ? views.get(front.get()).component() : nothing(), BorderLayout.CENTER);
@@ -173,6 +221,32 @@ public final class DockFrame {
     area.revalidate();
     area.repaint();
     List.copyOf(listeners).forEach(Runnable::run);
+  }
+
+  /** Windows of views come with the one around them, not before it. */
+  private void showWindows() {
+    if (layer.isShowing()) {
+      plan.views(Side.WINDOW).forEach(this::showWindow);
+    }
+  }
+
+  private void showWindow(String id) {
+    windows
+        .computeIfAbsent(
+            id, each -> new FloatingDock(views.get(each), plan, furnish, () -> putBack(each)))
+        .open(windowBounds(id));
+  }
+
+  private Rectangle windowBounds(String id) {
+    List<Rectangle> screens = WindowBounds.screens();
+    return plan.windowBounds(id)
+        .flatMap(bounds -> WindowBounds.within(bounds, screens))
+        .orElseGet(
+            () -> {
+              Dimension size = new Dimension(area.getWidth() / 2, area.getHeight() / 2);
+              Rectangle first = SwingUtilities.getWindowAncestor(area).getBounds();
+              return WindowBounds.second(first, screens, size);
+            });
   }
 
   private static JLabel nothing() {
@@ -231,7 +305,7 @@ public final class DockFrame {
   }
 
   private Rectangle areaOf(Side side) {
-    if (side == Side.MAIN) {
+    if (side == Side.MAIN || side == Side.WINDOW) {
       return main.getBounds();
     }
     if (panes.get(side).isVisible()) {
@@ -249,7 +323,7 @@ public final class DockFrame {
         yield new Rectangle(above.x, height - size, above.width, size);
       }
       case BOTTOM -> new Rectangle(main.getX(), height - size, main.getWidth(), size);
-      case MAIN -> main.getBounds();
+      case MAIN, WINDOW -> main.getBounds();
     };
   }
 

@@ -131,7 +131,7 @@ final class DockLayout implements LayoutManager {
         area.y += gap;
         area.height -= gap;
       }
-      case MAIN -> throw new IllegalArgumentException("the main area has no divider");
+      case MAIN, WINDOW -> throw new IllegalArgumentException(side.title() + " has no divider");
     }
     panes.get(side).setBounds(area);
     dividers.get(side).setBounds(line);

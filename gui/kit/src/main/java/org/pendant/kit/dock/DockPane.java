@@ -75,7 +75,11 @@ final class DockPane extends JPanel {
     List<String> ids = plan.views(side);
     for (String id : ids) {
       Dockable view = viewOf.apply(id);
-      tabs.addTab(view.title(), null, view.component(), "Drag to another side, or right click");
+      tabs.addTab(
+          view.title(),
+          null,
+          view.component(),
+          "Drag to another side or out of the window, or right click");
     }
     plan.selected(side).ifPresent(id -> tabs.setSelectedIndex(ids.indexOf(id)));
     tabs.putClientProperty("JTabbedPane.trailingComponent", collapseButton());
@@ -98,7 +102,7 @@ final class DockPane extends JPanel {
         switch (side) {
           case LEFT -> Glyph.LEFT;
           case RIGHT -> Glyph.RIGHT;
-          case LOWER, BOTTOM, MAIN -> Glyph.DOWN;
+          case LOWER, BOTTOM, MAIN, WINDOW -> Glyph.DOWN;
         };
     JButton button = new JButton(glyph.icon(14));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
@@ -119,7 +123,7 @@ final class DockPane extends JPanel {
           case RIGHT -> JTabbedPane.RIGHT;
           // Folded with the one above it, it is a strip at the edge as well.
           case LOWER -> plan.collapsed(Side.RIGHT) ? JTabbedPane.RIGHT : JTabbedPane.BOTTOM;
-          case BOTTOM, MAIN -> JTabbedPane.BOTTOM;
+          case BOTTOM, MAIN, WINDOW -> JTabbedPane.BOTTOM;
         });
     tabs.putClientProperty("JTabbedPane.tabRotation", "auto");
     for (String id : plan.views(side)) {

@@ -1,5 +1,6 @@
 package org.pendant.kit.dock;
 
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.pendant.kit.layout.WindowBounds;
 import org.pendant.kit.settings.Settings;
 
 /**
@@ -110,7 +112,7 @@ public final class DockPlan {
               if (side == Side.MAIN) {
                 screen = id;
                 settings.put(SCREEN, id);
-              } else {
+              } else if (side != Side.WINDOW) {
                 remember(side, "selected", id);
               }
             });
@@ -131,6 +133,9 @@ public final class DockPlan {
     if (from.isEmpty()) {
       return;
     }
+    if (to == Side.WINDOW && from.get() != Side.WINDOW) {
+      settings.put(windowName(id, "from"), from.get().word());
+    }
     views.get(from.get()).remove(id);
     List<String> there = views.get(to);
     there.add(Math.clamp(index, 0, there.size()), id);
@@ -140,16 +145,41 @@ public final class DockPlan {
     setCollapsed(to, false);
   }
 
+  /** Moves a view from a window of its own to the side where it was before. */
+  public void putBack(String id) {
+    String from = settings.get(windowName(id, "from")).orElse("");
+    move(
+        id,
+        Arrays.stream(Side.values())
+            .filter(side -> side != Side.WINDOW && side.word().equals(from))
+            .findFirst()
+            .orElse(Side.RIGHT));
+  }
+
+  /** Where the window of a view was the last time, in pixels; empty if it had none. */
+  Optional<Rectangle> windowBounds(String id) {
+    return WindowBounds.parse(settings.get(windowName(id, "bounds")).orElse(""));
+  }
+
+  /** Remembers where the window of a view is, in pixels. */
+  void setWindowBounds(String id, Rectangle bounds) {
+    settings.put(windowName(id, "bounds"), WindowBounds.format(bounds));
+  }
+
+  private static String windowName(String id, String what) {
+    return "dock.window." + id + "." + what;
+  }
+
   private void remember(Side side) {
     settings.put(viewsName(side), String.join(" ", views.get(side)));
   }
 
   /**
-   * Whether only the tabs of a side are shown; never so for the main area. The lower right one is
-   * folded with the right one above it.
+   * Whether only the tabs of a side are shown; never so for the main area and for windows. The
+   * lower right one is folded with the right one above it.
    */
   public boolean collapsed(Side side) {
-    if (side == Side.MAIN) {
+    if (side == Side.MAIN || side == Side.WINDOW) {
       return false;
     }
     boolean folded =
@@ -159,7 +189,7 @@ public final class DockPlan {
 
   /** Shows only the tabs of a side, as with the bottom at first, or all of it. */
   public void setCollapsed(Side side, boolean collapsed) {
-    if (side != Side.MAIN) {
+    if (side != Side.MAIN && side != Side.WINDOW) {
       remember(side, "collapsed", Boolean.toString(collapsed));
     }
     if (side == Side.LOWER && !collapsed) {
@@ -182,7 +212,7 @@ public final class DockPlan {
 
   private double usualShare(Side side) {
     return switch (side) {
-      case MAIN -> 1;
+      case MAIN, WINDOW -> 1;
       case LEFT -> 0.25;
       case RIGHT -> selected(Side.MAIN).filter(wide::contains).isPresent() ? 0.46 : 0.34;
       case LOWER -> 0.42;

@@ -2,7 +2,7 @@ package org.pendant.kit.dock;
 
 import java.util.Locale;
 
-/** Side of the window at which a view can be. */
+/** Side of the window at which a view can be, or outside of it. */
 public enum Side {
   /** In the middle, one at a time. */
   MAIN("the main area"),
@@ -10,7 +10,9 @@ public enum Side {
   RIGHT("the right"),
   /** Below the right one, as wide as that. */
   LOWER("the lower right"),
-  BOTTOM("the bottom");
+  BOTTOM("the bottom"),
+  /** Each view in its own, anywhere on any screen. */
+  WINDOW("a window of its own");
 
   private final String title;
 

@@ -4,6 +4,7 @@ import java.awt.Cursor;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -13,7 +14,10 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 
-/** Tab drag: moves views to other sides: by dragging their tabs, or by a menu on them. */
+/**
+ * Tab drag: moves views to other sides or into windows of their own: by dragging their tabs, or by
+ * a menu on them.
+ */
 final class TabDrag extends MouseAdapter {
   /** A shorter way (pixels) is a click with an unsteady hand. */
   private static final int SLACK = 10;
@@ -53,7 +57,9 @@ final class TabDrag extends MouseAdapter {
       event.getComponent().setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
       KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(escape);
     }
-    if (dragging) {
+    if (dragging && outside(event)) {
+      frame.hideDrop();
+    } else if (dragging) {
       frame.showDrop(inFrame(event));
     }
   }
@@ -71,7 +77,9 @@ final class TabDrag extends MouseAdapter {
       return;
     }
     Point point = inFrame(event);
-    if (frame.component().contains(point)) {
+    if (outside(event)) {
+      frame.moveToWindow(idOfTab.apply(dropped), event.getLocationOnScreen());
+    } else if (frame.component().contains(point)) {
       Side to = frame.sideAt(point);
       frame.move(idOfTab.apply(dropped), to, frame.indexAt(to, point));
     }
@@ -91,6 +99,11 @@ final class TabDrag extends MouseAdapter {
     }
     end();
     return true;
+  }
+
+  private static boolean outside(MouseEvent event) {
+    Window window = SwingUtilities.getWindowAncestor(event.getComponent());
+    return !window.getBounds().contains(event.getLocationOnScreen());
   }
 
   private Point inFrame(MouseEvent event) {

@@ -94,6 +94,7 @@ public final class CommandPalette {
     query.setText("");
     filter();
     overlay.open();
+    overlay.bringToFront();
     query.requestFocusInWindow();
   }
 

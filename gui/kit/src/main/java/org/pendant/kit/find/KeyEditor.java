@@ -169,6 +169,7 @@ public final class KeyEditor {
     filter.setText("");
     model.filter("");
     overlay.open();
+    overlay.bringToFront();
     selectFirst();
     filter.requestFocusInWindow();
   }

@@ -1,25 +1,49 @@
 package org.pendant.kit.layout;
 
+import java.awt.Dimension;
+import java.awt.GraphicsConfiguration;
+import java.awt.GraphicsDevice;
+import java.awt.GraphicsEnvironment;
+import java.awt.Insets;
+import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Window bounds: where a window is, as settings have it: x, y, width, height. */
 public final class WindowBounds {
   private static final int WIDTH = 1440;
   private static final int HEIGHT = 900;
 
+  /** How far a second window is from the corner of the first, pixels. */
+  private static final int STEP = 80;
+
   private WindowBounds() {}
+
+  /** What windows may cover of each screen that there is. */
+  public static List<Rectangle> screens() {
+    return Stream.of(GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices())
+        .map(GraphicsDevice::getDefaultConfiguration)
+        .map(WindowBounds::room)
+        .toList();
+  }
+
+  private static Rectangle room(GraphicsConfiguration screen) {
+    Rectangle bounds = screen.getBounds();
+    Insets taken = Toolkit.getDefaultToolkit().getScreenInsets(screen);
+    return new Rectangle(
+        bounds.x + taken.left,
+        bounds.y + taken.top,
+        bounds.width - taken.left - taken.right,
+        bounds.height - taken.top - taken.bottom);
+  }
 
   /** As much of the screen as is useful, in its middle. */
   public static Rectangle usual(Rectangle screen) {
-    int width = Math.min(WIDTH, screen.width);
-    int height = Math.min(HEIGHT, screen.height);
-    return new Rectangle(
-        screen.x + (screen.width - width) / 2,
-        screen.y + (screen.height - height) / 2,
-        width,
-        height);
+    return middle(
+        screen, new Dimension(Math.min(WIDTH, screen.width), Math.min(HEIGHT, screen.height)));
   }
 
   /**
@@ -41,6 +65,32 @@ public final class WindowBounds {
                   width,
                   height);
             });
+  }
+
+  /**
+   * Where a second window goes: to the middle of the first screen that {@code first} is not on, or
+   * else a little below the corner of {@code first}.
+   *
+   * @param first the bounds of the window that is there already
+   * @param screens what of each screen can be used
+   */
+  public static Rectangle second(Rectangle first, List<Rectangle> screens, Dimension size) {
+    Rectangle corner = new Rectangle(new Point(first.x + STEP, first.y + STEP), size);
+    Rectangle wanted =
+        screens.stream()
+            .filter(screen -> !screen.intersects(first))
+            .findFirst()
+            .map(screen -> middle(screen, size))
+            .orElse(corner);
+    return within(wanted, screens).orElse(wanted);
+  }
+
+  private static Rectangle middle(Rectangle screen, Dimension size) {
+    return new Rectangle(
+        screen.x + (screen.width - size.width) / 2,
+        screen.y + (screen.height - size.height) / 2,
+        size.width,
+        size.height);
   }
 
   /** As {@link #parse} reads it. */

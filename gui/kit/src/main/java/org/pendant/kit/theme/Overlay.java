@@ -6,6 +6,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
@@ -86,6 +87,14 @@ public final class Overlay {
     layers().add(card, JLayeredPane.MODAL_LAYER);
     under.addComponentListener(follower);
     place();
+  }
+
+  /** Brings its window to the front: a key may have been pressed in another one. */
+  public void bringToFront() {
+    Window window = SwingUtilities.getWindowAncestor(under);
+    if (!window.isFocused()) {
+      window.toFront();
+    }
   }
 
   /** Closes it; the focus goes back to where it was. */

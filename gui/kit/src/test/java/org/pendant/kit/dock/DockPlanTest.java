@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Rectangle;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -68,6 +69,29 @@ final class DockPlanTest {
     assertEquals(List.of("variables", "problems", "scene"), plan().views(Side.RIGHT));
     plan.move("variables", Side.RIGHT, 99);
     assertEquals(List.of("problems", "scene", "variables"), plan().views(Side.RIGHT));
+  }
+
+  @Test
+  void aViewInAWindowOfItsOwnIsThereNextTimeAndGoesBackToWhereItWas() {
+    DockPlan plan = plan();
+    plan.move("variables", Side.BOTTOM);
+    plan.move("variables", Side.WINDOW);
+    plan.setWindowBounds("variables", new Rectangle(10, 20, 300, 200));
+    DockPlan next = plan();
+    assertEquals(List.of("variables"), next.views(Side.WINDOW));
+    assertEquals(Optional.of(new Rectangle(10, 20, 300, 200)), next.windowBounds("variables"));
+    next.putBack("variables");
+    assertEquals(List.of("problems", "variables"), next.views(Side.BOTTOM));
+    assertFalse(next.collapsed(Side.BOTTOM));
+  }
+
+  @Test
+  void aScreenInAWindowOfItsOwnLeavesTheMainAreaToTheOthers() {
+    DockPlan plan = plan();
+    plan.select("log");
+    plan.move("log", Side.WINDOW);
+    plan.select("log");
+    assertEquals(Optional.of("run"), plan().selected(Side.MAIN));
   }
 
   @Test

@@ -2,6 +2,7 @@ package org.pendant.kit.layout;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.Optional;
@@ -33,6 +34,22 @@ final class WindowBoundsTest {
         Optional.of(new Rectangle(1504, 180, 1440, 900)),
         WindowBounds.within(new Rectangle(2000, 600, 1440, 900), screens));
     assertEquals(Optional.empty(), WindowBounds.within(new Rectangle(5000, 0, 800, 600), screens));
+  }
+
+  @Test
+  void aSecondWindowGoesToTheScreenThatTheFirstIsNotOn() {
+    Rectangle first = new Rectangle(100, 50, 800, 600);
+    Rectangle left = new Rectangle(0, 0, 1024, 700);
+    Rectangle right = new Rectangle(1024, 0, 1920, 1080);
+    Dimension size = new Dimension(500, 400);
+    assertEquals(
+        new Rectangle(1734, 340, 500, 400), WindowBounds.second(first, List.of(left, right), size));
+    assertEquals(
+        new Rectangle(180, 130, 500, 400), WindowBounds.second(first, List.of(left), size));
+    Rectangle whole = new Rectangle(0, 0, 1024, 700);
+    assertEquals(
+        new Rectangle(24, 0, 1000, 700),
+        WindowBounds.second(whole, List.of(left), new Dimension(1000, 900)));
   }
 
   @Test

@@ -1,0 +1,58 @@
+package org.pendant.kit.dock;
+
+import java.awt.BorderLayout;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.function.Consumer;
+import javax.swing.JFrame;
+
+/** Floating dock: a view in a window of its own, for a second screen, say. */
+final class FloatingDock {
+  private final Dockable view;
+  private final DockPlan plan;
+  private final JFrame window;
+
+  /**
+   * A window that is not open yet.
+   *
+   * @param furnish gives it what all windows have
+   * @param putBack runs when people close it: the view goes back into a dock
+   */
+  FloatingDock(Dockable view, DockPlan plan, Consumer<JFrame> furnish, Runnable putBack) {
+    this.view = view;
+    this.plan = plan;
+    window = new JFrame(view.title() + " \u2013 Pendant");
+    window.setName("window-" + view.id());
+    window.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
+    window.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosing(WindowEvent event) {
+            putBack.run();
+          }
+        });
+    furnish.accept(window);
+  }
+
+  /** Opens it with the view, unless it is open. */
+  void open(Rectangle bounds) {
+    if (window.isVisible()) {
+      return;
+    }
+    window.getContentPane().add(view.component(), BorderLayout.CENTER);
+    // Tabs hide what is not in front.
+    view.component().setVisible(true);
+    window.setBounds(bounds);
+    window.setVisible(true);
+  }
+
+  /** Closes it and remembers where it was; the view may go elsewhere. */
+  void close() {
+    if (window.isVisible()) {
+      plan.setWindowBounds(view.id(), window.getBounds());
+      window.getContentPane().removeAll();
+      window.dispose();
+    }
+  }
+}
