@@ -153,6 +153,11 @@ final class ServeTest {
       assertEquals("Shutting down", dashboard("shutdown"));
       assertEquals(0, Launcher.await(process));
     }
+    List<String> acts =
+        Files.readAllLines(folder.resolve("talk.jsonl")).stream()
+            .filter(line -> line.contains("\"effect\":\"shutdown\""))
+            .toList();
+    assertEquals(1, acts.size());
   }
 
   @Test
@@ -214,8 +219,8 @@ final class ServeTest {
   }
 
   @Test
-  void shuttingTheBoxDownEndsTheService() throws IOException {
-    Process process = serve();
+  void shuttingTheBoxDownEndsTheServiceAndItsTraceHasThat() throws IOException {
+    Process process = serve("--trace", "talk.jsonl");
     try (BufferedReader output = process.inputReader(StandardCharsets.UTF_8)) {
       untilReady(output);
       assertEquals("Robotmode: POWER_OFF", dashboard("robotmode"));
@@ -313,6 +318,7 @@ final class ServeTest {
         "--remote-control=on | --remote-control is on, must be enabled or disabled",
         "--power-time=-1 | --power-time is -1, must be 0 to 60 seconds",
         "--host=no.such.invalid | --host is no.such.invalid, must be an address of this machine",
+        "--force | --force goes with --trace, which is missing",
         "a.script | takes no file, it was given a.script"
       })
   void refusesWrongOptions(String option, String message) {

@@ -3,12 +3,14 @@ package org.pendant.protocols;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.pendant.protocols.dashboard.DashboardServer;
 import org.pendant.protocols.eip.EipServer;
 import org.pendant.protocols.interpreter.InterpreterServer;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.net.WireTap;
 import org.pendant.protocols.primary.PrimaryServer;
 import org.pendant.protocols.realtime.RealtimeServer;
 import org.pendant.protocols.robotapi.RobotApiServer;
@@ -99,6 +101,14 @@ public final class BoxPorts implements AutoCloseable {
   /** The ports, in the order of the real box's documentation. */
   public List<TcpPort> ports() {
     return servers.stream().flatMap(each -> each.ports().stream()).toList();
+  }
+
+  /**
+   * Has {@code listener} hear from now on what goes over all connections of all ports; empty for
+   * nobody.
+   */
+  public void tap(Optional<WireTap> listener) {
+    ports().forEach(each -> each.tap(listener));
   }
 
   @Override

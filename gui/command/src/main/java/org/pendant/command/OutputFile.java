@@ -1,9 +1,11 @@
 package org.pendant.command;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
@@ -20,7 +22,9 @@ import org.pendant.controller.disk.WritePlace;
 record OutputFile(String name, Path path, boolean force) {
   static final Option FORCE =
       Option.flag("--force", "replace the file to be written, if there is one already")
-          .documented("replace the file of `--record`, `--out` or `TO`, if there is one already");
+          .documented(
+              "replace the file of `--record`, `--trace`, `--out` or `TO`, if there is one"
+                  + " already");
 
   /**
    * The file that an option names.
@@ -92,6 +96,21 @@ record OutputFile(String name, Path path, boolean force) {
   /** Whether there is one that is going to be replaced. */
   boolean replaces() throws IOException {
     return force && WritePlace.of(path).occupied();
+  }
+
+  /**
+   * Opens it for what comes over time; what has come stays when the process ends.
+   *
+   * @throws UsageException if it cannot be opened, or has come into being and may not be replaced
+   */
+  OutputStream stream() throws UsageException {
+    try {
+      return force || WritePlace.of(path).special()
+          ? Files.newOutputStream(path)
+          : Files.newOutputStream(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    } catch (IOException e) {
+      throw new UsageException(name + ": cannot be written, " + FileTrouble.reason(e));
+    }
   }
 
   /** Writes it as a whole, or leaves everything as it was. */

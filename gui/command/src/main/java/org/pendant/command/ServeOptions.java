@@ -29,6 +29,7 @@ import org.pendant.protocols.teachpendant.PendantSetup;
  * @param remote who may control it at first
  * @param panel folders of programs and of log files
  * @param toolDevice the serial device at the tool connector
+ * @param trace takes what goes over all connections
  */
 record ServeOptions(
     ControllerOptions controller,
@@ -37,7 +38,8 @@ record ServeOptions(
     boolean modbusChosen,
     RemoteControl remote,
     PendantSetup panel,
-    Optional<String> toolDevice) {
+    Optional<String> toolDevice,
+    Optional<OutputFile> trace) {
 
   private static final int MAX_ROBOTS = 100;
 
@@ -86,6 +88,13 @@ record ServeOptions(
               "how long it takes from an arm that is off to one that can move, 0 to 60 s, default"
                   + " 2.6; the other changes of power in proportion");
 
+  private static final Option TRACE =
+      Option.text("--trace", "FILE", "write every message of every client to FILE")
+          .documented(
+              "FILE",
+              "write every message of every client: `FILE.pcap` for Wireshark, another name for"
+                  + " [JSON lines](protocols/README.md#every-message-in-a-file)");
+
   /** For the usage text. */
   static final List<Option> ALL =
       Stream.concat(
@@ -100,6 +109,8 @@ record ServeOptions(
                   READY,
                   REMOTE,
                   POWER_TIME,
+                  TRACE,
+                  OutputFile.FORCE,
                   ToolSerialOption.OPTION),
               RunOptions.OF_CONTROLLER.stream())
           .toList();
@@ -114,6 +125,9 @@ record ServeOptions(
     if (ToolSerialOption.of(arguments).isPresent()) {
       throw new UsageException(
           ToolSerialOption.OPTION.name() + " is the device of one robot, there are " + count);
+    }
+    if (arguments.value(TRACE).isPresent()) {
+      throw new UsageException(TRACE.name() + " is the file of one robot, there are " + count);
     }
     List<ServeOptions> robots = new ArrayList<>();
     for (int i = 0; i < count; i++) {
@@ -148,7 +162,15 @@ record ServeOptions(
         new RemoteControl(remoteEnabled(arguments, ready), ready),
         new PendantSetup(
             controller.robotId(), ProgramsFolder.at(programs), logs, ControlOption.of(arguments)),
-        ToolSerialOption.of(arguments));
+        ToolSerialOption.of(arguments),
+        trace(arguments));
+  }
+
+  private static Optional<OutputFile> trace(Arguments arguments) throws UsageException {
+    if (arguments.has(OutputFile.FORCE) && arguments.value(TRACE).isEmpty()) {
+      throw new UsageException("--force goes with --trace, which is missing");
+    }
+    return OutputFile.of(TRACE, arguments);
   }
 
   private static Path logs(Arguments arguments, PortNumbers numbers) throws UsageException {

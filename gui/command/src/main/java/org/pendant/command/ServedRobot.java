@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -12,6 +13,7 @@ import org.pendant.controller.FrameLoop;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
 import org.pendant.controller.WallClock;
+import org.pendant.controller.disk.FileTrouble;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.dashboard.DashboardServer;
@@ -28,6 +30,8 @@ import org.pendant.protocols.server.ServerContext;
 import org.pendant.protocols.teachpendant.RemotePendant;
 import org.pendant.protocols.teachpendant.StartWatch;
 import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.protocols.trace.TraceFile;
+import org.pendant.protocols.trace.WireTrace;
 
 /** Served robot: one controller in real time with all its ports. */
 final class ServedRobot implements AutoCloseable {
@@ -51,6 +55,7 @@ final class ServedRobot implements AutoCloseable {
   private final BoxPorts ports;
   private final String prefix;
   private Optional<LogPrinter> printer = Optional.empty();
+  private Optional<WireTrace> trace = Optional.empty();
 
   /**
    * Opens the ports and begins with the frames.
@@ -115,6 +120,42 @@ final class ServedRobot implements AutoCloseable {
             + instead
             + "; --modbus-port chooses another one");
     return numbers.with(PortOptions.MODBUS, instead);
+  }
+
+  /**
+   * Writes from now on what goes over its connections, if that was asked for.
+   *
+   * @throws UsageException if the file cannot be written
+   */
+  void trace() throws UsageException {
+    if (options.trace().isPresent()) {
+      OutputFile file = options.trace().get();
+      try {
+        WireTrace begun =
+            TraceFile.begin(
+                file.path(),
+                file.stream(),
+                () -> robot.state().timeS(),
+                why -> console.complain("pendant serve: warning: the trace ends, " + why));
+        trace = Optional.of(begun);
+        ports.tap(Optional.of(begun));
+      } catch (IOException e) {
+        throw new UsageException(file.name() + ": cannot be written, " + FileTrouble.reason(e));
+      }
+    }
+  }
+
+  private void endTrace() {
+    if (trace.isPresent()) {
+      trace.get().close();
+      long leftOut = trace.get().leftOut();
+      if (leftOut > 0) {
+        console.complain(
+            "pendant serve: warning: "
+                + leftOut
+                + " messages are not in the trace, they came faster than they could be written");
+      }
+    }
   }
 
   /** Says where its ports are. */
@@ -187,5 +228,6 @@ final class ServedRobot implements AutoCloseable {
         ports) {
       printer.ifPresent(LogPrinter::close);
     }
+    endTrace();
   }
 }

@@ -31,8 +31,12 @@ final class Service {
     this.console = console;
   }
 
-  /** Serves until it is told to end. */
-  ExitCode run() {
+  /**
+   * Serves until it is told to end.
+   *
+   * @throws UsageException if a trace cannot be begun
+   */
+  ExitCode run() throws UsageException {
     try {
       return serve();
     } finally {
@@ -40,7 +44,7 @@ final class Service {
     }
   }
 
-  private ExitCode serve() {
+  private ExitCode serve() throws UsageException {
     for (ServeOptions one : options) {
       String prefix = options.size() > 1 ? one.numbers().host().getHostAddress() + ": " : "";
       ServedRobot robot = new ServedRobot(one, console, prefix);
@@ -48,6 +52,7 @@ final class Service {
       if (!robot.complete()) {
         return ExitCode.UNAVAILABLE;
       }
+      robot.trace();
     }
     robots.forEach(ServedRobot::load);
     robots.forEach(ServedRobot::announce);

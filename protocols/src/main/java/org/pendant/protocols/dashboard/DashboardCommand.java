@@ -70,6 +70,11 @@ enum DashboardCommand {
     return effect == Effect.ACTS;
   }
 
+  /** Whether people see it on the box, although it is not refused in local control. */
+  boolean shows() {
+    return this == POPUP || this == CLOSE_POPUP || this == ADD_TO_LOG;
+  }
+
   /** Whether something may follow the words. */
   boolean takesArgument() {
     return argument == Argument.TAKEN;

@@ -2,11 +2,13 @@ package org.pendant.protocols.dashboard;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
 import org.pendant.protocols.teachpendant.RemotePendant;
+import org.pendant.protocols.wire.LineDissector;
 
 /** The dashboard server of a control box. */
 public final class DashboardServer implements Server {
@@ -32,12 +34,20 @@ public final class DashboardServer implements Server {
         new DashboardHandler(remotePendant, serverContext.remote(), serverContext.log());
     TcpPort port =
         TcpPort.open(
-            numbers.listening("Dashboard", STANDARD_PORT),
+            numbers
+                .listening("Dashboard", STANDARD_PORT)
+                .readBy(() -> new LineDissector(DashboardServer::effect)),
             connection ->
                 new DashboardSession(
                     connection, dashboardHandler, serverContext.remote().mayControl()),
             serverContext.log());
     return new DashboardServer(port);
+  }
+
+  private static Optional<String> effect(String line) {
+    return DashboardRequest.read(line)
+        .filter(each -> each.word().acts() || each.word().shows())
+        .map(each -> line.strip());
   }
 
   @Override

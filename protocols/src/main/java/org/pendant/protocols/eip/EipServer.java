@@ -85,7 +85,7 @@ public final class EipServer implements Server {
     try {
       TcpPort messages =
           TcpPort.open(
-              listening.with(IdleLimits.peerBegins()),
+              listening.with(IdleLimits.peerBegins()).readBy(EipDissector::new),
               connection ->
                   new EipSession(
                       connection, sessions.incrementAndGet(), router, connections, identity),

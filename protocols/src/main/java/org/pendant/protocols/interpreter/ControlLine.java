@@ -17,6 +17,11 @@ enum ControlLine {
     return name().toLowerCase(Locale.ROOT);
   }
 
+  /** Whether it changes nothing. */
+  boolean asks() {
+    return this != ABORT && this != SKIPBUFFER;
+  }
+
   /** What {@code line} asks for; empty for statements. */
   static Optional<ControlLine> of(String line) {
     String word = line.strip();

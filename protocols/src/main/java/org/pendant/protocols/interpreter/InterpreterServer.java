@@ -3,10 +3,12 @@ package org.pendant.protocols.interpreter;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.wire.LineDissector;
 
 /** Interpreter server: the port of interpreter mode (manual 13). */
 public final class InterpreterServer implements Server {
@@ -31,12 +33,20 @@ public final class InterpreterServer implements Server {
       throws IOException {
     TcpPort port =
         TcpPort.open(
-            numbers.listening("Interpreter", STANDARD_PORT),
+            numbers
+                .listening("Interpreter", STANDARD_PORT)
+                .readBy(() -> new LineDissector(InterpreterServer::effect)),
             connection ->
                 new InterpreterSession(
                     connection, serverContext.robot(), serverContext.remote().mayControl()),
             serverContext.log());
     return new InterpreterServer(port, InterpreterLog.start(serverContext, logs));
+  }
+
+  private static Optional<String> effect(String line) {
+    return line.isBlank() || ControlLine.of(line).filter(ControlLine::asks).isPresent()
+        ? Optional.empty()
+        : Optional.of(line.strip());
   }
 
   @Override

@@ -46,7 +46,7 @@ public final class ModbusServer implements Server {
     ReadWriteLock changing = new ReentrantReadWriteLock();
     return new ModbusServer(
         TcpPort.open(
-            listening.with(IdleLimits.peerBegins()),
+            listening.with(IdleLimits.peerBegins()).readBy(ModbusDissector::new),
             connection -> {
               SignalHandler signalHandler =
                   new SignalHandler(serverContext.robot(), connection.name());

@@ -12,6 +12,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import org.pendant.protocols.wire.Dissector;
+import org.pendant.protocols.wire.Terms;
 
 /**
  * Connection of one peer to a port. Sending never waits for the peer: what it does not take at once
@@ -34,14 +36,17 @@ public final class Connection implements Occupant {
   /** And for how long such an end may take at most. */
   static final Duration ENDING = Duration.ofSeconds(60);
 
+  private final TcpPort port;
   private final String name;
   private final InetSocketAddress peer;
+  private final InetSocketAddress local;
   private final SocketChannel channel;
   private final Readiness readable;
   private final Readiness writable;
   private final Outbox outbox;
   private final AtomicBoolean open = new AtomicBoolean(true);
   private final AtomicLong dropped = new AtomicLong();
+  private final long openedNs;
   private final LongSupplier nanoTime;
   private final Consumer<Connection> afterwards;
   private volatile boolean sendingFailed;
@@ -50,29 +55,38 @@ public final class Connection implements Occupant {
   private volatile long heardNs;
   private volatile long endingSinceNs;
   private volatile boolean ending;
+  private volatile long received;
+  private volatile Optional<Terms> terms = Optional.empty();
+
+  /** Changed under the outbox's lock only. */
+  private volatile long sent;
 
   /**
    * Takes a channel over.
    *
+   * @param port where the peer has come
    * @param nanoTime a clock, ns
    * @param afterwards called when it is closed, more than once perhaps
    * @throws IOException if it is closed already
    */
   Connection(
-      String name,
+      TcpPort port,
       InetSocketAddress peer,
       SocketChannel channel,
       LongSupplier nanoTime,
       Consumer<Connection> afterwards)
       throws IOException {
-    this.name = name;
+    this.port = port;
+    name = port.name() + " client " + peer.getAddress().getHostAddress() + ":" + peer.getPort();
     this.peer = peer;
+    local = (InetSocketAddress) channel.getLocalAddress();
     this.channel = channel;
     this.nanoTime = nanoTime;
     this.afterwards = afterwards;
-    heardNs = nanoTime.getAsLong();
+    openedNs = nanoTime.getAsLong();
+    heardNs = openedNs;
     channel.configureBlocking(false);
-    outbox = new Outbox(channel::write, nanoTime);
+    outbox = new Outbox(channel::write, this::goesOut, nanoTime);
     readable = new Readiness(channel, SelectionKey.OP_READ);
     writable = new Readiness(channel, SelectionKey.OP_WRITE);
   }
@@ -85,6 +99,51 @@ public final class Connection implements Occupant {
   /** Where the peer is. */
   public InetSocketAddress peer() {
     return peer;
+  }
+
+  /** The name of the port. */
+  public String portName() {
+    return port.name();
+  }
+
+  /** This side of it. */
+  public InetSocketAddress local() {
+    return local;
+  }
+
+  /** How long it has stood. */
+  public Duration age() {
+    return Duration.ofNanos(nanoTime.getAsLong() - openedNs);
+  }
+
+  /** How many bytes have come. */
+  public long receivedBytes() {
+    return received;
+  }
+
+  /** How many bytes were sent, those that wait among them. */
+  public long sentBytes() {
+    return sent;
+  }
+
+  /** How many bytes wait, because the peer does not read. */
+  public int unsentBytes() {
+    return outbox.waitingBytes();
+  }
+
+  /** What was agreed on with the peer; empty where protocols have no such thing. */
+  public Optional<Terms> terms() {
+    return terms;
+  }
+
+  /** Something has been agreed on. */
+  public void agree(Terms now) {
+    terms = Optional.of(now);
+  }
+
+  /** A dissector for all of it, from its first byte. */
+  public Dissector dissector() {
+    return port.dissector();
   }
 
   @Override
@@ -150,6 +209,15 @@ public final class Connection implements Occupant {
     } catch (IOException e) {
       sendingFailed();
       return false;
+    }
+  }
+
+  private void goesOut(byte[] message) {
+    long before = sent;
+    sent = before + message.length;
+    Optional<WireTap> tap = port.tap();
+    if (tap.isPresent()) {
+      tap.get().sent(this, before, message);
     }
   }
 
@@ -225,6 +293,15 @@ public final class Connection implements Occupant {
     }
   }
 
+  private void hasCome(ByteBuffer bytes) {
+    long before = received;
+    received = before + bytes.remaining();
+    Optional<WireTap> tap = port.tap();
+    if (tap.isPresent()) {
+      tap.get().received(this, before, bytes);
+    }
+  }
+
   /** Hands everything that comes to a session, until the end. */
   void read(Session session) throws ProtocolException {
     ByteBuffer bytes = ByteBuffer.allocate(RECEIVE_BYTES);
@@ -236,6 +313,7 @@ public final class Connection implements Occupant {
           spoken = true;
           heardNs = nanoTime.getAsLong();
           bytes.flip();
+          hasCome(bytes);
           session.received(bytes);
           bytes.clear();
         }

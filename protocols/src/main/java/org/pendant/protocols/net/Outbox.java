@@ -6,6 +6,7 @@ import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
@@ -25,6 +26,7 @@ final class Outbox {
   }
 
   private final Sink sink;
+  private final Consumer<byte[]> taken;
   private final LongSupplier nanoTime;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
@@ -36,10 +38,13 @@ final class Outbox {
   /**
    * Nothing waits.
    *
+   * @param taken is told of every message for which there is room, in their order and before the
+   *     peer can have it; must not wait
    * @param nanoTime a clock, ns
    */
-  Outbox(Sink sink, LongSupplier nanoTime) {
+  Outbox(Sink sink, Consumer<byte[]> taken, LongSupplier nanoTime) {
     this.sink = sink;
+    this.taken = taken;
     this.nanoTime = nanoTime;
     takenNs = nanoTime.getAsLong();
   }
@@ -56,6 +61,7 @@ final class Outbox {
       if (closed || bytes + message.length > CAPACITY) {
         return false;
       }
+      taken.accept(message);
       ByteBuffer rest = ByteBuffer.wrap(message);
       if (waiting.isEmpty()) {
         write(rest);
@@ -147,6 +153,16 @@ final class Outbox {
     lock.lock();
     try {
       return takenNs;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** How many bytes wait now. */
+  int waitingBytes() {
+    lock.lock();
+    try {
+      return bytes;
     } finally {
       lock.unlock();
     }

@@ -8,8 +8,10 @@ import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.protocols.wire.Dissector;
 
 /** TCP port at which one protocol is spoken. Each peer has threads of its own. */
 public final class TcpPort implements AutoCloseable {
@@ -27,6 +29,7 @@ public final class TcpPort implements AutoCloseable {
   private final ConnectionSlots<Connection> slots;
   private final PeriodicTasks watch;
   private final Thread acceptor;
+  private volatile Optional<WireTap> tap = Optional.empty();
 
   private TcpPort(
       Listening listening,
@@ -91,6 +94,21 @@ public final class TcpPort implements AutoCloseable {
     return listening.name();
   }
 
+  /** A new dissector for one of its connections. */
+  Dissector dissector() {
+    return listening.dissector().get();
+  }
+
+  /** What listens to its connections. */
+  Optional<WireTap> tap() {
+    return tap;
+  }
+
+  /** Has {@code listener} hear from now on what goes over all its connections; empty for nobody. */
+  public void tap(Optional<WireTap> listener) {
+    tap = listener;
+  }
+
   /** The peers that are connected now. */
   public List<Connection> connections() {
     return slots.occupants();
@@ -121,11 +139,10 @@ public final class TcpPort implements AutoCloseable {
 
   private void greet(SocketChannel channel) throws IOException {
     InetSocketAddress peer = (InetSocketAddress) channel.getRemoteAddress();
-    String name =
-        listening.name() + " client " + peer.getAddress().getHostAddress() + ":" + peer.getPort();
     channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
     KeepAlive.set(channel);
-    Connection connection = new Connection(name, peer, channel, nanoTime, slots::free);
+    Connection connection = new Connection(this, peer, channel, nanoTime, slots::free);
+    String name = connection.name();
     ConnectionSlots.Admission<Connection> admission = slots.admit(connection, nanoTime.getAsLong());
     admission
         .givenUp()
@@ -143,6 +160,7 @@ public final class TcpPort implements AutoCloseable {
       return;
     }
     log.visit(name + " has connected");
+    tap.ifPresent(each -> each.opened(connection));
     Thread.ofVirtual().name(name + " sending").start(connection::write);
     Thread.ofVirtual().name(name).start(() -> converse(connection));
   }
@@ -162,6 +180,7 @@ public final class TcpPort implements AutoCloseable {
       log.write(Level.ERROR, connection.name() + ": internal error: " + e);
       connection.close();
     } finally {
+      tap.ifPresent(each -> each.closed(connection));
       log.visit(connection.name() + " has left");
     }
   }

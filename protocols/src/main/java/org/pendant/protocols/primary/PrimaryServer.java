@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.Protocol;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.script.ScriptHandler;
@@ -72,7 +73,8 @@ public final class PrimaryServer implements Server {
           greeting.accept(connection);
           return scriptHandler.session(connection, () -> feed.remove(connection));
         };
-    listen(numbers, name, number, protocol, writable);
+    Listening listening = numbers.listening(name, number).readBy(() -> new PrimaryDissector(true));
+    listen(listening, number, protocol, writable);
   }
 
   private void showOnly(
@@ -82,16 +84,13 @@ public final class PrimaryServer implements Server {
           greeting.accept(connection);
           return ScriptHandler.readOnly(() -> feed.remove(connection));
         };
-    listen(numbers, name, number, protocol, readOnly);
+    Listening listening = numbers.listening(name, number).readBy(() -> new PrimaryDissector(false));
+    listen(listening, number, protocol, readOnly);
   }
 
-  private void listen(
-      PortNumbers numbers, String name, int number, Protocol protocol, List<TcpPort> ports) {
+  private void listen(Listening listening, int number, Protocol protocol, List<TcpPort> ports) {
     opening.attempt(
-        number,
-        () ->
-            ports.add(
-                TcpPort.open(numbers.listening(name, number), protocol, serverContext.log())));
+        number, () -> ports.add(TcpPort.open(listening, protocol, serverContext.log())));
   }
 
   @Override

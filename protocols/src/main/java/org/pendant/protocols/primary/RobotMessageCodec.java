@@ -14,15 +14,15 @@ final class RobotMessageCodec {
   private static final byte ROBOT_INTERFACE = -2;
   private static final byte REALTIME_MACHINE = -3;
 
-  private static final byte TEXT = 0;
-  private static final byte VERSION = 3;
-  private static final byte SAFETY_MODE = 5;
-  private static final byte ERROR_CODE = 6;
-  private static final byte KEY = 7;
-  private static final byte REQUEST_VALUE = 9;
-  private static final byte RUNTIME_EXCEPTION = 10;
-  private static final byte SECOND = 12;
-  private static final byte LABELS = 14;
+  static final byte TEXT = 0;
+  static final byte VERSION = 3;
+  static final byte SAFETY_MODE = 5;
+  static final byte ERROR_CODE = 6;
+  static final byte KEY = 7;
+  static final byte REQUEST_VALUE = 9;
+  static final byte RUNTIME_EXCEPTION = 10;
+  static final byte SECOND = 12;
+  static final byte LABELS = 14;
 
   /** Stands in front of a value that is not there. */
   private static final int NO_DATA = 0;

@@ -23,14 +23,14 @@ import org.pendant.script.value.ValueKind;
  * handles have no type of their own there: they go as text.
  */
 final class ValueCodec {
-  private static final byte NONE = 0;
-  private static final byte VAR_STRING = 4;
-  private static final byte POSE = 12;
-  private static final byte BOOL = 13;
-  private static final byte INT = 15;
-  private static final byte FLOAT = 16;
-  private static final byte LIST = 17;
-  private static final byte MATRIX = 18;
+  static final byte NONE = 0;
+  static final byte VAR_STRING = 4;
+  static final byte POSE = 12;
+  static final byte BOOL = 13;
+  static final byte INT = 15;
+  static final byte FLOAT = 16;
+  static final byte LIST = 17;
+  static final byte MATRIX = 18;
 
   private static final int NUMBER_BYTES = 5;
 

@@ -1,6 +1,7 @@
 package org.pendant.protocols.realtime;
 
 import java.nio.ByteOrder;
+import java.util.List;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.protocols.packet.PacketLayout;
 import org.pendant.protocols.packet.WireType;
@@ -14,49 +15,72 @@ final class RealtimeCodec {
   /** Bytes of a package. */
   static final int BYTES = 1220;
 
+  /** What follows the size, in its order. */
+  static final List<Part> PARTS =
+      List.of(
+          new Quantity("timestamp"),
+          new Quantity("target_q"),
+          new Quantity("target_qd"),
+          new Quantity("target_qdd"),
+          new Quantity("target_current"),
+          new Quantity("target_torque"),
+          new Quantity("actual_q"),
+          new Quantity("actual_qd"),
+          new Quantity("current"),
+          new Quantity("current"),
+          new Quantity("actual_tcp"),
+          new Quantity("tcp_velocity"),
+          new Quantity("tcp_wrench"),
+          new Quantity("target_tcp"),
+          new Quantity("target_tcp_velocity"),
+          new Quantity("digital_input_bits"),
+          new Quantity("temperature"),
+          new Quantity("execution_time"),
+          new Reserved(1),
+          new Quantity("robot_mode"),
+          new Quantity("joint_mode"),
+          new Quantity("safety_mode"),
+          new Reserved(6),
+          new Quantity("tool_acceleration"),
+          new Reserved(6),
+          new Quantity("speed_scaling"),
+          new Quantity("momentum"),
+          new Reserved(2),
+          new Quantity("main_voltage"),
+          new Quantity("robot_voltage"),
+          new Quantity("robot_current"),
+          new Quantity("joint_voltage"),
+          new Quantity("digital_output_bits"),
+          new Quantity("runtime_state"),
+          new Quantity("elbow"),
+          new Quantity("elbow_speed"),
+          new Quantity("safety_status"),
+          new Reserved(3),
+          new Quantity("payload"),
+          new Quantity("payload_cog"),
+          new Quantity("payload_inertia"));
+
   private final PacketLayout layout;
+
+  /** A part of the package. */
+  sealed interface Part {}
+
+  /** The components of a state quantity. */
+  record Quantity(String name) implements Part {}
+
+  /** Doubles whose meaning is not published. */
+  record Reserved(int count) implements Part {}
 
   RealtimeCodec() {
     PacketLayout.Builder packet =
         new PacketLayout.Builder(BYTES, ByteOrder.BIG_ENDIAN).int32(BYTES);
-    put(
-        packet,
-        "timestamp",
-        "target_q",
-        "target_qd",
-        "target_qdd",
-        "target_current",
-        "target_torque");
-    put(packet, "actual_q", "actual_qd", "current", "current");
-    put(packet, "actual_tcp", "tcp_velocity", "tcp_wrench", "target_tcp", "target_tcp_velocity");
-    put(packet, "digital_input_bits", "temperature", "execution_time");
-    reserved(packet, 1);
-    put(packet, "robot_mode", "joint_mode", "safety_mode");
-    reserved(packet, 6);
-    put(packet, "tool_acceleration");
-    reserved(packet, 6);
-    put(packet, "speed_scaling", "momentum");
-    reserved(packet, 2);
-    put(
-        packet,
-        "main_voltage",
-        "robot_voltage",
-        "robot_current",
-        "joint_voltage",
-        "digital_output_bits");
-    put(packet, "runtime_state", "elbow", "elbow_speed", "safety_status");
-    reserved(packet, 3);
-    put(packet, "payload", "payload_cog", "payload_inertia");
+    for (Part part : PARTS) {
+      switch (part) {
+        case Quantity quantity -> packet.put(WireType.FLOAT64, quantity.name());
+        case Reserved reserved -> packet.skip(reserved.count() * Double.BYTES);
+      }
+    }
     layout = packet.build();
-  }
-
-  private static void put(PacketLayout.Builder packet, String... quantities) {
-    packet.put(WireType.FLOAT64, quantities);
-  }
-
-  /** Doubles whose meaning is not published. */
-  private static void reserved(PacketLayout.Builder packet, int count) {
-    packet.skip(count * Double.BYTES);
   }
 
   /** The package of a frame. */

@@ -47,9 +47,14 @@ public final class RealtimeServer implements Server {
       ServerContext serverContext, PortNumbers numbers, ScriptHandler scriptHandler) {
     RealtimeServer server = new RealtimeServer(serverContext);
     server.listen(
-        numbers.listening("Realtime", REALTIME), REALTIME, scriptHandler::session, server.writable);
+        numbers.listening("Realtime", REALTIME).readBy(() -> new RealtimeDissector(true)),
+        REALTIME,
+        scriptHandler::session,
+        server.writable);
     server.listen(
-        numbers.listening("Realtime read-only", REALTIME_READ_ONLY),
+        numbers
+            .listening("Realtime read-only", REALTIME_READ_ONLY)
+            .readBy(() -> new RealtimeDissector(false)),
         REALTIME_READ_ONLY,
         (connection, left) -> ScriptHandler.readOnly(left),
         server.readOnly);

@@ -3,6 +3,7 @@ package org.pendant.protocols.robotapi;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import org.pendant.protocols.http.HttpDissector;
 import org.pendant.protocols.http.HttpSession;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.TcpPort;
@@ -41,7 +42,10 @@ public final class RobotApiServer implements Server {
             serverContext.remote());
     return new RobotApiServer(
         TcpPort.open(
-            numbers.listening("Robot API", STANDARD_PORT).with(IdleLimits.of(IDLE)),
+            numbers
+                .listening("Robot API", STANDARD_PORT)
+                .with(IdleLimits.of(IDLE))
+                .readBy(HttpDissector::new),
             connection -> new HttpSession(connection, api),
             serverContext.log()));
   }

@@ -31,7 +31,11 @@ public final class RtdeServer implements Server {
    */
   public static RtdeServer open(ServerContext serverContext, PortNumbers numbers)
       throws IOException {
-    Listening listening = numbers.listening("RTDE", STANDARD_PORT).with(IdleLimits.peerBegins());
+    Listening listening =
+        numbers
+            .listening("RTDE", STANDARD_PORT)
+            .with(IdleLimits.peerBegins())
+            .readBy(RtdeTerms.NONE::dissector);
     Semaphore inputRoom = new Semaphore(InputHandler.MAX_OF_ALL);
     return new RtdeServer(
         TcpPort.open(

@@ -40,7 +40,7 @@ final class RtdeSession implements Session {
   private final DataFlow flow;
   private final InputHandler inputs;
   private final Runnable leave;
-  private int version = 1;
+  private RtdeTerms terms = RtdeTerms.NONE;
 
   /**
    * A client that has just connected.
@@ -63,7 +63,7 @@ final class RtdeSession implements Session {
       for (Optional<Packet> packet = cutter.next(bytes);
           packet.isPresent();
           packet = cutter.next(bytes)) {
-        answer(RequestCodec.decode(packet.get(), version));
+        answer(RequestCodec.decode(packet.get(), terms.version()));
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -91,6 +91,7 @@ final class RtdeSession implements Session {
       case RtdeRequest.Start _ -> start();
       case RtdeRequest.Pause _ -> {
         flow.pause();
+        agree(terms.withSending(false));
         connection.send(ReplyCodec.accepted(PacketType.PAUSE, true));
       }
       case RtdeRequest.Data data ->
@@ -101,10 +102,15 @@ final class RtdeSession implements Session {
     }
   }
 
+  private void agree(RtdeTerms now) {
+    terms = now;
+    connection.agree(now);
+  }
+
   private void speak(int wanted) {
     boolean known = wanted >= 1 && wanted <= NEWEST_VERSION;
     if (known) {
-      version = wanted;
+      agree(terms.withVersion(wanted));
     }
     connection.send(ReplyCodec.accepted(PacketType.PROTOCOL_VERSION, known));
   }
@@ -117,15 +123,17 @@ final class RtdeSession implements Session {
       field.ifPresent(fields::add);
       types.add(field.map(each -> each.type().name()).orElse(NOT_FOUND));
     }
-    boolean numbered = version > 1;
+    boolean numbered = terms.version() > 1;
     int bytes = OutputRecipe.packetBytes(fields, numbered);
     boolean known = fields.size() == wanted.names().size() && Double.isFinite(wanted.frequencyHz());
     boolean usable = known && bytes <= Packet.MAX_BYTES;
     if (usable) {
       OutputRecipe recipe = new OutputRecipe(fields, numbered);
-      flow.setUp(recipe, Math.clamp(wanted.frequencyHz(), MIN_HZ, Pacing.FRAMES_HZ));
+      double frequencyHz = Math.clamp(wanted.frequencyHz(), MIN_HZ, Pacing.FRAMES_HZ);
+      flow.setUp(recipe, frequencyHz);
+      agree(terms.withOutputsOf(fields, frequencyHz));
     } else {
-      flow.clear();
+      clear();
     }
     answerSetup(PacketType.SETUP_OUTPUTS, usable ? OutputRecipe.ID : UNUSABLE, types);
     if (known && !usable) {
@@ -138,9 +146,14 @@ final class RtdeSession implements Session {
     }
   }
 
+  private void clear() {
+    flow.clear();
+    agree(terms.withOutputs(List.of(), 0));
+  }
+
   private void refuseSetup(RtdeRequest.RefusedSetup wanted) {
     if (wanted.type() == PacketType.SETUP_OUTPUTS) {
-      flow.clear();
+      clear();
     }
     answerSetup(wanted.type(), UNUSABLE, List.of());
     complain(TextLevel.ERROR, wanted.reason());
@@ -148,7 +161,7 @@ final class RtdeSession implements Session {
 
   /** Answers a recipe: clients wait for it. Types that one package cannot hold are left out. */
   private void answerSetup(int type, int id, List<String> types) {
-    boolean numbered = version > 1 || type == PacketType.SETUP_INPUTS;
+    boolean numbered = terms.version() > 1 || type == PacketType.SETUP_INPUTS;
     byte[] answer = numbered ? ReplyCodec.recipe(type, id, types) : ReplyCodec.recipe(type, types);
     if (answer.length <= Packet.MAX_BYTES) {
       connection.send(answer);
@@ -175,6 +188,9 @@ final class RtdeSession implements Session {
             .map(field -> field.map(each -> type(each, inUse)).orElse(NOT_FOUND))
             .toList();
     int id = known && inUse.isEmpty() ? inputs.add(recipe) : UNUSABLE;
+    if (id != UNUSABLE) {
+      agree(terms.withInputsOf(recipe));
+    }
     answerSetup(PacketType.SETUP_INPUTS, id, types);
     if (!inputs.hasRoom() && id == UNUSABLE) {
       tell(
@@ -191,6 +207,7 @@ final class RtdeSession implements Session {
     // the answer has to come before the first data
     connection.send(ReplyCodec.accepted(PacketType.START, flow.ready()));
     flow.start();
+    agree(terms.withSending(flow.ready()));
   }
 
   /** Tells the client, and the log too: many clients pass texts over. */
@@ -200,6 +217,6 @@ final class RtdeSession implements Session {
   }
 
   private void tell(TextLevel level, String text) {
-    connection.send(ReplyCodec.text(level, text, version));
+    connection.send(ReplyCodec.text(level, text, terms.version()));
   }
 }

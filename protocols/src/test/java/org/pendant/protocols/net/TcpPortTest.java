@@ -19,6 +19,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.pendant.protocols.wire.Dissector;
 
 class TcpPortTest {
   private static final int GIVE_UP_MS = 20_000;
@@ -59,7 +60,7 @@ class TcpPortTest {
   private TcpPort open(IdleLimits idle) {
     try {
       return TcpPort.open(
-          new Listening("Echo", LOOPBACK, 0, 2, idle),
+          new Listening("Echo", LOOPBACK, 0, 2, idle, Dissector::raw),
           this::echo,
           new PeerLog((level, text) -> logged.add(text), visits::add),
           nowNs::get);

@@ -2,6 +2,7 @@ package org.pendant.protocols.eip.service;
 
 import java.io.IOException;
 import java.time.Duration;
+import org.pendant.protocols.http.HttpDissector;
 import org.pendant.protocols.http.HttpSession;
 import org.pendant.protocols.net.IdleLimits;
 import org.pendant.protocols.net.PeerLog;
@@ -27,7 +28,10 @@ public final class AssemblyService {
       throws IOException {
     AssemblyCalls calls = new AssemblyCalls(configuration);
     return TcpPort.open(
-        numbers.listening("Fieldbus configuration", STANDARD_PORT).with(IdleLimits.of(IDLE)),
+        numbers
+            .listening("Fieldbus configuration", STANDARD_PORT)
+            .with(IdleLimits.of(IDLE))
+            .readBy(HttpDissector::new),
         connection -> new HttpSession(connection, calls),
         log);
   }
