@@ -223,6 +223,34 @@ final class RunTest {
   }
 
   @Test
+  void waveformsChangeInputsByTheTimeOfTheProgram() {
+    script(
+        "waits.script",
+        "while not get_standard_digital_in(0):",
+        "  sync()",
+        "end",
+        "textmsg(get_steptime())",
+        "while get_standard_digital_in(0):",
+        "  sync()",
+        "end",
+        "textmsg(\"gone\")");
+    script("inputs.csv", "time,signal,value", "0.5,digital_in[0],true", "1.5,digital_in[0],false");
+    Result result =
+        Launcher.pendant(folder, "run", "--waveforms=inputs.csv", "--timeout=2", "waits.script");
+    assertAll(
+        () -> assertEquals(0, result.exitCode(), result.errors()),
+        () -> assertEquals("0.002\ngone\n", result.output()));
+    script("inputs.csv", "time,signal,value", "0.5,digital_in[8],true");
+    assertEquals(
+        "pendant run: inputs.csv:2:5: digital_in: index is 8, must be 0 to 7",
+        Launcher.pendant(folder, "run", "--waveforms=inputs.csv", "waits.script")
+            .errors()
+            .lines()
+            .findFirst()
+            .orElse(""));
+  }
+
+  @Test
   void inputsOfAllKindsReachTheProgram() {
     script(
         "inputs.script",

@@ -158,6 +158,7 @@ final class Frame {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
     commandQueue.drain(this::followProgram);
+    box.signals().player().step(box.log()::warning);
     installed.step();
     followWatchdogs();
     followAssemblies();
@@ -345,6 +346,9 @@ final class Frame {
         internalEnding = Optional.empty();
         heldBySafety = false;
         box.signals().runState().started(before == ProgramState.PAUSED);
+        if (before == ProgramState.STOPPED) {
+          box.signals().player().programStarted();
+        }
         box.motion().resume();
       }
       case PAUSED -> {
@@ -354,6 +358,7 @@ final class Frame {
       }
       case STOPPED -> {
         box.programStopped();
+        box.signals().player().programEnded();
         installed.programEnded();
         box.modes().freedrive().end();
         box.motion().abort();

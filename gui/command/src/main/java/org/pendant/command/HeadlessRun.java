@@ -13,6 +13,8 @@ import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.io.InputWaveforms;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.safety.SafetyStop;
@@ -83,6 +85,9 @@ final class HeadlessRun {
       return runSecondary(new ProgramCommand.RunSecondary(program, folder));
     }
     double endS = options.timeoutS().orElse(Double.POSITIVE_INFINITY);
+    if (!options.waveforms().equals(InputWaveforms.NONE)) {
+      var _ = robot.submit(new IoCommand.PlayInputs(options.waveforms()));
+    }
     Optional<String> refusal = ask(new ProgramCommand.StartProgram(program, folder)).complaint();
     if (refusal.isPresent()) {
       console.complain(Report.error(source, refusal.get()));

@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import java.nio.charset.StandardCharsets;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -15,9 +16,11 @@ import org.pendant.controller.VirtualClock;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.encoder.Encoder;
 import org.pendant.controller.installation.Installation;
+import org.pendant.controller.io.InputWaveforms;
 import org.pendant.controller.io.SignalText;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.UnknownSignal;
+import org.pendant.controller.io.WaveformText;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.message.PreparedAnswer;
 import org.pendant.controller.safety.SafetyInput;
@@ -34,6 +37,7 @@ import org.pendant.protocols.externalcontrol.Drivers;
  * @param controller how each controller is switched on
  * @param hosts where programs may connect to
  * @param drivers who can be asked for the script of External Control nodes
+ * @param waveforms what happens at the inputs while a program runs
  * @param speedFactor how fast time goes against the wall clock; empty for as fast as possible
  * @param record the file to record to, by name
  * @param timeoutS robot time after which a program is stopped, s
@@ -44,6 +48,7 @@ record RunOptions(
     ControllerOptions controller,
     AllowedHosts hosts,
     Drivers drivers,
+    InputWaveforms waveforms,
     Optional<Double> speedFactor,
     Optional<String> record,
     OptionalDouble timeoutS,
@@ -82,6 +87,13 @@ record RunOptions(
           .documented(
               "\"digital_in[0]=true\"",
               "what an input has from the start; may be repeated, see [below](#inputs)");
+  private static final Option WAVEFORMS =
+      Option.text("--waveforms", "FILE", "what inputs do while a program runs, a table")
+          .reading()
+          .documented(
+              "inputs.csv",
+              "what happens at the inputs while a program runs: a table of times, signals and"
+                  + " values, see [below](#waveforms)");
   private static final Option ENCODER =
       Option.text("--encoder", "N=RATE", "a belt turns encoder 0 or 1, RATE ticks a second")
           .repeated()
@@ -128,6 +140,7 @@ record RunOptions(
                   InstallationOption.OPTION,
                   SPEED,
                   INPUT,
+                  WAVEFORMS,
                   ENCODER,
                   ANSWER,
                   RECORD,
@@ -148,7 +161,8 @@ record RunOptions(
       without(ALL, SPEED, RECORD, OutputFile.FORCE, RecordColumns.OPTION, ToolSerialOption.OPTION);
 
   /** What says what a controller is and what surrounds it, whatever it is to do. */
-  static final List<Option> OF_CONTROLLER = without(OF_PROGRAM, ANSWER, TIMEOUT, WallLimit.OPTION);
+  static final List<Option> OF_CONTROLLER =
+      without(OF_PROGRAM, ANSWER, WAVEFORMS, TIMEOUT, WallLimit.OPTION);
 
   private static List<Option> without(List<Option> options, Option... others) {
     return options.stream().filter(each -> !List.of(others).contains(each)).toList();
@@ -192,6 +206,7 @@ record RunOptions(
         controller,
         HostsOption.of(arguments),
         ControlOption.of(arguments),
+        waveforms(arguments),
         speedFactor,
         arguments.value(RECORD),
         arguments.number(TIMEOUT),
@@ -314,6 +329,19 @@ record RunOptions(
       }
     }
     return writes;
+  }
+
+  private static InputWaveforms waveforms(Arguments arguments) throws UsageException {
+    Optional<String> name = arguments.value(WAVEFORMS);
+    if (name.isEmpty()) {
+      return InputWaveforms.NONE;
+    }
+    byte[] table = arguments.files().bytes("the waveforms", name.get());
+    try {
+      return WaveformText.parse(name.get(), new String(table, StandardCharsets.UTF_8));
+    } catch (IllegalArgumentException e) {
+      throw new UsageException(e.getMessage());
+    }
   }
 
   private static Map<Integer, Double> encoders(Arguments arguments) throws UsageException {

@@ -42,6 +42,12 @@ public sealed interface IoCommand extends Command {
    */
   record ClaimSignal(String owner, String signal) implements IoCommand {}
 
+  /**
+   * Plays waveforms at the inputs from the start of the next program on, and of each that follows;
+   * {@link InputWaveforms#NONE} plays none any more.
+   */
+  record PlayInputs(InputWaveforms waveforms) implements IoCommand {}
+
   /** Gives back all signals that {@code owner} has taken. */
   record ReleaseSignals(String owner) implements IoCommand {}
 }

@@ -38,6 +38,10 @@ public final class IoCommandHandler implements CommandHandler<IoCommand> {
           Reply.unless(write(writer, writes));
       case IoCommand.ClaimSignal(String owner, String signal) ->
           Reply.unless(signals.owners().claim(signal, owner));
+      case IoCommand.PlayInputs(InputWaveforms waveforms) -> {
+        signals.player().set(waveforms);
+        yield Reply.done();
+      }
       case IoCommand.ReleaseSignals(String owner) -> {
         signals.owners().release(owner);
         yield Reply.done();

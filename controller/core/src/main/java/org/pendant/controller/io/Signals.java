@@ -11,6 +11,7 @@ public final class Signals {
   private final RegisterIo outputs = new RegisterIo();
   private final InputOwners owners = new InputOwners();
   private final RunStateOutputs runState = new RunStateOutputs(digital, analog, outputs);
+  private final InputPlayer player = new InputPlayer(this);
   private ToolConnector tool = ToolConnector.STANDARD;
   private PortLevels ports = PortLevels.ZERO;
   private InputActions actions = InputActions.DEFAULT;
@@ -42,6 +43,11 @@ public final class Signals {
   /** Outputs that follow what the program does. */
   public RunStateOutputs runState() {
     return runState;
+  }
+
+  /** What changes inputs by the time since a program began. */
+  public InputPlayer player() {
+    return player;
   }
 
   /** How the connector at the tool flange is set up. */

@@ -45,6 +45,8 @@ record KeptCommand(Command command, int bytes) {
       case ProgramCommand.RunSecondary secondary -> kept(secondary, size(secondary.program()));
       case InterpreterCommand.Interpret line -> kept(line, size(line.line().text()));
       case IoCommand.WriteSignals write -> kept(write, BYTES_PER_SIGNAL * write.writes().size());
+      case IoCommand.PlayInputs play ->
+          kept(play, 2 * BYTES_PER_SIGNAL * play.waveforms().changes().size());
       case RtdeCommand.WriteInputs write ->
           kept(write, BYTES_PER_SIGNAL * (2 + write.update().writes().size()));
       case AssemblyCommand.ReceiveAssembly got -> kept(got, got.data().size());
