@@ -49,6 +49,13 @@ final class DebugWindowTest {
     window.awaitWords("call-stack", "line 6");
     window.click("debug-bar-step");
     window.awaitWords("call-stack", "line 7");
+    window.click("debug-bar-step-back");
+    window.awaitShown("past-banner");
+    assertFalse(window.shows("debug-bar-step"));
+    window.press("alt F5");
+    window.click("debug-bar-step-on");
+    window.press("ESCAPE");
+    window.awaitHidden("past-banner");
     window.tabTo("debug-bar-stop");
     window.press("SPACE");
     window.awaitWords("program-state", "stopped");

@@ -22,6 +22,7 @@ import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.MotionFailure;
+import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.Value;
 import org.pendant.script.variables.VariableSampler;
@@ -480,7 +481,7 @@ final class Frame {
         box.links().assemblies().image(),
         box.offsets().encoders().counts(),
         box.modes().freedrive().state(box.drive().actualPositionRad()),
-        sampler.read(),
+        sampler.read(debugger.state().stop().map(DebugState.Stop::number).orElse(0L)),
         tracer.read(),
         box.prompts().popups().open(),
         box.prompts().questions().open(),

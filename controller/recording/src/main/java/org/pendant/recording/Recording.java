@@ -10,6 +10,7 @@ import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.time.FrameTime;
+import org.pendant.script.debug.DebugState;
 import org.pendant.script.variables.TracedVariables;
 
 /**
@@ -157,8 +158,49 @@ public final class Recording {
     return snapshots.of(cursor.to(segment.entryAt(wanted, count)), wanted);
   }
 
+  /**
+   * What the controller published at a moment; the end of its frame where the recording does not
+   * have that stop of the debugger.
+   */
+  public ControllerState at(Moment moment) {
+    long frame = inside(moment.frame());
+    if (moment.stop() == 0 || frame != moment.frame()) {
+      return atFrame(frame);
+    }
+    List<ControllerState> found = new ArrayList<>();
+    look(
+        frame - 1,
+        frame,
+        entry -> {
+          DebugState debug = (DebugState) entry.part(SnapshotPart.DEBUG);
+          if (entry.frame() == frame && Moment.of(frame, debug).equals(moment)) {
+            found.clear();
+            found.add(snapshots.of(entry, frame));
+          }
+        });
+    return found.isEmpty() ? atFrame(frame) : found.getFirst();
+  }
+
+  /** How many stretches there are. */
+  int stretches() {
+    return stretches.size();
+  }
+
+  /** Before the first entry of stretch {@code index}. */
+  SegmentCursor entries(int index) {
+    Segment segment = stretches.get(index).segment();
+    return new SegmentCursor(segment, count(index, segment));
+  }
+
+  /** The last entry of stretch {@code index}. */
+  SegmentCursor lastEntry(int index) {
+    Segment segment = stretches.get(index).segment();
+    int count = count(index, segment);
+    return new SegmentCursor(segment, count).to(count - 1);
+  }
+
   /** The stretch that a frame of this recording is in. */
-  private int stretchOf(long frame) {
+  int stretchOf(long frame) {
     int low = 0;
     int high = stretches.size() - 1;
     while (low < high) {
@@ -244,7 +286,11 @@ public final class Recording {
 
   /** The text of the program that ran at a time, or ran last; empty before the first. */
   public Optional<RecordedProgram> programAt(double timeS) {
-    long frame = frameAt(timeS);
+    return programOf(frameAt(timeS));
+  }
+
+  /** As {@link #programAt}, for a frame. */
+  public Optional<RecordedProgram> programOf(long frame) {
     return texts.all().reversed().stream().filter(each -> each.frame() <= frame).findFirst();
   }
 

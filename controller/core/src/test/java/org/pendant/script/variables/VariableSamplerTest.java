@@ -67,6 +67,29 @@ final class VariableSamplerTest {
   }
 
   @Test
+  void valuesAreTakenWhereTheProgramComesToAnotherLine() {
+    program.start("def program():", "  i = 0", "  sleep(0.012)", "  i = 1", "  sleep(1)", "end");
+    assertEquals("0", program.sample("i").variable().text());
+    program.frames(6);
+    assertEquals("1", program.sample("i").variable().text());
+  }
+
+  @Test
+  void manyVariablesAreNotTakenForEachLine() {
+    program.start(
+        "def program():",
+        "  list = [" + "1, ".repeat(299) + "1]",
+        "  sleep(0.012)",
+        "  list[0] = 2",
+        "  sleep(1)",
+        "end");
+    program.frames(6);
+    assertEquals("1", program.sample("list").parts(1).getFirst().variable().text());
+    program.frames(20);
+    assertEquals("2", program.sample("list").parts(1).getFirst().variable().text());
+  }
+
+  @Test
   void whatHasNotChangedIsTheSameObject() {
     program.start(
         "def program():",

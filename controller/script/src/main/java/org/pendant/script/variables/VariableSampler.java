@@ -12,10 +12,12 @@ import org.pendant.script.vm.ProgramState;
 import org.pendant.script.vm.VariableSlots;
 
 /**
- * Variable sampler: takes {@link VariableSamples} every 20 frames, and in the first and last frame
- * of a program. A variable keeps at most {@link #MAX_PARTS} elements and members, all together at
- * most {@link #MAX_IN_ALL}; programs that have many are sampled less often, so that the mean cost
- * of a frame stays the same. Frame loop only.
+ * Variable sampler: takes {@link VariableSamples} every 20 frames, in the first and last frame of a
+ * program, when a debugger has stopped it, and when the main thread has come to another line, if
+ * there are not many variables: people who go back by statements find what they were then. A
+ * variable keeps at most {@link #MAX_PARTS} elements and members, all together at most {@link
+ * #MAX_IN_ALL}; programs that have many are sampled less often, so that the mean cost of a frame
+ * stays the same. Frame loop only.
  */
 public final class VariableSampler {
   /** Frames from one sample to the next. */
@@ -30,27 +32,41 @@ public final class VariableSampler {
   /** A sample of so many parts comes after {@link #FRAMES}; one of twice as many after twice. */
   private static final int PARTS_IN_TIME = 500;
 
+  /** A program whose samples have more parts is not sampled for each line. */
+  private static final int PARTS_FOR_LINES = 200;
+
   private final Machine machine;
   private Optional<VariableSlots> sampled = Optional.empty();
   private VariableSamples samples = VariableSamples.NONE;
   private boolean ended;
   private int wait;
   private int left;
+  private int line;
+  private long stop;
 
   /** Samples what {@code machine} runs. */
   public VariableSampler(Machine machine) {
     this.machine = machine;
   }
 
-  /** The newest sample; takes one if it is time, once a frame. */
-  public VariableSamples read() {
+  /**
+   * The newest sample; takes one if it is time, once a frame.
+   *
+   * @param stopNumber of the debugger's stop that holds the program; 0 while none does
+   */
+  public VariableSamples read(long stopNumber) {
     Optional<VariableSlots> slots = machine.variableSlots();
     if (slots.isEmpty()) {
       return samples;
     }
     boolean fresh = sampled.isEmpty() || sampled.get() != slots.get();
     boolean stopped = machine.state() == ProgramState.STOPPED;
-    if (fresh || stopped != ended || (!stopped && --wait <= 0)) {
+    boolean otherStop = stopNumber != 0 && stopNumber != stop;
+    boolean otherLine = machine.line() != line && MAX_IN_ALL - left <= PARTS_FOR_LINES;
+    stop = stopNumber;
+    line = machine.line();
+    boolean moved = otherStop || otherLine;
+    if (fresh || stopped != ended || (!stopped && (--wait <= 0 || moved))) {
       if (fresh) {
         samples = new VariableSamples(samples.run() + 1, List.of(), "", List.of(), 0);
       }

@@ -6,6 +6,7 @@ import java.awt.EventQueue;
 import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
@@ -23,6 +24,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
+import org.pendant.script.debug.DebugState;
 
 /** Call stack view: all script threads of a program that is paused, and their calls. */
 public final class CallStackView implements View {
@@ -32,6 +34,9 @@ public final class CallStackView implements View {
   private static final String NOTE =
       "No program runs. The threads of one that runs appear here, and when it is paused, by a"
           + " breakpoint (F9) or in the debugger, their calls with variables.";
+
+  private static final String PAST_NOTE =
+      "A recording has threads and calls only of the moments at which the debugger stopped.";
 
   private final Workbench workbench;
   private final DebugPresenter debug;
@@ -44,6 +49,8 @@ public final class CallStackView implements View {
   private final JButton resume;
   private final List<JButton> steps;
   private boolean showing;
+  private Supplier<Optional<ControllerState>> past = Optional::empty;
+  private Optional<DebugState> shownPast = Optional.empty();
 
   /** Without threads yet. */
   public CallStackView(Workbench workbench, DebugPresenter debug) {
@@ -65,6 +72,11 @@ public final class CallStackView implements View {
     panel = new DebugPanel("call-stack", content);
     debug.addListener(this::show);
     show();
+  }
+
+  /** Has the calls of a moment of the past shown, while there is one. */
+  public void setPast(Supplier<Optional<ControllerState>> moment) {
+    past = moment;
   }
 
   private void setUpTable() {
@@ -124,7 +136,7 @@ public final class CallStackView implements View {
   }
 
   private void choose() {
-    if (showing) {
+    if (showing || shownPast.isPresent()) {
       return;
     }
     selectedRow()
@@ -144,6 +156,10 @@ public final class CallStackView implements View {
 
   private void show() {
     enable();
+    if (shownPast.isPresent()) {
+      showPast(shownPast.get());
+      return;
+    }
     if (!debug.showsValues() && !debug.runsFree()) {
       rows.show(List.of());
       panel.showNote(NOTE);
@@ -165,6 +181,17 @@ public final class CallStackView implements View {
     } finally {
       showing = false;
     }
+  }
+
+  private void showPast(DebugState then) {
+    if (!then.held()) {
+      rows.show(List.of());
+      panel.showNote(PAST_NOTE);
+      return;
+    }
+    panel.showContent(StopText.of(then.stop().orElseThrow(), debug::lineNow));
+    rows.show(CallRow.of(then.threads(), debug::lineNow));
+    table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
   }
 
   private void enable() {
@@ -211,6 +238,11 @@ public final class CallStackView implements View {
   public void refresh(ControllerState state) {
     debug.refresh(state);
     debug.lookAtThreads();
+    Optional<DebugState> then = past.get().map(ControllerState::debug);
+    if (!then.equals(shownPast)) {
+      shownPast = then;
+      show();
+    }
     enable();
   }
 

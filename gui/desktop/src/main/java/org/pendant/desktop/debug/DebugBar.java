@@ -6,6 +6,7 @@ import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.timeline.PastSteps;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.KeyText;
 import org.pendant.kit.icon.Glyph;
@@ -13,8 +14,9 @@ import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Debug bar: how a program that is paused continues; it is there only then. It stands in the head
- * of what shows the program.
+ * Debug bar: how a program that is paused continues, and how people go back and on through what it
+ * did; it is there only then, and while they look at the past. It stands in the head of what shows
+ * the program.
  */
 @SuppressWarnings("serial") // never written to a stream
 public final class DebugBar extends JPanel {
@@ -22,45 +24,70 @@ public final class DebugBar extends JPanel {
 
   private final transient Workbench workbench;
   private final transient DebugPresenter debug;
+  private final transient PastSteps past;
   private final transient List<Tool> tools;
 
+  /** When a button is there. */
+  private enum When {
+    NOW,
+    PAST,
+    ALWAYS
+  }
+
   /** A button, and when it can be used. */
-  private record Tool(JButton button, BooleanSupplier enabled) {}
+  private record Tool(JButton button, BooleanSupplier enabled, When when) {}
 
   /**
    * A bar for what {@code debug} knows.
    *
    * @param name begins the names of its parts
+   * @param past how people go back and on through the past
    */
-  public DebugBar(String name, Workbench workbench, DebugPresenter debug) {
+  public DebugBar(String name, Workbench workbench, DebugPresenter debug, PastSteps past) {
     super(new MigLayout("insets 0 4 0 4, gap 0, hidemode 3", "", "[center]"));
     this.workbench = workbench;
     this.debug = debug;
+    this.past = past;
     setName(name);
     setOpaque(false);
     getAccessibleContext().setAccessibleName("Debug bar");
-    Stepping steps = debug.steps();
     BooleanSupplier any = this::wanted;
+    Icon run = Glyph.PLAY.icon(SIDE, Palette.ok());
+    Icon stop = Glyph.STOP.icon(SIDE, Palette.error());
     tools =
         List.of(
-            tool("Continue", "program.run", Glyph.PLAY.icon(SIDE, Palette.ok()), any),
-            tool("Step over", "program.step", drawing("step-over"), steps::canStep),
-            tool("Step into", "debug.step-into", drawing("step-into"), steps::canStep),
-            tool("Step out", "debug.step-out", drawing("step-out"), steps::canStep),
-            tool(
-                "Run to the line of the caret",
-                "debug.run-to-line",
-                drawing("run-to"),
-                steps::canStep),
-            tool("Stop", "program.stop", Glyph.STOP.icon(SIDE, Palette.error()), any));
+            back("Reverse continue", "past.reverse-continue", "reverse-continue"),
+            back("Step back", "past.step-back", "step-back"),
+            on("Next statement of the recording", "past.step-on", "step-over"),
+            on("Next breakpoint of the recording", "past.continue", "continue-on"),
+            on("Back to now: Esc", "timeline.live", "to-now"),
+            tool("Continue", "program.run", run, any, When.NOW),
+            step("Step over", "program.step", "step-over"),
+            step("Step into", "debug.step-into", "step-into"),
+            step("Step out", "debug.step-out", "step-out"),
+            step("Run to the line of the caret", "debug.run-to-line", "run-to"),
+            tool("Stop", "program.stop", stop, any, When.NOW));
     setVisible(false);
+  }
+
+  private Tool back(String title, String action, String drawing) {
+    BooleanSupplier enabled = () -> past.whyNoBack().isEmpty();
+    return tool(title, action, drawing(drawing), enabled, When.ALWAYS);
+  }
+
+  private Tool on(String title, String action, String drawing) {
+    return tool(title, action, drawing(drawing), past::back, When.PAST);
+  }
+
+  private Tool step(String title, String action, String drawing) {
+    return tool(title, action, drawing(drawing), debug.steps()::canStep, When.NOW);
   }
 
   private static Icon drawing(String name) {
     return SvgIcon.of("tool/" + name, SIDE);
   }
 
-  private Tool tool(String title, String action, Icon icon, BooleanSupplier enabled) {
+  private Tool tool(String title, String action, Icon icon, BooleanSupplier enabled, When when) {
     JButton button =
         new JButton(icon) {
           @Override
@@ -75,17 +102,21 @@ public final class DebugBar extends JPanel {
     button.getAccessibleContext().setAccessibleName(title);
     button.addActionListener(event -> workbench.actions().run(action));
     add(button);
-    return new Tool(button, enabled);
+    return new Tool(button, enabled, when);
   }
 
   private boolean wanted() {
-    return debug.held() || debug.steps().canStep();
+    return past.back() || debug.held() || debug.steps().canStep();
   }
 
   /** Shows what can be done now. */
   public void refresh() {
     boolean wanted = wanted();
-    tools.forEach(each -> each.button().setEnabled(each.enabled().getAsBoolean()));
+    When other = past.back() ? When.NOW : When.PAST;
+    for (Tool each : tools) {
+      each.button().setVisible(each.when() != other);
+      each.button().setEnabled(each.enabled().getAsBoolean());
+    }
     if (wanted != isVisible()) {
       setVisible(wanted);
       revalidate();

@@ -114,6 +114,22 @@ public final class OpenBreakpoints {
     return list(program).all();
   }
 
+  /** Those of a program that would stop it, each on the line of the statement that it is before. */
+  public List<Breakpoint> stopping(ProgramDocument program) {
+    return all(program).stream()
+        .filter(each -> each.enabled() && !each.logs())
+        .map(
+            each ->
+                each.onLine(
+                    state(program, each)
+                        .map(BreakpointState::statementLine)
+                        .filter(OptionalInt::isPresent)
+                        .map(OptionalInt::getAsInt)
+                        .orElse(each.line())))
+        .map(each -> each.when(ByteText.asBytes(each.condition())))
+        .toList();
+  }
+
   /** The program that was started last; it may have been closed meanwhile. */
   public Optional<ProgramDocument> started() {
     return started.document();

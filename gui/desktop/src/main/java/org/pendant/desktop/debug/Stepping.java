@@ -2,6 +2,7 @@ package org.pendant.desktop.debug;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import org.pendant.controller.state.ControllerState;
@@ -27,6 +28,8 @@ public final class Stepping {
   private boolean resumable;
 
   private int thread = Debugger.MAIN;
+  private BooleanSupplier past = () -> false;
+  private Runnable pastStep = () -> {};
 
   /**
    * Nothing runs yet.
@@ -52,6 +55,17 @@ public final class Stepping {
     thread = scope.map(Scope::thread).orElse(Debugger.MAIN);
   }
 
+  /**
+   * Has steps into and over calls be through a recording while people look at the past.
+   *
+   * @param looking whether they do
+   * @param step to the next statement there
+   */
+  public void inThePast(BooleanSupplier looking, Runnable step) {
+    past = looking;
+    pastStep = step;
+  }
+
   /** Whether a paused program can continue by steps; one that has failed can only end. */
   public boolean canStep() {
     return resumable || canKill();
@@ -74,12 +88,20 @@ public final class Stepping {
 
   /** To the next statement of the thread, in any function. */
   public void into() {
+    if (past.getAsBoolean()) {
+      pastStep.run();
+      return;
+    }
     int stepped = thread;
     step(debugger -> debugger.stepInto(stepped));
   }
 
   /** To the next statement of the same function. */
   public void over() {
+    if (past.getAsBoolean()) {
+      pastStep.run();
+      return;
+    }
     int stepped = thread;
     step(debugger -> debugger.stepOver(stepped));
   }

@@ -9,6 +9,8 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
@@ -114,6 +116,24 @@ final class ValueTable extends JTable {
     return row >= 0 && row(row) instanceof ValueRow.Value value
         ? Optional.of(value)
         : Optional.empty();
+  }
+
+  /** Has {@code listener} hear the expression of each value that people select or come back to. */
+  void whenSelected(Consumer<String> listener) {
+    getSelectionModel().addListSelectionListener(event -> tellSelected(listener));
+    addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusGained(FocusEvent event) {
+            tellSelected(listener);
+          }
+        });
+  }
+
+  private void tellSelected(Consumer<String> listener) {
+    if (isFocusOwner()) {
+      selectedValue().map(ValueTable::expression).ifPresent(listener);
+    }
   }
 
   /** Selects the first value there is. */

@@ -19,6 +19,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
+import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
 
@@ -82,6 +83,11 @@ public final class VariablesView implements View {
     show();
   }
 
+  /** Has {@code listener} hear the expression of each variable that is selected. */
+  public void whenSelected(Consumer<String> listener) {
+    table.whenSelected(listener);
+  }
+
   /** Has the values of a moment of the past shown, while there is one. */
   public void setPast(Supplier<Optional<ControllerState>> moment) {
     past = moment;
@@ -126,7 +132,18 @@ public final class VariablesView implements View {
     menu.add(item("Favourite on or off", "S: favourites come first", table::toggleStar));
     menu.add(item("Add to plot", "P: draws it over time on the Plots screen", this::plot));
     menu.add(item("Add to watches", "Shows it at every stop", this::watch));
+    menu.addSeparator();
+    menu.add(changeBefore(workbench));
     return menu;
+  }
+
+  /** Leads to where the selected variable got its value. */
+  static JMenuItem changeBefore(Workbench workbench) {
+    String keys = KeyText.shown(workbench.actions().keysOf("past.change-before"));
+    return item(
+        "Go to its last change",
+        "Shows the moment at which it got this value" + (keys.isEmpty() ? "" : " (" + keys + ")"),
+        () -> workbench.actions().run("past.change-before"));
   }
 
   static JMenuItem item(String title, String tip, Runnable run) {
@@ -176,7 +193,7 @@ public final class VariablesView implements View {
   private void show() {
     String note = presenter.note();
     if (note.isEmpty()) {
-      panel.showContent(debug.stopText());
+      panel.showContent(wasPast ? "" : debug.stopText());
     } else {
       panel.showNote(note);
     }

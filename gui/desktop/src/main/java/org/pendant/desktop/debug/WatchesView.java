@@ -3,6 +3,8 @@ package org.pendant.desktop.debug;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -30,10 +32,14 @@ public final class WatchesView implements View {
   private final JTextField field = new JTextField();
   private final DebugPanel middle;
   private final JPanel panel = new JPanel(new BorderLayout());
+  private final Workbench workbench;
+  private Supplier<Optional<ControllerState>> past = Optional::empty;
+  private boolean wasPast;
 
   /** With the expressions that were watched last. */
   public WatchesView(Workbench workbench, DebugPresenter debug) {
     assert EventQueue.isDispatchThread();
+    this.workbench = workbench;
     this.debug = debug;
     table =
         new ValueTable(
@@ -63,6 +69,16 @@ public final class WatchesView implements View {
     show();
   }
 
+  /** Has {@code listener} hear each expression that is selected. */
+  public void whenSelected(Consumer<String> listener) {
+    table.whenSelected(listener);
+  }
+
+  /** Has the values of a moment of the past shown, while there is one. */
+  public void setPast(Supplier<Optional<ControllerState>> moment) {
+    past = moment;
+  }
+
   private JPopupMenu menu() {
     JPopupMenu menu = new JPopupMenu();
     menu.add(
@@ -72,6 +88,7 @@ public final class WatchesView implements View {
             () -> table.edit(ValueTableModel.NAME)));
     menu.add(VariablesView.item("Change value", "F2, or a double click", table::editValue));
     menu.add(VariablesView.item("Copy value", "Puts it on the clipboard", table::copyValue));
+    menu.add(VariablesView.changeBefore(workbench));
     menu.addSeparator();
     menu.add(VariablesView.item("Remove", "Del", this::remove));
     return menu;
@@ -138,7 +155,17 @@ public final class WatchesView implements View {
 
   @Override
   public void refresh(ControllerState state) {
-    debug.refresh(state);
-    live.refresh(state, debug.showsValues());
+    Optional<ControllerState> then = past.get();
+    if (then.isPresent()) {
+      live.refresh(then.get(), false);
+    } else {
+      debug.refresh(state);
+      if (wasPast) {
+        // What a debugger found at a stop was replaced by the past.
+        debug.selected().ifPresent(scope -> debug.select(scope.thread(), scope.depth()));
+      }
+      live.refresh(state, debug.showsValues());
+    }
+    wasPast = then.isPresent();
   }
 }

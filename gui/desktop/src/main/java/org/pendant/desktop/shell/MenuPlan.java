@@ -302,6 +302,9 @@ final class MenuPlan {
             "debug.pause",
             "debug.step-over"),
         line(),
+        all("past.step-back"),
+        sub("In the recording", "", all("past")),
+        line(),
         one("editor.breakpoint", "tree.breakpoint"),
         all("debug.conditional-breakpoint", "debug"));
   }

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.function.Function;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
@@ -21,12 +22,16 @@ import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.shell.run.RunProgram;
 import org.pendant.desktop.timeline.HeldView;
 import org.pendant.desktop.timeline.LookBack;
+import org.pendant.desktop.timeline.PastActions;
 import org.pendant.desktop.timeline.PastBanner;
+import org.pendant.desktop.timeline.PastSteps;
 import org.pendant.desktop.timeline.RecordedText;
 import org.pendant.desktop.timeline.TimelineView;
 import org.pendant.desktop.workbench.View;
 import org.pendant.language.source.ByteText;
+import org.pendant.recording.Moment;
 import org.pendant.recording.RecordedProgram;
+import org.pendant.script.debug.Breakpoint;
 
 /** Views of the past: what the window does while people look at the past. */
 final class PastViews {
@@ -42,17 +47,34 @@ final class PastViews {
   private final LookBack lookBack;
   private final PastBanner banner;
   private final TimelineView timeline;
+  private final PastSteps steps;
   private Optional<ProgramDocument> marked = Optional.empty();
-  private OptionalLong searched = OptionalLong.empty();
+  private Optional<Moment> searched = Optional.empty();
   private Optional<List<LogEntry>> shownLog = Optional.empty();
 
-  PastViews(ShellWorkbench workbench, Programs programs, ScriptEditor editor) {
+  /**
+   * Shows now.
+   *
+   * @param breakpoints the breakpoints of an open program that stop it
+   */
+  PastViews(
+      ShellWorkbench workbench,
+      Programs programs,
+      ScriptEditor editor,
+      Function<ProgramDocument, List<Breakpoint>> breakpoints) {
     this.workbench = workbench;
     this.programs = programs;
     this.editor = editor;
     lookBack = new LookBack(workbench.session()::recording, workbench::notify);
     banner = new PastBanner(lookBack, new RecordedText());
     timeline = new TimelineView(workbench, lookBack, this::chooseFile);
+    steps =
+        PastSteps.of(
+            lookBack,
+            workbench.session()::state,
+            ran -> open(ran).map(breakpoints).orElse(List.of()),
+            workbench::notify);
+    PastActions.addTo(workbench.actions(), steps);
     workbench.session().addSwitchListener(new Switched());
   }
 
@@ -77,6 +99,11 @@ final class PastViews {
     return timeline;
   }
 
+  /** How people go back and on through what a program did. */
+  PastSteps steps() {
+    return steps;
+  }
+
   /** Stands above the views. */
   PastBanner banner() {
     return banner;
@@ -90,6 +117,11 @@ final class PastViews {
   /** A view in which people act on the robot, which they cannot in the past. */
   View held(View view) {
     return new HeldView(view, lookBack, workbench::notify);
+  }
+
+  /** As {@link #held}, for a view of variables, which can be selected. */
+  View selectable(View view) {
+    return new HeldView(view, lookBack, workbench::notify, true);
   }
 
   /** Opens a recording. */
@@ -131,7 +163,7 @@ final class PastViews {
     }
     if (!lookBack.back()) {
       if (searched.isPresent()) {
-        searched = OptionalLong.empty();
+        searched = Optional.empty();
         unmark();
         log.lookAtNow();
         banner.refresh(false);
@@ -144,8 +176,8 @@ final class PastViews {
     }
     ControllerState past = lookBack.shown(live);
     boolean fresh = false;
-    if (searched.isEmpty() || searched.getAsLong() != past.frame()) {
-      searched = OptionalLong.of(past.frame());
+    if (!searched.equals(lookBack.moment())) {
+      searched = lookBack.moment();
       log.lookAt(past.timeS());
       fresh = true;
     }
@@ -155,7 +187,7 @@ final class PastViews {
       unmark();
       marked = open;
     }
-    int line = past.program().line();
+    int line = lookBack.line();
     open.ifPresent(document -> editor.setExecution(document, Execution.running(line)));
     if (fresh) {
       open.ifPresent(document -> editor.reveal(document, line));
@@ -169,10 +201,7 @@ final class PastViews {
     if (!lookBack.back()) {
       return OptionalInt.empty();
     }
-    return OptionalInt.of(
-        marked.filter(document::equals).isPresent()
-            ? lookBack.past().map(state -> state.program().line()).orElse(0)
-            : 0);
+    return OptionalInt.of(marked.filter(document::equals).isPresent() ? lookBack.line() : 0);
   }
 
   private void unmark() {

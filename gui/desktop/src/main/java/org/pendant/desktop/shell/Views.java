@@ -102,12 +102,13 @@ final class Views {
     runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     editor.setMarginMenu(breakpoints.marginMenu());
-    DebugBar scriptBar = new DebugBar("debug-bar", workbench, debug);
-    editor.addToHead(scriptBar);
-    DebugBar treeBar = new DebugBar("debug-bar-tree", workbench, debug);
-    debugBars = List.of(scriptBar, treeBar);
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
-    past = new PastViews(workbench, programs, editor);
+    past = new PastViews(workbench, programs, editor, debug.breakpoints()::stopping);
+    debug.steps().inThePast(past.steps()::back, past.steps()::stepOn);
+    DebugBar scriptBar = new DebugBar("debug-bar", workbench, debug, past.steps());
+    editor.addToHead(scriptBar);
+    DebugBar treeBar = new DebugBar("debug-bar-tree", workbench, debug, past.steps());
+    debugBars = List.of(scriptBar, treeBar);
     ScenePanel scene = new ScenePanel(workbench, past::past);
     MoveView move =
         new MoveView(workbench, scene, line -> insertLine(programs.current().isTree(), line));
@@ -160,6 +161,12 @@ final class Views {
             past::showBefore);
     VariablesView variables = new VariablesView(workbench, debug, favourites, plots::addVariables);
     variables.setPast(past::past);
+    variables.whenSelected(past.steps()::watch);
+    WatchesView watches = new WatchesView(workbench, debug);
+    watches.setPast(past::past);
+    watches.whenSelected(past.steps()::watch);
+    CallStackView calls = new CallStackView(workbench, debug);
+    calls.setPast(past::past);
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     places =
         List.of(
@@ -172,13 +179,13 @@ final class Views {
             screen(log, Glyph.LOG),
             screen(plots, Glyph.PLOT),
             panel(scene, Side.RIGHT),
-            panel(past.held(variables), Side.LOWER),
-            panel(new WatchesView(workbench, debug), Side.LOWER),
+            panel(past.selectable(variables), Side.LOWER),
+            panel(past.selectable(watches), Side.LOWER),
             panel(new OutlineView(workbench, editor), Side.LOWER),
             panel(ports, Side.LOWER),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
-            panel(new CallStackView(workbench, debug), Side.LOWER),
+            panel(past.held(calls), Side.LOWER),
             panel(breakpoints, Side.BOTTOM),
             panel(past.timeline(), Side.BOTTOM));
   }

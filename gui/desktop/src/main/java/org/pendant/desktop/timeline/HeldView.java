@@ -11,6 +11,8 @@ import javax.swing.JComponent;
 import javax.swing.JLayer;
 import javax.swing.JScrollBar;
 import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import javax.swing.plaf.LayerUI;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.View;
@@ -26,12 +28,22 @@ public final class HeldView implements View {
 
   /** {@code tell} hears a sentence whenever the user wants to act on the past. */
   public HeldView(View view, LookBack lookBack, Consumer<String> tell) {
+    this(view, lookBack, tell, false);
+  }
+
+  /**
+   * As {@link #HeldView(View, LookBack, Consumer)}.
+   *
+   * @param selectable whether rows of its tables can be selected meanwhile
+   */
+  public HeldView(View view, LookBack lookBack, Consumer<String> tell, boolean selectable) {
     this.view = view;
     layer =
         new JLayer<>(
             view.component(),
             new Glass(
                 lookBack,
+                selectable,
                 () ->
                     tell.accept(
                         view.title()
@@ -67,10 +79,12 @@ public final class HeldView implements View {
     private static final int VEIL = 28;
 
     private final transient LookBack lookBack;
+    private final boolean selectable;
     private final transient Runnable refused;
 
-    Glass(LookBack lookBack, Runnable refused) {
+    Glass(LookBack lookBack, boolean selectable, Runnable refused) {
       this.lookBack = lookBack;
+      this.selectable = selectable;
       this.refused = refused;
     }
 
@@ -107,6 +121,14 @@ public final class HeldView implements View {
       boolean moves =
           switch (event.getKeyCode()) {
             case KeyEvent.VK_TAB, KeyEvent.VK_ESCAPE -> true;
+            case KeyEvent.VK_UP,
+                KeyEvent.VK_DOWN,
+                KeyEvent.VK_LEFT,
+                KeyEvent.VK_RIGHT,
+                KeyEvent.VK_HOME,
+                KeyEvent.VK_END ->
+                selectable && event.getComponent() instanceof JTable;
+            case KeyEvent.VK_F2 -> false;
             default -> event.isControlDown() || event.isAltDown() || functionKey(event);
           };
       if (!moves) {
@@ -122,6 +144,7 @@ public final class HeldView implements View {
       if (!lookBack.back()
           || event.getComponent() instanceof JScrollBar
           || event.getComponent() instanceof JTabbedPane
+          || selects(event)
           || event.getID() == MouseEvent.MOUSE_RELEASED
           || event.getID() == MouseEvent.MOUSE_ENTERED
           || event.getID() == MouseEvent.MOUSE_EXITED) {
@@ -131,6 +154,14 @@ public final class HeldView implements View {
       if (tells) {
         refused.run();
       }
+    }
+
+    private boolean selects(InputEvent event) {
+      return selectable
+          && event.getComponent() instanceof JTable
+          && event instanceof MouseEvent mouse
+          && mouse.getClickCount() <= 1
+          && SwingUtilities.isLeftMouseButton(mouse);
     }
 
     @Override

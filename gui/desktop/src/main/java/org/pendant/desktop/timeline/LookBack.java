@@ -7,15 +7,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.time.FrameTime;
+import org.pendant.recording.Moment;
 import org.pendant.recording.RecordedProgram;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingMark;
+import org.pendant.script.debug.DebugState;
 
 /**
  * Look back: which moment people look at: the current one, one of what the controller has just
@@ -30,7 +31,7 @@ public final class LookBack {
   private final List<Runnable> listeners = new ArrayList<>();
   private Optional<Opened> file = Optional.empty();
   private Recording recording;
-  private OptionalLong frame = OptionalLong.empty();
+  private Optional<Moment> moment = Optional.empty();
   private Optional<ControllerState> past = Optional.empty();
   private double liveS;
   private TimeRange range = new TimeRange(0, FIRST_WIDTH_S);
@@ -67,9 +68,9 @@ public final class LookBack {
       return;
     }
     recording = ring.get();
-    if (frame.isPresent() && frame.getAsLong() < recording.firstFrame()) {
+    if (moment.isPresent() && moment.get().frame() < recording.firstFrame()) {
       // The bound of memory has caught up: the oldest that is left is shown.
-      lookAt(recording.firstFrame());
+      lookAt(Moment.endOf(recording.firstFrame()));
     }
     if (following) {
       follow(range.widthS());
@@ -82,6 +83,14 @@ public final class LookBack {
     range = new TimeRange(toS - widthS, toS);
   }
 
+  /** Has {@link #recording} be what there is now, and answers the moment that people look at. */
+  Moment newest(ControllerState live) {
+    if (file.isEmpty()) {
+      recording = ring.get();
+    }
+    return moment.orElseGet(() -> Moment.of(live));
+  }
+
   /** What the timeline is about. */
   public Recording recording() {
     return recording;
@@ -89,7 +98,12 @@ public final class LookBack {
 
   /** Whether the views show something other than now. */
   public boolean back() {
-    return frame.isPresent();
+    return moment.isPresent();
+  }
+
+  /** The moment that people look at; empty for now. */
+  public Optional<Moment> moment() {
+    return moment;
   }
 
   /** Whether that is of a file. */
@@ -119,9 +133,18 @@ public final class LookBack {
 
   /** When that moment is, robot time in s; empty for now. */
   public OptionalDouble timeS() {
-    return frame.isPresent()
-        ? OptionalDouble.of(seconds(frame.getAsLong()))
+    return moment.isPresent()
+        ? OptionalDouble.of(seconds(moment.get().frame()))
         : OptionalDouble.empty();
+  }
+
+  /** The line that the program had reached then, from 1; 0 while none ran, and for now. */
+  public int line() {
+    return past.map(LookBack::lineOf).orElse(0);
+  }
+
+  private static int lineOf(ControllerState state) {
+    return state.debug().stop().map(DebugState.Stop::line).orElse(state.program().line());
   }
 
   private static double seconds(long frame) {
@@ -136,14 +159,15 @@ public final class LookBack {
 
   /** What must be read before the past can be taken for the present; empty for now. */
   public String banner() {
-    if (frame.isEmpty()) {
+    if (moment.isEmpty()) {
       return "";
     }
-    String at = text(seconds(frame.getAsLong()));
+    String at = text(seconds(moment.get().frame()));
     return file.map(opened -> "Looking at " + at + " of the recording " + opened.path.getFileName())
             .orElseGet(() -> "Looking at " + at)
         + " \u2013 the robot is at "
-        + text(liveS);
+        + text(liveS)
+        + "; Esc leads back";
   }
 
   /** A time as people read it. */
@@ -155,9 +179,17 @@ public final class LookBack {
 
   /** Looks at a time. */
   public void scrub(double timeS) {
-    if (lookAt(recording.frameAt(timeS))) {
+    if (lookAt(Moment.endOf(recording.frameAt(timeS)))) {
       following = false;
       changed();
+    }
+  }
+
+  /** Looks at a moment of the recording that {@link #recording} answers, and shows it. */
+  void jump(Moment wanted) {
+    if (lookAt(wanted)) {
+      following = false;
+      show(seconds(wanted.frame()));
     }
   }
 
@@ -172,14 +204,15 @@ public final class LookBack {
     changed();
   }
 
-  private boolean lookAt(long wanted) {
-    long inside = Math.clamp(wanted, recording.firstFrame(), recording.lastFrame());
-    if (past.isPresent() && frame.isPresent() && frame.getAsLong() == inside) {
+  private boolean lookAt(Moment wanted) {
+    long frame = Math.clamp(wanted.frame(), recording.firstFrame(), recording.lastFrame());
+    Moment inside = frame == wanted.frame() ? wanted : Moment.endOf(frame);
+    if (past.isPresent() && moment.equals(Optional.of(inside))) {
       return true;
     }
     try {
-      past = Optional.of(recording.atFrame(inside));
-      frame = OptionalLong.of(inside);
+      past = Optional.of(recording.at(inside));
+      moment = Optional.of(inside);
       return true;
     } catch (UncheckedIOException e) {
       tell.accept("The recording can no longer be read: " + e.getCause().getMessage());
@@ -190,7 +223,11 @@ public final class LookBack {
 
   /** Moves by so many frames of 2 ms, back for fewer than none. */
   public void step(long frames) {
-    move(frame.orElse(recording.lastFrame()) + frames);
+    move(frame() + frames);
+  }
+
+  private long frame() {
+    return moment.map(Moment::frame).orElse(recording.lastFrame());
   }
 
   private void move(long wanted) {
@@ -215,7 +252,7 @@ public final class LookBack {
    * @return whether there is one
    */
   boolean toMark(List<RecordingMark> marks, boolean forward) {
-    long from = frame.orElse(recording.lastFrame());
+    long from = frame();
     Optional<RecordingMark> found =
         forward
             ? marks.stream().filter(mark -> mark.frame() > from).findFirst()
@@ -226,7 +263,7 @@ public final class LookBack {
 
   /** Back to now: a file is closed. */
   public void live() {
-    frame = OptionalLong.empty();
+    moment = Optional.empty();
     past = Optional.empty();
     following = true;
     if (file.isPresent()) {
@@ -248,7 +285,7 @@ public final class LookBack {
     past = Optional.empty();
     following = false;
     range = new TimeRange(opened.firstS(), Math.max(opened.lastS(), opened.firstS() + 1));
-    lookAt(opened.firstFrame());
+    lookAt(Moment.endOf(opened.firstFrame()));
     changed();
   }
 
@@ -293,6 +330,12 @@ public final class LookBack {
     if (ofFile()) {
       return "A recording of a file cannot be continued";
     }
-    return back() ? "" : "Choose a moment on the timeline first";
+    if (moment.isEmpty()) {
+      return "Choose a moment on the timeline first";
+    }
+    long stop = moment.get().stop();
+    return stop != 0 && Moment.of(recording.atFrame(moment.get().frame())).stop() != stop
+        ? "A branch begins where a frame ends, and this is a stop of the debugger within one"
+        : "";
   }
 }

@@ -40,7 +40,8 @@ final class LookBackTest {
     lookBack.take(run.state());
 
     assertEquals(100, lookBack.shown(run.state()).frame());
-    assertEquals("Looking at 0.200 s \u2013 the robot is at 1.500 s", lookBack.banner());
+    assertEquals(
+        "Looking at 0.200 s \u2013 the robot is at 1.500 s; Esc leads back", lookBack.banner());
     assertEquals("test.script", lookBack.program().orElseThrow().source().name());
     lookBack.live();
     assertSame(run.state(), lookBack.shown(run.state()));

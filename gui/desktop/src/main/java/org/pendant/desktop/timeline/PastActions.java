@@ -1,0 +1,60 @@
+package org.pendant.desktop.timeline;
+
+import java.util.function.Supplier;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+
+/** Past actions: what people can do by key to go back and on through what a program did. */
+public final class PastActions {
+  private PastActions() {}
+
+  /** Adds them. */
+  public static void addTo(ActionTable actions, PastSteps steps) {
+    add(actions, "step-back", "Step back", "control F11", steps::whyNoBack, steps::stepBack);
+    add(
+        actions,
+        "reverse-continue",
+        "Reverse continue: to the breakpoint before",
+        "alt F5",
+        steps::whyNoBack,
+        steps::breakpointBefore);
+    add(
+        actions,
+        "step-on",
+        "Next statement of the recording",
+        "control shift F11",
+        steps::whyNoOn,
+        steps::stepOn);
+    add(
+        actions,
+        "continue",
+        "Next breakpoint of the recording",
+        "alt shift F5",
+        steps::whyNoOn,
+        steps::breakpointAfter);
+    add(
+        actions,
+        "change-before",
+        "Last change of the selected variable",
+        "control F8",
+        steps::whyNoChange,
+        steps::changeBefore);
+    add(
+        actions,
+        "change-after",
+        "Next change of the selected variable",
+        "control shift F8",
+        () -> steps.back() ? steps.whyNoChange() : steps.whyNoOn(),
+        steps::changeAfter);
+  }
+
+  private static void add(
+      ActionTable actions,
+      String name,
+      String title,
+      String keys,
+      Supplier<String> whyNot,
+      Runnable run) {
+    actions.add(new Action("past." + name, title, keys, () -> whyNot.get().isEmpty(), run), whyNot);
+  }
+}

@@ -1,0 +1,309 @@
+package org.pendant.desktop.timeline;
+
+import java.awt.EventQueue;
+import java.io.UncheckedIOException;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.ProgramPhase;
+import org.pendant.kit.fault.Faults;
+import org.pendant.language.source.ByteText;
+import org.pendant.recording.Moment;
+import org.pendant.recording.RecordedChange;
+import org.pendant.recording.RecordedCondition;
+import org.pendant.recording.RecordedProgram;
+import org.pendant.recording.RecordedStep;
+import org.pendant.recording.Recording;
+import org.pendant.recording.StepSearch;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.PauseReason;
+import org.pendant.script.variables.VariablePath;
+import org.pendant.script.variables.VariableSample;
+
+/**
+ * Past steps: stepping back, and on again, through what a program did, from where it is stopped or
+ * from the moment that people look at. The robot stays as it is. Only for the dispatch thread;
+ * searches run elsewhere.
+ */
+public final class PastSteps {
+  private final LookBack lookBack;
+  private final Supplier<ControllerState> live;
+  private final Function<RecordedProgram, List<Breakpoint>> breakpoints;
+  private final Threads threads;
+  private final Consumer<String> tell;
+  private Optional<String> watched = Optional.empty();
+  private boolean busy;
+
+  /**
+   * Where work is done.
+   *
+   * @param search runs what may read a file
+   * @param dispatch runs what comes of it in the thread that uses this object
+   */
+  record Threads(Executor search, Executor dispatch) {}
+
+  /** A place to look at, and what is to be said of it. */
+  private record Found(Moment moment, String words) {}
+
+  /** Something to look for. */
+  private interface Search {
+    /** Where it is, or why there is none. */
+    Result in(StepSearch search, Moment from);
+  }
+
+  /** What came of a search. */
+  private record Result(Optional<Found> found, String otherwise) {}
+
+  /**
+   * From {@code live} on.
+   *
+   * @param breakpoints those of a program of the recording, with lines of its text
+   */
+  PastSteps(
+      LookBack lookBack,
+      Supplier<ControllerState> live,
+      Function<RecordedProgram, List<Breakpoint>> breakpoints,
+      Threads threads,
+      Consumer<String> tell) {
+    this.lookBack = lookBack;
+    this.live = live;
+    this.breakpoints = breakpoints;
+    this.threads = threads;
+    this.tell = tell;
+  }
+
+  /** As the constructor, with threads for a window. */
+  public static PastSteps of(
+      LookBack lookBack,
+      Supplier<ControllerState> live,
+      Function<RecordedProgram, List<Breakpoint>> breakpoints,
+      Consumer<String> tell) {
+    Threads threads =
+        new Threads(
+            task -> Thread.ofVirtual().name("past-steps").start(task), EventQueue::invokeLater);
+    return new PastSteps(lookBack, live, breakpoints, threads, tell);
+  }
+
+  /** Whether people look at the past. */
+  public boolean back() {
+    return lookBack.back();
+  }
+
+  /** Back to now. */
+  public void live() {
+    lookBack.live();
+  }
+
+  /** Why nobody can go back from here; empty if they can. */
+  public String whyNoBack() {
+    return lookBack.back() || ProgramPhase.of(live.get()) != ProgramPhase.RUNNING
+        ? ""
+        : "Pause the program first, or look at a moment on the timeline";
+  }
+
+  /** Why nobody can go on through the recording; empty if they can. */
+  public String whyNoOn() {
+    return lookBack.back() ? "" : "That is for the past: step back first";
+  }
+
+  /** To where the statement began, or the one before. */
+  public void stepBack() {
+    begin(
+        (search, from) ->
+            step(search.before(from, step -> true), "The recording has no earlier statement"));
+  }
+
+  /** To the next statement of the recording. */
+  public void stepOn() {
+    begin(
+        (search, from) ->
+            step(
+                search.after(from, step -> true),
+                "The recording has no later statement: Esc leads back to now"));
+  }
+
+  /** To the last breakpoint that the program came to before. */
+  public void breakpointBefore() {
+    Passing passing = passing();
+    begin(
+        (search, from) ->
+            step(
+                search.before(from, passing::stops),
+                "The recording has no earlier breakpoint" + passing.unknown()));
+  }
+
+  /** To the next breakpoint that the program came to. */
+  public void breakpointAfter() {
+    Passing passing = passing();
+    begin(
+        (search, from) ->
+            step(
+                search.after(from, passing::stops),
+                "The recording has no later breakpoint" + passing.unknown()));
+  }
+
+  private Passing passing() {
+    lookBack.newest(live.get());
+    return new Passing(lookBack.recording());
+  }
+
+  /** Has {@link #changeBefore} and {@link #changeAfter} be about an expression from now on. */
+  public void watch(String expression) {
+    watched = Optional.of(expression);
+  }
+
+  /** Why no change can be looked for; empty if one can. */
+  public String whyNoChange() {
+    if (watched.isEmpty()) {
+      return "Select a variable in Variables or Watches first";
+    }
+    return VariablePath.isOne(watched.get())
+        ? whyNoBack()
+        : watched.get() + " is no variable: recordings have variables and parts of them";
+  }
+
+  /** To where the watched variable got the value that it has. */
+  public void changeBefore() {
+    change(false);
+  }
+
+  /** To where the watched variable gets its next value. */
+  public void changeAfter() {
+    change(true);
+  }
+
+  private void change(boolean forward) {
+    watched.ifPresent(
+        expression -> {
+          VariablePath path = VariablePath.of(ByteText.asBytes(expression));
+          begin(
+              (search, from) ->
+                  new Result(
+                      (forward ? search.changeAfter(from, path) : search.changeBefore(from, path))
+                          .map(change -> new Found(change.moment(), words(expression, change))),
+                      "The recording has no "
+                          + (forward ? "later" : "earlier")
+                          + " change of "
+                          + expression));
+        });
+  }
+
+  private static String words(String expression, RecordedChange change) {
+    String after = change.after().map(PastSteps::text).orElse("nothing");
+    return change
+        .before()
+        .flatMap(VariableSample::value)
+        .map(before -> expression + " changed from " + text(change.before().get()) + " to " + after)
+        .orElseGet(() -> expression + " became " + after);
+  }
+
+  private static String text(VariableSample sample) {
+    return ByteText.decoded(sample.variable().text());
+  }
+
+  private static Result step(Optional<RecordedStep> step, String otherwise) {
+    return new Result(step.map(each -> new Found(each.moment(), "")), otherwise);
+  }
+
+  private void begin(Search search) {
+    if (busy) {
+      return;
+    }
+    busy = true;
+    Optional<Moment> looked = lookBack.moment();
+    Moment from = lookBack.newest(live.get());
+    Recording recording = lookBack.recording();
+    threads
+        .search()
+        .execute(
+            () -> {
+              Optional<Result> result = result(search, recording, from);
+              threads.dispatch().execute(() -> done(result, looked));
+            });
+  }
+
+  /** Empty after a fault of ours. */
+  private static Optional<Result> result(Search search, Recording recording, Moment from) {
+    try {
+      return Optional.of(search.in(new StepSearch(recording), from));
+    } catch (UncheckedIOException e) {
+      return Optional.of(
+          new Result(
+              Optional.empty(),
+              "The recording can no longer be read: " + e.getCause().getMessage()));
+    } catch (RuntimeException | Error fault) {
+      Faults.report(fault);
+      return Optional.empty();
+    }
+  }
+
+  private void done(Optional<Result> result, Optional<Moment> looked) {
+    busy = false;
+    if (result.isEmpty() || !lookBack.moment().equals(looked)) {
+      return; // people look at something else meanwhile
+    }
+    Optional<Found> found = result.get().found();
+    if (found.isEmpty()) {
+      tell.accept(result.get().otherwise());
+      return;
+    }
+    lookBack.jump(found.get().moment());
+    if (!found.get().words().isEmpty()) {
+      tell.accept(found.get().words());
+    }
+  }
+
+  /** Whether a step is at a breakpoint. */
+  private final class Passing {
+    private final Map<RecordedProgram, List<Breakpoint>> known = new HashMap<>();
+    private final Map<String, RecordedCondition> conditions = new HashMap<>();
+    private final Recording recording;
+    private Optional<Breakpoint> untold = Optional.empty();
+
+    /** Asks for breakpoints before the search begins. */
+    Passing(Recording recording) {
+      this.recording = recording;
+      for (RecordedProgram each : recording.programs()) {
+        known.put(each, breakpoints.apply(each));
+      }
+    }
+
+    boolean stops(RecordedStep step) {
+      Optional<RecordedProgram> ran = recording.programOf(step.moment().frame());
+      return ran.stream()
+          .flatMap(each -> known.getOrDefault(each, List.of()).stream())
+          .filter(each -> each.line() == step.line())
+          .anyMatch(each -> stoppedBy(step) || holds(each, step));
+    }
+
+    private static boolean stoppedBy(RecordedStep step) {
+      return step.stop()
+          .filter(stop -> stop.reason() instanceof PauseReason.AtBreakpoint)
+          .isPresent();
+    }
+
+    private boolean holds(Breakpoint breakpoint, RecordedStep step) {
+      Optional<Boolean> holds =
+          conditions
+              .computeIfAbsent(breakpoint.condition(), RecordedCondition::new)
+              .holds(step.variables());
+      if (holds.isEmpty()) {
+        untold = Optional.of(breakpoint);
+      }
+      return holds.orElse(false);
+    }
+
+    String unknown() {
+      return untold
+          .map(
+              each -> "; it cannot tell whether the condition of line " + each.line() + " was true")
+          .orElse("");
+    }
+  }
+}
