@@ -15,6 +15,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.IoCommandHandler;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyCommandHandler;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
@@ -116,6 +117,11 @@ public final class Controller implements Robot, Drive {
   @Override
   public Installation installation() {
     return installed.current();
+  }
+
+  @Override
+  public SafetyConfiguration safety() {
+    return box.safety().configuration();
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.Source;
@@ -52,6 +53,9 @@ public interface Robot {
    * same object while nothing of it changes.
    */
   Installation installation();
+
+  /** The limits and planes that hold. */
+  SafetyConfiguration safety();
 
   /**
    * Log lines after number {@code number} that are still kept, oldest first. The number of the

@@ -90,7 +90,7 @@ final class RenderCommand implements Subcommand {
       if (exposure.tooEarly() && code == ExitCode.DONE) {
         console.complain(Report.note(source, "ended before --at; the picture shows its end"));
       }
-      code = code.or(write(renderer, picture(exposure, options), options, console));
+      code = code.or(write(renderer, picture(exposure, controller, options), options, console));
       // Before the interruption is closed: after that the process may be gone at any moment.
       console.flush();
       return code;
@@ -100,11 +100,13 @@ final class RenderCommand implements Subcommand {
     }
   }
 
-  private static Picture picture(Exposure exposure, RenderOptions options) {
+  private static Picture picture(Exposure exposure, Controller controller, RenderOptions options) {
     return new Picture(
         options.run().controller().robotId(),
         exposure.state().arm(),
         options.run().controller().scene(),
+        options.showSafety() ? Optional.of(controller.safety()) : Optional.empty(),
+        exposure.state().safety(),
         options.view(),
         options.dark(),
         options.widthPx(),

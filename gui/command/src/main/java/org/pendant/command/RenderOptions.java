@@ -19,6 +19,7 @@ import org.pendant.controller.installation.Installation;
  * @param heightPx height of the picture
  * @param view from where the robot is seen
  * @param dark whether the colours are those of the dark theme
+ * @param showSafety whether safety planes and the tool direction are drawn
  */
 record RenderOptions(
     RunOptions run,
@@ -27,7 +28,8 @@ record RenderOptions(
     int widthPx,
     int heightPx,
     StandardView view,
-    boolean dark) {
+    boolean dark,
+    boolean showSafety) {
   private static final Option OUT =
       Option.output("--out", "FILE.png", "the picture to write")
           .documented(
@@ -59,6 +61,12 @@ record RenderOptions(
           .standing("light")
           .documented("light", "`light` or `dark`");
 
+  private static final Option SHOW_SAFETY =
+      Option.flag("--show-safety", "draw safety planes, and where the tool may point")
+          .documented(
+              "draw the safety planes, each with arrows to its allowed side, and the cone within"
+                  + " which the tool may point; what has stopped the arm is red");
+
   private static final Pattern WIDTH_AND_HEIGHT = Pattern.compile("(\\d{1,5})x(\\d{1,5})");
   private static final int MIN_PX = 16;
   private static final int MAX_PX = 4096;
@@ -66,7 +74,7 @@ record RenderOptions(
   /** For the usage text. */
   static final List<Option> ALL =
       Stream.concat(
-              Stream.of(OUT, OutputFile.FORCE, AT, SIZE, VIEW, THEME),
+              Stream.of(OUT, OutputFile.FORCE, AT, SIZE, VIEW, THEME, SHOW_SAFETY),
               RunOptions.OF_PROGRAM.stream())
           .toList();
 
@@ -88,7 +96,8 @@ record RenderOptions(
         Integer.parseInt(size.group(1)),
         Integer.parseInt(size.group(2)),
         arguments.word(VIEW).flatMap(StandardView::named).orElseThrow(),
-        arguments.word(THEME).orElseThrow().equals("dark"));
+        arguments.word(THEME).orElseThrow().equals("dark"),
+        arguments.has(SHOW_SAFETY));
   }
 
   private static OutputFile out(Arguments arguments) throws UsageException {

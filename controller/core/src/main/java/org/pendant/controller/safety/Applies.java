@@ -13,7 +13,7 @@ public enum Applies {
   TRIGGERS_REDUCED;
 
   /** Whether it restricts the arm now. */
-  boolean restricts(boolean reduced) {
+  public boolean restricts(boolean reduced) {
     return switch (this) {
       case NORMAL -> !reduced;
       case REDUCED -> reduced;

@@ -1,5 +1,6 @@
 package org.pendant.controller.safety;
 
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
@@ -28,6 +29,9 @@ public record SafetyStop(
     double limit,
     String unit,
     String message) {
+  private static final int JOINT_BEYOND = 0;
+  private static final int PLANE_EXCEEDED = 8;
+  private static final int TOOL_TILTED = 9;
 
   /** What happened, without code, time and what was measured. */
   public String sentence() {
@@ -41,6 +45,33 @@ public record SafetyStop(
       case 150, 151, 152, 154, 200, 204 -> true;
       default -> false;
     };
+  }
+
+  /** The name of the safety plane that it is about, if it is about one. */
+  public Optional<String> plane() {
+    boolean about =
+        is(StopReason.PLANE_NEAR.code(), argument) || is(StopReason.PLANE.code(), PLANE_EXCEEDED);
+    return about
+        ? Optional.of(message.substring(message.indexOf('"') + 1, message.lastIndexOf('"')))
+        : Optional.empty();
+  }
+
+  /** Whether it is about the direction of the tool. */
+  public boolean aboutToolDirection() {
+    return is(StopReason.TOOL_DIRECTION_NEAR.code(), 0)
+        || is(StopReason.TOOL_DIRECTION.code(), TOOL_TILTED);
+  }
+
+  /** The joint whose range it is about, 0 to 5, if it is about one. */
+  public OptionalInt jointAtItsLimit() {
+    return is(StopReason.JOINT_LIMIT_NEAR.code(), argument)
+            || is(StopReason.JOINT_POSITION.code(), JOINT_BEYOND)
+        ? joint
+        : OptionalInt.empty();
+  }
+
+  private boolean is(int wantedCode, int wantedArgument) {
+    return code == wantedCode && argument == wantedArgument;
   }
 
   /** Code and argument as the log shows them, such as {@code C153A2}. */

@@ -26,6 +26,7 @@ public final class SafetySystem {
   private final ArmDynamics dynamics;
   private FrameChecks checks;
   private ViolationCheck positions;
+  private volatile SafetyConfiguration configuration;
   private SafetyChecksum checksum;
   private final ArmPoints asked;
   private final MessageLog log;
@@ -66,6 +67,7 @@ public final class SafetySystem {
       PowerTimes times) {
     this.arm = arm;
     this.dynamics = dynamics;
+    this.configuration = configuration;
     limits = new ActiveLimits(arm, configuration);
     power = new ArmPower(times, running);
     stops = new StopRecord(log, times.unlockS());
@@ -83,10 +85,16 @@ public final class SafetySystem {
   public void configure(SafetyConfiguration configuration) {
     power.off();
     stops.poweredOff();
+    this.configuration = configuration;
     limits.configure(configuration);
     checks = new FrameChecks(arm, dynamics, configuration, checks.warnings());
     positions = new ViolationCheck(configuration);
     checksum = SafetyChecksum.of(configuration);
+  }
+
+  /** Limits, planes and tool direction that hold; any thread may ask. */
+  public SafetyConfiguration configuration() {
+    return configuration;
   }
 
   /** Tells configurations apart. */

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -221,5 +223,33 @@ final class BorderTest {
     bench.safety.setInput(SafetyInput.REDUCED_MODE, true);
     bench.step();
     assertFalse(bench.safety.within(SafetyBench.START, Pose.ZERO));
+  }
+
+  @Test
+  void aStopTellsWhichBorderItIsAbout() {
+    SafetyBench plane = above(startHeightM() + 0.041, false);
+    plane.step();
+    assertEquals(Optional.of("floor"), plane.stop().plane());
+    assertFalse(plane.stop().aboutToolDirection());
+
+    SafetyBench tilt = SafetyBench.with(STANDARD.withToolDirection(down(0.5))).program(true);
+    tilt.at(SafetyBench.START.with(3, SafetyBench.START.q3() + 0.6)).step();
+    assertTrue(tilt.stop().aboutToolDirection());
+    assertEquals(OptionalInt.empty(), tilt.stop().jointAtItsLimit());
+
+    SafetyBench joint = SafetyBench.standard();
+    Joints q = SafetyBench.START.with(4, RANGE - 0.01);
+    joint.target(q, SafetyBench.speed(4, 2)).arm(q, Joints.ZERO).step();
+    assertEquals(OptionalInt.of(4), joint.stop().jointAtItsLimit());
+    assertEquals(Optional.empty(), joint.stop().plane());
+  }
+
+  @Test
+  void aPlaneNearIsNamedByItsStop() {
+    double fall = fallPerElbowTurn(SafetyBench.standard());
+    SafetyBench late = above(startHeightM(), false);
+    late.target(SafetyBench.START, SafetyBench.speed(2, -Math.signum(fall))).step();
+    assertEquals(152, late.stop().code());
+    assertEquals(Optional.of("floor"), late.stop().plane());
   }
 }

@@ -1,6 +1,9 @@
 package org.pendant.command.service;
 
+import java.util.Optional;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ArmState;
+import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.world.Scene;
 
 /**
@@ -9,6 +12,8 @@ import org.pendant.controller.world.Scene;
  * @param robotId which arm it is
  * @param arm where it stands
  * @param world objects around it
+ * @param limits of which safety planes and the tool direction are drawn; empty for none to draw
+ * @param safety what the safety functions do
  * @param view from where it is seen
  * @param dark whether the colours are those of the dark theme
  * @param widthPx width, pixels
@@ -18,6 +23,8 @@ public record Picture(
     String robotId,
     ArmState arm,
     Scene world,
+    Optional<SafetyConfiguration> limits,
+    SafetyStatus safety,
     StandardView view,
     boolean dark,
     int widthPx,

@@ -20,6 +20,7 @@ final class EntryField extends JTextField {
   private final transient UnaryOperator<String> check;
   private final transient Consumer<String> take;
   private transient Runnable refused = () -> {};
+  private transient Runnable nothing = () -> {};
   private String shown = "";
   private String refusal = "";
   private String tip = "";
@@ -68,9 +69,18 @@ final class EntryField extends JTextField {
     refused = listener;
   }
 
+  /** Runs whenever nothing is typed that could be taken. */
+  void whenNothing(Runnable listener) {
+    nothing = listener;
+  }
+
   private void typed() {
     if (!showing) {
-      setRefusal(getText().equals(shown) ? "" : check.apply(getText()));
+      boolean same = getText().equals(shown);
+      setRefusal(same ? "" : check.apply(getText()));
+      if (same || !refusal.isEmpty()) {
+        nothing.run();
+      }
     }
   }
 
@@ -115,6 +125,7 @@ final class EntryField extends JTextField {
       setText(value);
       setCaretPosition(0);
       showing = false;
+      nothing.run();
     }
     setRefusal("");
   }

@@ -7,6 +7,7 @@ import java.awt.event.ActionEvent;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
@@ -19,6 +20,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.workbench.View;
@@ -42,6 +44,7 @@ public final class InstallationView implements View {
   private final Editing editing;
   private final RotationChoice rotation;
   private final InstallationBar bar;
+  private final SafetyDraft safety;
   private final Map<String, List<Page>> groups = new LinkedHashMap<>();
   private final List<Page> pages;
   private final CardLayout cards = new CardLayout();
@@ -60,6 +63,7 @@ public final class InstallationView implements View {
     this.workbench = workbench;
     arm = workbench.session().options().arm();
     editing = new Editing(active, this::arm);
+    safety = new SafetyDraft(editing);
     rotation = new RotationChoice(workbench.settings());
     rotation.addListener(this::show);
     makePages();
@@ -77,7 +81,6 @@ public final class InstallationView implements View {
   }
 
   private void makePages() {
-    SafetyDraft safety = new SafetyDraft(editing);
     groups.put(
         "General",
         List.of(
@@ -101,6 +104,11 @@ public final class InstallationView implements View {
         "Features", List.of(new FeaturesPage(editing, rotation, workbench.session()::state)));
     groups.put("Fieldbus", List.of(new ModbusPage(editing), new EthernetIpPage(editing)));
     groups.put("URCaps", List.of(new ExternalControlPage(editing)));
+  }
+
+  /** The safety settings that people type and have not applied yet. */
+  public Optional<SafetyConfiguration> proposedSafety() {
+    return safety.proposed();
   }
 
   private ArmDescription arm() {

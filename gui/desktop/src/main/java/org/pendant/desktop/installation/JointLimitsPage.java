@@ -39,6 +39,7 @@ final class JointLimitsPage implements Page {
     form.note("In deg/s and deg; none: no limit but that of the arm.");
     card.add(bar.component());
     card.add(form.component());
+    form.whenNothing(draft::nothingTyped);
     draft.addListener(this::show);
   }
 

@@ -76,6 +76,7 @@ final class LimitsPage implements Page {
     locked.addAll(List.of(standard, half, quarter));
     card.add(bar.component());
     card.add(form.component());
+    form.whenNothing(draft::nothingTyped);
     draft.addListener(this::show);
   }
 

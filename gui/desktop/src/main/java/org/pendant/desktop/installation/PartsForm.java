@@ -47,6 +47,7 @@ final class PartsForm<T> {
   private Optional<T> value = Optional.empty();
   private boolean showing;
   private boolean other;
+  private Runnable nothing = () -> {};
 
   /** Shows its part of a value. */
   private interface Follower<T> {
@@ -74,6 +75,11 @@ final class PartsForm<T> {
 
   JComponent component() {
     return panel;
+  }
+
+  /** Runs whenever nothing is typed that could be taken. */
+  void whenNothing(Runnable listener) {
+    nothing = listener;
   }
 
   /** Shows a value; what is being typed stays. */
@@ -114,6 +120,7 @@ final class PartsForm<T> {
                 id + "-" + name,
                 tip)
             .withTip(tip);
+    field.whenNothing(() -> nothing.run());
     followers.add(
         now -> {
           if (other) {

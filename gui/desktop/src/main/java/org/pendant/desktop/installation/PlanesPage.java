@@ -146,6 +146,7 @@ final class PlanesPage implements Page {
     form.wide(fromFeature);
     card.add(bar.component());
     card.add(items.component());
+    form.whenNothing(draft::nothingTyped);
     draft.addListener(this::show);
   }
 

@@ -16,6 +16,9 @@ final class SafetyDraft {
   private final List<Runnable> listeners = new ArrayList<>();
   private Optional<SafetyConfiguration> draft = Optional.empty();
 
+  /** What is being typed, if it can be. */
+  private Optional<SafetyConfiguration> typed = Optional.empty();
+
   /** What held when the user began to change it. */
   private Optional<SafetyConfiguration> begun = Optional.empty();
 
@@ -70,9 +73,26 @@ final class SafetyDraft {
     }
   }
 
-  /** Why there cannot be such a configuration; empty if there can. */
+  /**
+   * Why there cannot be such a configuration; empty if there can. It is proposed then, until the
+   * draft changes or {@link #nothingTyped}.
+   */
   String refusal(SafetyConfiguration next) {
-    return editing.refusal(parts -> parts.safety = Optional.of(next));
+    String why = editing.refusal(parts -> parts.safety = Optional.of(next));
+    typed = why.isEmpty() ? Optional.of(next) : Optional.empty();
+    return why;
+  }
+
+  /** What was typed is gone, or cannot be taken. */
+  void nothingTyped() {
+    typed = Optional.empty();
+  }
+
+  /** What does not hold yet but would: the draft, with what is being typed. */
+  Optional<SafetyConfiguration> proposed() {
+    return unlocked()
+        ? typed.or(() -> draft).filter(each -> !each.equals(applied()))
+        : Optional.empty();
   }
 
   boolean changed() {
@@ -103,6 +123,7 @@ final class SafetyDraft {
   }
 
   private void tell() {
+    typed = Optional.empty();
     List.copyOf(listeners).forEach(Runnable::run);
   }
 }

@@ -61,6 +61,7 @@ final class ToolDirectionPage implements Page {
         (d, axis) -> new ToolDirection(d.allowedInBase(), axis, d.largestAngleRad(), d.applies()));
     card.add(bar.component());
     card.add(form.component());
+    form.whenNothing(draft::nothingTyped);
     draft.addListener(this::show);
   }
 

@@ -71,13 +71,6 @@ public record Ground(double heightM, boolean touched, List<Patch> planes) {
             (float) plane.pointInBaseM().x(),
             (float) plane.pointInBaseM().y(),
             (float) plane.pointInBaseM().z());
-    Vector3f shoulder = new Vector3f(0, 0, (float) shoulderHeightM);
-    Vector3f origin = new Vector3f(shoulder).fma(point.sub(shoulder).dot(normal), normal);
-    Vector3f aside = Math.abs(normal.z) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(0, 1, 0);
-    Vector3f x = aside.cross(normal, new Vector3f()).normalize();
-    Vector3f y = normal.cross(x, new Vector3f());
-    return new Matrix4f(
-        x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, normal.x, normal.y, normal.z, 0, origin.x, origin.y,
-        origin.z, 1);
+    return PlaneFrame.of(normal, point, shoulderHeightM);
   }
 }

@@ -26,6 +26,7 @@ import org.pendant.models.pose.Pose;
  * @param trace where the tool centre point has been
  * @param theme colours
  * @param waypointMarkers the places that a program goes to
+ * @param safety what is to be seen of the safety functions
  */
 public record SceneModel(
     ArmDescription arm,
@@ -39,7 +40,8 @@ public record SceneModel(
     Set<String> touched,
     TcpTrace trace,
     SceneTheme theme,
-    WaypointMarkers waypointMarkers) {
+    WaypointMarkers waypointMarkers,
+    SafetySight safety) {
 
   /** Copies the collections. */
   public SceneModel {
@@ -61,7 +63,8 @@ public record SceneModel(
         Set.of(),
         TcpTrace.EMPTY,
         SceneTheme.LIGHT,
-        WaypointMarkers.NONE);
+        WaypointMarkers.NONE,
+        SafetySight.NONE);
   }
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
@@ -78,7 +81,8 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
@@ -94,7 +98,8 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withTool(Pose tcp) {
@@ -110,7 +115,8 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
@@ -126,7 +132,8 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withPayload(Optional<Ball> ball) {
@@ -142,7 +149,8 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
@@ -158,7 +166,8 @@ public record SceneModel(
         touchedNames,
         trace,
         theme,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withTrace(TcpTrace way) {
@@ -174,7 +183,8 @@ public record SceneModel(
         touched,
         way,
         theme,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withTheme(SceneTheme colours) {
@@ -190,7 +200,8 @@ public record SceneModel(
         touched,
         trace,
         colours,
-        waypointMarkers);
+        waypointMarkers,
+        safety);
   }
 
   public SceneModel withWaymarks(WaypointMarkers marks) {
@@ -206,7 +217,25 @@ public record SceneModel(
         touched,
         trace,
         theme,
-        marks);
+        marks,
+        safety);
+  }
+
+  public SceneModel withSafety(SafetySight sight) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers,
+        sight);
   }
 
   /** Pose of the tool centre point in the base frame. */

@@ -258,6 +258,7 @@ final class MenuPlan {
                         "scene.top")),
                 all("scene.fit", "scene.tool"),
                 line(),
+                sub("Safety", "3D: show", all("scene.safety")),
                 all("scene"))),
         sub("Variables", "Variables", all("variables")),
         sub("Plots", "Plots", all("plot")),

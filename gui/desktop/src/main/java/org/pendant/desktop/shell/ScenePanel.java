@@ -21,6 +21,7 @@ import org.pendant.command.service.StandardView;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeaturePoses;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Scene;
@@ -29,6 +30,7 @@ import org.pendant.desktop.move.GhostArm;
 import org.pendant.desktop.scene.JointFrames;
 import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.PayloadBall;
+import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.TcpTrace;
@@ -81,6 +83,7 @@ final class ScenePanel implements View, GhostArm {
   private final StillArm stillArm = new StillArm();
   private final TraceRing trace = new TraceRing(TRACE_POINTS);
   private final SceneShows shows;
+  private final SafetyScene safety;
   private final ArmPull pull;
   private final SceneBar bar;
   private final Timer moving = Faults.timer(MOVING_MS, this::follow);
@@ -104,7 +107,8 @@ final class ScenePanel implements View, GhostArm {
       boolean frames,
       TcpTrace trace,
       SceneTheme theme,
-      WaypointMarkers waypointMarkers) {}
+      WaypointMarkers waypointMarkers,
+      SafetySight safety) {}
 
   /**
    * The arm.
@@ -115,6 +119,7 @@ final class ScenePanel implements View, GhostArm {
     this.workbench = workbench;
     this.past = past;
     shows = new SceneShows(workbench.settings());
+    safety = new SafetyScene(workbench.session(), shows);
     pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
     picture.setHand(new PullingHand(pull, () -> past.get().isPresent()));
     picture.setPoseWords(pose -> FormMemory.read(workbench.settings()).words(pose));
@@ -171,6 +176,7 @@ final class ScenePanel implements View, GhostArm {
         "Show the features of the installation",
         shows::features,
         shows::setFeatures);
+    safety.addTo(buttons);
     buttons.item("scene.clear", "Forget where the tool was", trace::clear);
     buttons.item("scene.save", "Save the picture\u2026", this::save);
     return buttons.done(SPARED);
@@ -209,6 +215,11 @@ final class ScenePanel implements View, GhostArm {
   /** Tells the line of the program at which the tool was where people click. */
   void onLine(IntConsumer listener) {
     picture.onLine(listener);
+  }
+
+  /** Where to ask for safety settings that people type and have not applied yet. */
+  void setProposedSafety(Supplier<Optional<SafetyConfiguration>> draft) {
+    safety.setProposed(draft);
   }
 
   /** Shows the features of an installation that are finished. */
@@ -266,7 +277,8 @@ final class ScenePanel implements View, GhostArm {
             shows.frames(),
             shows.trace() ? trace.trace() : TcpTrace.EMPTY,
             Palette.dark() ? SceneTheme.DARK : SceneTheme.LIGHT,
-            marks());
+            marks(),
+            safety.sight(state, arm.actualPositionRad()));
     if (seen.equals(Optional.of(now))) {
       return;
     }
@@ -293,7 +305,8 @@ final class ScenePanel implements View, GhostArm {
         now.surroundings.touching.names(arm.kinematics(), now.positionRad, now.toolInFlange),
         now.trace,
         now.theme,
-        now.waypointMarkers);
+        now.waypointMarkers,
+        now.safety);
   }
 
   private Surroundings surroundings(String id) {

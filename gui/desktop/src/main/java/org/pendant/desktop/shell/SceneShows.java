@@ -9,6 +9,10 @@ final class SceneShows {
   private static final String FEATURES = "scene.features";
   private static final String TRACE = "scene.trace";
   private static final String WAYPOINTS = "scene.waypoints";
+  private static final String PLANES = "scene.safety-planes";
+  private static final String DIRECTION = "scene.safety-direction";
+  private static final String JOINT_RANGE = "scene.safety-joints";
+  private static final String REACH = "scene.safety-reach";
 
   private final Settings settings;
 
@@ -59,6 +63,42 @@ final class SceneShows {
 
   void setWaypoints(boolean on) {
     settings.put(WAYPOINTS, Boolean.toString(on));
+  }
+
+  /** The safety planes. */
+  boolean planes() {
+    return on(PLANES, true);
+  }
+
+  void setPlanes(boolean on) {
+    settings.put(PLANES, Boolean.toString(on));
+  }
+
+  /** Where the tool may point. */
+  boolean direction() {
+    return on(DIRECTION, true);
+  }
+
+  void setDirection(boolean on) {
+    settings.put(DIRECTION, Boolean.toString(on));
+  }
+
+  /** The range of the joint that is nearest to its limit. */
+  boolean jointRange() {
+    return on(JOINT_RANGE, false);
+  }
+
+  void setJointRange(boolean on) {
+    settings.put(JOINT_RANGE, Boolean.toString(on));
+  }
+
+  /** How far the arm reaches. */
+  boolean reach() {
+    return on(REACH, false);
+  }
+
+  void setReach(boolean on) {
+    settings.put(REACH, Boolean.toString(on));
   }
 
   private boolean on(String name, boolean usually) {

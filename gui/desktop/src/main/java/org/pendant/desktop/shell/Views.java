@@ -167,13 +167,15 @@ final class Views {
     watches.whenSelected(past.steps()::watch);
     CallStackView calls = new CallStackView(workbench, debug);
     calls.setPast(past::past);
+    InstallationView installed = new InstallationView(workbench, installation);
+    scene.setProposedSafety(installed::proposedSafety);
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     places =
         List.of(
             screen(past.held(run), Glyph.RUN),
             screen(program, Glyph.PROGRAM),
             screen(editor, Glyph.SCRIPT),
-            screen(new InstallationView(workbench, installation), Glyph.INSTALLATION),
+            screen(installed, Glyph.INSTALLATION),
             screen(past.held(move), Glyph.MOVE),
             screen(past.held(new IoView(workbench, labels)), Glyph.SIGNALS),
             screen(log, Glyph.LOG),

@@ -110,4 +110,40 @@ final class SafetyDraftTest {
             .refusal(STANDARD.withLimits(faster, STANDARD.reduced()))
             .startsWith("joint 3 may turn at 6.0 rad/s, must be at most 3.34"));
   }
+
+  @Test
+  void whatIsTypedIsProposedUntilItIsGone() {
+    draft.unlock();
+    assertEquals(Optional.empty(), draft.proposed());
+
+    assertEquals("", draft.refusal(slow()));
+    assertEquals(Optional.of(slow()), draft.proposed());
+    assertFalse(draft.changed());
+
+    draft.nothingTyped();
+    assertEquals(Optional.empty(), draft.proposed());
+  }
+
+  @Test
+  void whatCannotBeIsNotProposed() {
+    draft.unlock();
+    draft.edit(slow());
+    SafetyLimits normal = STANDARD.normal();
+    SafetyLimits faster =
+        LimitKind.limits(
+            LimitKind.values(normal),
+            normal.jointSpeedRadPerS().with(3, 6),
+            normal.jointMinRad(),
+            normal.jointMaxRad());
+
+    assertFalse(draft.refusal(STANDARD.withLimits(faster, STANDARD.reduced())).isEmpty());
+
+    assertEquals(Optional.of(slow()), draft.proposed());
+  }
+
+  @Test
+  void nothingIsProposedWhileItIsLocked() {
+    assertEquals("", draft.refusal(slow()));
+    assertEquals(Optional.empty(), draft.proposed());
+  }
 }

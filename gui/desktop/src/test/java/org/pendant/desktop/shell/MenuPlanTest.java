@@ -18,6 +18,11 @@ final class MenuPlanTest {
   }
 
   @Test
+  void whatIsSeenOfSafetyHasAMenuOfItsOwn() {
+    assertEquals("scene.safety", placeOf("scene.safety-planes"));
+  }
+
+  @Test
   void wordsOfIdsAreWhole() {
     assertEquals("file", placeOf("file.newest"));
   }

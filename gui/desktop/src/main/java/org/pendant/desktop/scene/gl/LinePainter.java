@@ -6,6 +6,8 @@ import java.util.Optional;
 import org.joml.Matrix4fc;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Ground;
+import org.pendant.desktop.scene.SafetyOutlines;
+import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.TcpTrace;
@@ -14,6 +16,8 @@ import org.pendant.desktop.scene.mesh.BoxEdges;
 import org.pendant.desktop.scene.mesh.Finish;
 import org.pendant.desktop.scene.mesh.FloorScale;
 import org.pendant.desktop.scene.mesh.Lines;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
 
 /**
  * Line painter: draws the lines of a model: the trace, the edges of boxes, the metres on the floor.
@@ -21,6 +25,7 @@ import org.pendant.desktop.scene.mesh.Lines;
 final class LinePainter implements AutoCloseable {
   private static final float TRACE_PX_AT_800 = 2.6f;
   private static final float EDGE_PX_AT_800 = 1.3f;
+  private static final float SAFETY_PX_AT_800 = 1.7f;
   private static final float MIN_TRACE_PX = 1.5f;
   private static final float MIN_EDGE_PX = 1.1f;
   private static final float HIDDEN_TRACE_OPACITY = 0.16f;
@@ -33,14 +38,19 @@ final class LinePainter implements AutoCloseable {
   private final LineStrip edges = new LineStrip();
   private final LineStrip scale = new LineStrip();
   private final LineStrip ways = new LineStrip();
+  private final LineStrip safety = new LineStrip();
   private TcpTrace tracedNow = TcpTrace.EMPTY;
   private Optional<EdgesOf> edged = Optional.empty();
   private Optional<ScaleOf> scaled = Optional.empty();
   private Optional<WaysOf> waysNow = Optional.empty();
+  private Optional<SafetyOf> safetyNow = Optional.empty();
 
   private record EdgesOf(Object world, Object touched, SceneTheme theme) {}
 
   private record WaysOf(WaypointMarkers marks, SceneTheme theme) {}
+
+  private record SafetyOf(
+      SafetySight sight, String armId, Joints positionRad, Pose tcpInFlange, SceneTheme theme) {}
 
   private record ScaleOf(double reachM, double heightM, int quarters, SceneTheme theme) {}
 
@@ -69,6 +79,9 @@ final class LinePainter implements AutoCloseable {
     line.set("opacity", EDGE_OPACITY);
     edges.draw();
     ways.draw();
+    line.set("width", Math.max(MIN_EDGE_PX, SAFETY_PX_AT_800 * height / 800f));
+    line.set("opacity", 1);
+    safety.draw();
     line.set("width", Math.max(MIN_TRACE_PX, TRACE_PX_AT_800 * height / 800f));
     line.set("opacity", 1);
     trace.draw();
@@ -78,6 +91,7 @@ final class LinePainter implements AutoCloseable {
     line.set("width", Math.max(MIN_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
     line.set("opacity", HIDDEN_WAY_OPACITY);
     ways.draw();
+    safety.draw();
     glDepthFunc(GL_LESS);
     glDepthMask(true);
   }
@@ -102,6 +116,13 @@ final class LinePainter implements AutoCloseable {
     if (!waysNow.equals(Optional.of(newWays))) {
       waysNow = Optional.of(newWays);
       ways.load(newWays.marks().lines(theme));
+    }
+    SafetyOf newSafety =
+        new SafetyOf(
+            model.safety(), model.arm().id(), model.positionRad(), model.tcpInFlange(), theme);
+    if (!safetyNow.equals(Optional.of(newSafety))) {
+      safetyNow = Optional.of(newSafety);
+      safety.load(SafetyOutlines.of(model));
     }
     ScaleOf newScale =
         new ScaleOf(
@@ -130,5 +151,6 @@ final class LinePainter implements AutoCloseable {
     edges.close();
     scale.close();
     ways.close();
+    safety.close();
   }
 }

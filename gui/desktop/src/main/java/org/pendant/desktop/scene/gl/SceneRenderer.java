@@ -3,6 +3,7 @@ package org.pendant.desktop.scene.gl;
 import static org.lwjgl.opengl.GL33C.*;
 
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.joml.Matrix4f;
@@ -15,6 +16,7 @@ import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.LinkPlaces;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
+import org.pendant.desktop.scene.Sheets;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.mesh.ArmMeshes;
 import org.pendant.desktop.scene.mesh.Detail;
@@ -98,9 +100,12 @@ final class SceneRenderer implements AutoCloseable {
     glDisable(GL_BLEND);
     drawBodies(sight, useSolid(sight));
     drawSurroundings(sight, target.drawnHeight());
+    List<Sheets.Sheet> sheets = Sheets.of(model, sight.ground, camera.eyeM());
+    drawSheets(sight, sheets.stream().filter(Sheets.Sheet::behind).toList());
     lines.draw(model, sight.ground, camera, toClip, target.drawnWidth(), target.drawnHeight());
     drawHiddenFrames(sight);
     drawGhost(sight);
+    drawSheets(sight, sheets.stream().filter(sheet -> !sheet.behind()).toList());
     target.read(pixels);
   }
 
@@ -165,7 +170,11 @@ final class SceneRenderer implements AutoCloseable {
     if (fromAbove) {
       surroundings.drawSky(model.theme());
     }
-    surroundings.drawPlanes(model, sight.ground, sight.toClip, sight.toMap, shadows);
+  }
+
+  private void drawSheets(Sight sight, List<Sheets.Sheet> sheets) {
+    surroundings.drawSheets(
+        sheets, sight.model, sight.toClip, sight.toMap, sight.quality.shadows());
   }
 
   private ShaderProgram useSolid(Sight sight) {

@@ -2,12 +2,14 @@ package org.pendant.desktop.scene.gl;
 
 import static org.lwjgl.opengl.GL33C.*;
 
+import java.util.List;
 import org.joml.Matrix4f;
 import org.joml.Matrix4fc;
 import org.joml.Vector3f;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
+import org.pendant.desktop.scene.Sheets;
 import org.pendant.desktop.scene.mesh.Finish;
 
 /**
@@ -20,6 +22,10 @@ final class Surroundings implements AutoCloseable {
   private static final float FLOOR_END = 4.5f;
   private static final float PLANE_REACH = 0.8f;
   private static final float PLANE_END = 1.6f;
+
+  /** The corners of a square are farther from its middle than its edges. */
+  private static final float BEYOND_CORNERS = 2;
+
   private static final int CELLS_AROUND = 8;
   private static final int CORNERS = 4;
 
@@ -97,40 +103,58 @@ final class Surroundings implements AutoCloseable {
     plane.set("place", new Matrix4f().translation(0, 0, (float) ground.heightM()));
     plane.set("fill", Paints.screen(theme.floorRgb()).lerp(Paints.screen(rgb), 0.3f));
     plane.set("line", Paints.screen(theme.gridRgb()));
+    plane.set("lineOpacity", 1);
     plane.set("fillOpacity", pictureHeight > 0 ? 1 : 0.15f);
     return plane;
   }
 
-  /** The other planes of the scene: they can be seen through. */
-  void drawPlanes(
-      SceneModel model, Ground ground, Matrix4fc toClip, Matrix4fc toMap, Shadows shadows) {
-    if (ground.planes().isEmpty()) {
+  /** What is flat and can be seen through, in this order. */
+  void drawSheets(
+      List<Sheets.Sheet> sheets,
+      SceneModel model,
+      Matrix4fc toClip,
+      Matrix4fc toMap,
+      Shadows shadows) {
+    if (sheets.isEmpty()) {
       return;
     }
-    float reach = (float) model.arm().reachM();
     blend();
     glDisable(GL_CULL_FACE);
     glDepthMask(false);
+    // One that lies on the floor is in front of it.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1, -16);
     glBindVertexArray(emptyArray);
-    ShaderProgram plane = shaders.plane(shadows);
-    use(plane, model.theme(), toClip, toMap);
-    float half = PLANE_END * reach;
-    plane.set("axes", 0);
-    plane.set("halfSize", half);
-    plane.set("reach", PLANE_REACH * reach);
-    plane.set("pictureHeight", 0);
-    plane.set("middle", new float[] {-half, -half, half, half});
-    plane.set("around", false);
-    plane.set("fillOpacity", 0.3f);
-    for (Ground.Patch patch : ground.planes()) {
-      Vector3f paint =
-          Paints.screen(model.theme().rgb(patch.touched() ? Finish.TOUCHED : Finish.OBJECT));
-      plane.set("place", patch.frame());
+    for (Sheets.Sheet sheet : sheets) {
+      boolean square = sheet.halfSizeM() > 0;
+      ShaderProgram plane = shaders.plane(square ? Shadows.NONE : shadows);
+      use(plane, model.theme(), toClip, toMap);
+      plane.set("axes", 0);
+      plane.set("pictureHeight", 0);
+      plane.set("around", false);
+      setSize(plane, sheet, (float) model.arm().reachM());
+      if (square) {
+        plane.set("shade", 0);
+      }
+      Vector3f paint = Paints.screen(sheet.rgb());
+      plane.set("fillOpacity", sheet.opacity());
+      plane.set("place", sheet.frame());
       plane.set("fill", paint);
       plane.set("line", paint);
+      plane.set("lineOpacity", square ? 0.4f : 1);
       glDrawArrays(GL_TRIANGLE_STRIP, 0, CORNERS);
     }
+    glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(true);
+  }
+
+  /** A square ends at its edges, other planes fade out before. */
+  private static void setSize(ShaderProgram plane, Sheets.Sheet sheet, float reach) {
+    float half = sheet.halfSizeM() > 0 ? (float) sheet.halfSizeM() : PLANE_END * reach;
+    float fades = sheet.halfSizeM() > 0 ? BEYOND_CORNERS * half : PLANE_REACH * reach;
+    plane.set("middle", new float[] {-half, -half, half, half});
+    plane.set("reach", fades);
+    plane.set("halfSize", sheet.halfSizeM() > 0 ? 2 * fades : half);
   }
 
   private static void use(

@@ -3,12 +3,14 @@ package org.pendant.desktop.scene.picture;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.pendant.command.service.Picture;
 import org.pendant.command.service.PictureRenderer;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.scene.Camera;
+import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
@@ -51,11 +53,27 @@ final class OffscreenRenderer implements PictureRenderer {
                 world,
                 new Touching(world)
                     .names(arm.kinematics(), arm.actualPositionRad(), arm.tool().inFlange()))
+            .withSafety(safety(picture))
             .withTrace(ring.trace())
             .withTheme(picture.dark() ? SceneTheme.DARK : SceneTheme.LIGHT);
     double aspect = (double) picture.widthPx() / picture.heightPx();
     Camera camera = Camera.of(picture.view(), SceneBounds.of(model), aspect);
     return scene.render(model, camera, picture.widthPx(), picture.heightPx());
+  }
+
+  private static SafetySight safety(Picture picture) {
+    return picture
+        .limits()
+        .map(
+            limits ->
+                SafetySight.of(
+                    limits,
+                    Optional.empty(),
+                    picture.safety().stop(),
+                    picture.safety().reduced(),
+                    picture.arm().actualPositionRad(),
+                    new SafetySight.Wanted(true, true, false, false)))
+        .orElse(SafetySight.NONE);
   }
 
   @Override

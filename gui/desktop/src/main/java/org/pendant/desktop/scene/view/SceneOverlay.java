@@ -15,7 +15,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.SafetyOutlines;
+import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
+import org.pendant.desktop.scene.Sheets;
 import org.pendant.desktop.scene.SpeedColours;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.kit.theme.Palette;
@@ -123,13 +126,14 @@ final class SceneOverlay {
     for (int i = 0; i < marks.size(); i++) {
       WaypointMarkers.Mark mark = marks.get(i);
       if (mark.chosen() || i < MAX_PLACE_NAMES) {
-        add(labels, shown, mark.name(), mark.inBase(), i, mark.chosen());
+        add(labels, shown, mark.name(), place(mark.inBase()), i, mark.chosen());
       }
     }
     List<Pose> frames = shown.model().framesInBase();
     for (int i = 0; i < frames.size() && i < JOINT_FRAMES.size(); i++) {
-      add(labels, shown, JOINT_FRAMES.get(i), frames.get(i), -1, false);
+      add(labels, shown, JOINT_FRAMES.get(i), place(frames.get(i)), -1, false);
     }
+    addSafety(labels, shown);
     List<LabelPlaces.Placed> placed =
         LabelPlaces.of(
             labels,
@@ -150,11 +154,10 @@ final class SceneOverlay {
       List<LabelPlaces.Label> labels,
       PictureRequest shown,
       String name,
-      Pose pose,
+      Vector3 place,
       int mark,
       boolean chosen) {
-    Optional<Point2D> at =
-        shown.camera().pixel(new Vector3(pose.x(), pose.y(), pose.z()), width, height);
+    Optional<Point2D> at = shown.camera().pixel(place, width, height);
     if (at.isEmpty()) {
       return;
     }
@@ -170,6 +173,34 @@ final class SceneOverlay {
       }
     }
     labels.add(new LabelPlaces.Label(name, at.get(), mark, chosen));
+  }
+
+  private void addSafety(List<LabelPlaces.Label> labels, PictureRequest shown) {
+    SafetySight safety = shown.model().safety();
+    for (SafetySight.Plane each : safety.planes()) {
+      boolean trips = each.state() == SafetySight.State.TRIPPED;
+      Sheets.namePlaces(each.plane(), shown.model()).stream()
+          .filter(place -> inSight(shown, place))
+          .findFirst()
+          .ifPresent(place -> add(labels, shown, each.words(), place, -1, trips));
+    }
+    for (SafetySight.Range each : safety.joints()) {
+      boolean trips = each.state() == SafetySight.State.TRIPPED;
+      Vector3 place = SafetyOutlines.namePlace(each, shown.model());
+      add(labels, shown, each.words(), place, -1, trips);
+    }
+  }
+
+  private boolean inSight(PictureRequest shown, Vector3 place) {
+    return shown
+        .camera()
+        .pixel(place, width, height)
+        .filter(new Rectangle2D.Double(0, 0, width, height)::contains)
+        .isPresent();
+  }
+
+  private static Vector3 place(Pose pose) {
+    return new Vector3(pose.x(), pose.y(), pose.z());
   }
 
   /** From a name to its point. */

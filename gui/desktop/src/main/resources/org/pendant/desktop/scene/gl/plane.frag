@@ -7,6 +7,7 @@ in vec3 lightPosition;
 uniform vec3 fill;
 uniform vec3 line;
 uniform float fillOpacity;
+uniform float lineOpacity; // 1 for lines as strong as on the floor
 uniform float shade; // how dark the shadow is
 uniform float reach; // fully there up to this distance from the middle, gone at the edge
 uniform float halfSize;
@@ -36,7 +37,7 @@ void main() {
   vec2 width = fwidth(onPlane);
   vec2 fine = lines(width, 0.1, 1.2);
   vec2 coarse = lines(width, 0.5, 1.5);
-  float cover = max(0.30 * max(fine.x, fine.y), 0.62 * max(coarse.x, coarse.y));
+  float cover = lineOpacity * max(0.30 * max(fine.x, fine.y), 0.62 * max(coarse.x, coarse.y));
   float dark = far < reach ? shade * (1.0 - lit(lightPosition)) : 0.0;
 
   vec3 paint = mix(fill, line, cover);

@@ -16,6 +16,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.command.service.StandardView;
+import org.pendant.controller.safety.Applies;
+import org.pendant.controller.safety.Axis;
+import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -25,6 +28,7 @@ import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.Models;
 import org.pendant.desktop.scene.Picked;
+import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
@@ -170,6 +174,34 @@ final class OffscreenSceneTest {
             > 0.002);
     assertTrue(changedShare(plain, untouched) > 0.02);
     assertTrue(changedShare(untouched, draw(model.withWorld(world, Set.of("box")), camera)) > 0.02);
+  }
+
+  @Test
+  void safetyPlanesShowAndARedOneWhereTheArmWasStopped() {
+    SceneModel model = Models.of("ur5e");
+    Camera camera = Camera.of(StandardView.ISO, SceneBounds.of(model), 1);
+    int[] plain = draw(model, camera);
+    int[] holds = draw(model.withSafety(wall(SafetySight.State.HOLDS)), camera);
+    int[] tripped = draw(model.withSafety(wall(SafetySight.State.TRIPPED)), camera);
+
+    assertTrue(changedShare(plain, holds) > 0.1);
+    assertTrue(redness(tripped) > 1.05 * redness(holds), redness(tripped) + " " + redness(holds));
+  }
+
+  private static SafetySight wall(SafetySight.State state) {
+    SafetyPlane wall = new SafetyPlane("wall", 0, 0.5, 0, new Axis(0, -1, 0), Applies.BOTH, false);
+    return new SafetySight(
+        List.of(new SafetySight.Plane(wall, state)), List.of(), List.of(), false);
+  }
+
+  private static double redness(int[] pixels) {
+    long red = 0;
+    long all = 0;
+    for (int rgb : pixels) {
+      red += rgb >> 16 & 0xFF;
+      all += (rgb >> 16 & 0xFF) + (rgb >> 8 & 0xFF) + (rgb & 0xFF);
+    }
+    return 3.0 * red / all;
   }
 
   private static double meanDifference(int[] a, int[] b) {

@@ -1,5 +1,6 @@
 package org.pendant.desktop.scene.picture;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
@@ -9,6 +10,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.ServiceLoader;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Assumptions;
@@ -19,6 +21,10 @@ import org.pendant.command.service.PictureRenderer;
 import org.pendant.command.service.StandardView;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.safety.Applies;
+import org.pendant.controller.safety.Axis;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.world.Scene;
 
@@ -26,12 +32,29 @@ final class OffscreenPicturesTest {
 
   /** The bytes of a picture; aborts the test where there is no OpenGL. */
   private static byte[] picture(StandardView view, boolean dark) throws IOException {
-    ControllerOptions options = ControllerOptions.headless();
-    ArmState arm = new Controller(options).state().arm();
+    return picture(ControllerOptions.headless(), view, dark, false);
+  }
+
+  private static byte[] picture(
+      ControllerOptions options, StandardView view, boolean dark, boolean safety)
+      throws IOException {
+    Controller controller = new Controller(options);
+    ArmState arm = controller.state().arm();
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     try (PictureRenderer renderer = new OffscreenPictures().start()) {
       renderer.trace(arm, 0);
-      renderer.write(new Picture(options.robotId(), arm, Scene.EMPTY, view, dark, 120, 80), out);
+      renderer.write(
+          new Picture(
+              options.robotId(),
+              arm,
+              Scene.EMPTY,
+              safety ? Optional.of(controller.safety()) : Optional.empty(),
+              controller.state().safety(),
+              view,
+              dark,
+              120,
+              80),
+          out);
     } catch (GraphicsUnavailable e) {
       Assumptions.abort("no OpenGL on this machine: " + e.getMessage());
     }
@@ -52,6 +75,20 @@ final class OffscreenPicturesTest {
 
     assertFalse(Arrays.equals(picture, picture(StandardView.FRONT, false)));
     assertFalse(Arrays.equals(picture, picture(StandardView.ISO, true)));
+  }
+
+  @Test
+  void safetyPlanesAreDrawnWhereTheyAreWanted() throws IOException {
+    ControllerOptions bare = ControllerOptions.headless();
+    ControllerOptions fenced =
+        bare.withSafety(
+            SafetyConfiguration.standard(bare.arm())
+                .withPlanes(
+                    new SafetyPlane("wall", 0, 0.6, 0, new Axis(0, -1, 0), Applies.BOTH, false)));
+    byte[] hidden = picture(fenced, StandardView.ISO, false, false);
+
+    assertArrayEquals(picture(StandardView.ISO, false), hidden);
+    assertFalse(Arrays.equals(hidden, picture(fenced, StandardView.ISO, false, true)));
   }
 
   @Test

@@ -1,0 +1,56 @@
+package org.pendant.desktop.shell;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.SafetyStatus;
+import org.pendant.desktop.scene.SafetySight;
+import org.pendant.desktop.session.RobotSession;
+import org.pendant.models.arm.Joints;
+
+/** Safety scene: what the picture of the arm has of the safety functions. */
+final class SafetyScene {
+  private final RobotSession session;
+  private final SceneShows shows;
+  private Supplier<Optional<SafetyConfiguration>> proposed = Optional::empty;
+
+  SafetyScene(RobotSession session, SceneShows shows) {
+    this.session = session;
+    this.shows = shows;
+  }
+
+  /** Where to ask for what people type and have not applied yet. */
+  void setProposed(Supplier<Optional<SafetyConfiguration>> draft) {
+    proposed = draft;
+  }
+
+  /** The entries of the menu. */
+  void addTo(SceneBar bar) {
+    bar.check("scene.safety-planes", "Show safety planes", shows::planes, shows::setPlanes);
+    bar.check(
+        "scene.safety-direction",
+        "Show where the tool may point",
+        shows::direction,
+        shows::setDirection);
+    bar.check(
+        "scene.safety-joints",
+        "Show the range of the joint nearest to its limit",
+        shows::jointRange,
+        shows::setJointRange);
+    bar.check("scene.safety-reach", "Show how far the arm reaches", shows::reach, shows::setReach);
+  }
+
+  /** What is to be seen at a moment, of the limits that hold now. */
+  SafetySight sight(ControllerState state, Joints positionRad) {
+    SafetyStatus status = state.safety();
+    return SafetySight.of(
+        session.robot().safety(),
+        proposed.get(),
+        status.stop(),
+        status.reduced(),
+        positionRad,
+        new SafetySight.Wanted(
+            shows.planes(), shows.direction(), shows.jointRange(), shows.reach()));
+  }
+}
