@@ -97,6 +97,14 @@ final class ControllerTest {
   }
 
   @Test
+  void aLoopThatNeverWaitsIsNotTakenForTheLineBeforeIt() {
+    Program spins = program(controller, "a = 1\n\nwhile True:\n  a = a + 1\nend\n");
+    var _ = controller.submit(new ProgramCommand.StartProgram(spins));
+    advance(3);
+    assertEquals(4, controller.state().program().line());
+  }
+
+  @Test
   void aMoveTakesAsManyFramesAsItsProfile() {
     // 1 rad at 1 rad/s with ramps of 0.5 s: 1.5 s, and the script continues in the frame after it
     run(

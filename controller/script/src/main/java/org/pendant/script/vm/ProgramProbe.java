@@ -115,17 +115,8 @@ public final class ProgramProbe {
             run ->
                 run.threads().stream()
                     .filter(thread -> thread.busyFrames >= frames)
-                    .forEach(thread -> busy.add(ahead(run, thread))));
+                    .forEach(thread -> busy.add(snapshot(run, thread))));
     return busy;
-  }
-
-  /** A thread that was stopped by the end of its slice stands before what it continues with. */
-  private static ThreadSnapshot ahead(ProgramRun run, ScriptThread thread) {
-    ThreadSnapshot snapshot = snapshot(run, thread);
-    int top = thread.depth - 1;
-    List<ThreadSnapshot.Level> stack = new ArrayList<>(snapshot.stack());
-    stack.set(0, level(thread, top, thread.pcs[top]));
-    return new ThreadSnapshot(snapshot.id(), snapshot.name(), snapshot.waitsFor(), stack);
   }
 
   /** One thread. */

@@ -201,7 +201,10 @@ final class Scheduler {
   private FrameResult followed(ScriptThread thread, Processor.Stop stop) {
     switch (stop) {
       case WAITING -> pause(thread);
-      case EXHAUSTED -> endSlice(thread);
+      case EXHAUSTED -> {
+        thread.sliced = true;
+        endSlice(thread);
+      }
       case INTERPRETED -> {
         if (!nextLine.test(thread)) {
           pause(thread);
@@ -246,6 +249,7 @@ final class Scheduler {
   private Processor.Stop execute(ScriptThread thread) throws ThreadFailure {
     running = thread;
     executing = true;
+    thread.sliced = false;
     try {
       Processor.Stop stop = processor.execute(thread);
       while (stop == Processor.Stop.TRAPPED && !debugHook.stopsAt(thread.id())) {

@@ -52,6 +52,9 @@ final class ScriptThread {
    */
   boolean interrupted;
 
+  /** Stopped by the end of its slice: the instruction pointer stands before what comes next. */
+  boolean sliced;
+
   /** What the instruction that the thread stopped before has begun. */
   Optional<LongOperation> operation = Optional.empty();
 
@@ -164,7 +167,8 @@ final class ScriptThread {
 
   /** The instruction that the function of call frame {@code index} has reached. */
   int reached(int index) {
-    return before() && index == depth - 1 ? pcs[index] : Math.max(0, pcs[index] - 1);
+    boolean ahead = (before() || sliced) && index == depth - 1;
+    return ahead ? pcs[index] : Math.max(0, pcs[index] - 1);
   }
 
   /** The line the innermost function has reached. */
