@@ -67,6 +67,15 @@ final class InputWaveformProgramTest {
   }
 
   @Test
+  void whatIsChangedWhileAProgramRunsCountsFromThereOn() {
+    robot.start(WATCH);
+    robot.advance(4);
+    play("0.002,digital_in[0],true", "0.020,digital_in[0],true", "0.030,digital_in[0],false");
+    robot.finish();
+    assertEquals(List.of("10True", "15False"), robot.said());
+  }
+
+  @Test
   void noneAnyMoreLeavesInputsAlone() {
     play("0,digital_in[0],true");
     robot.done(new IoCommand.PlayInputs(InputWaveforms.NONE));

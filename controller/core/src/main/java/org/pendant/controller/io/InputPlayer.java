@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import org.pendant.controller.command.Refusal;
 
 /**
- * Input player: plays {@link InputWaveforms} from the start of each program on, until it ends. Time
- * goes on while a program is paused, as it does outside. The frame loop owns it.
+ * Input player: plays {@link InputWaveforms} from the start of each program until it ends. Time
+ * continues while a program is paused, as it does outside. The frame loop owns it.
  */
 public final class InputPlayer {
   /** Under which name it writes signals. */
@@ -26,10 +26,14 @@ public final class InputPlayer {
     this.signals = signals;
   }
 
-  /** Plays these from the start of the next program on. */
+  /** Plays these from now on: while a program runs, what is still to come of them. */
   public void set(InputWaveforms wanted) {
     waveforms = wanted;
-    playing = false;
+    frame %= wanted.periodFrames();
+    next = 0;
+    while (next < wanted.steps() && wanted.frame(next) < frame) {
+      next++;
+    }
   }
 
   /** What is played. */

@@ -43,8 +43,8 @@ public sealed interface IoCommand extends Command {
   record ClaimSignal(String owner, String signal) implements IoCommand {}
 
   /**
-   * Plays waveforms at the inputs from the start of the next program on, and of each that follows;
-   * {@link InputWaveforms#NONE} plays none any more.
+   * Plays waveforms at the inputs by the time since a program began: since the one that runs, and
+   * each that follows; {@link InputWaveforms#NONE} plays none any more.
    */
   record PlayInputs(InputWaveforms waveforms) implements IoCommand {}
 

@@ -72,6 +72,11 @@ public final class SignalLabels {
     return read.apply(id);
   }
 
+  /** The name of a signal such as {@code digital_in[0]}; empty while it has none. */
+  public String ofSignal(String signal) {
+    return of(signal.replace('_', '-').replace('[', '-').replace("]", ""));
+  }
+
   /** Names a signal; spaces around the name do not count. */
   void name(String id, String label) {
     if (!label.strip().equals(of(id))) {

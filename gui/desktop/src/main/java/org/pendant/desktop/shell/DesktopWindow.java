@@ -33,6 +33,7 @@ import org.pendant.desktop.shell.chrome.StatusLine;
 import org.pendant.desktop.shell.prompt.PromptPanel;
 import org.pendant.desktop.shell.start.StartPanel;
 import org.pendant.desktop.timeline.TimelineView;
+import org.pendant.desktop.waveform.WaveformView;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
@@ -340,7 +341,7 @@ final class DesktopWindow {
     }
   }
 
-  /** Opens a program, an installation or a recording. */
+  /** Opens a program, an installation, a recording or a table of waveforms. */
   void open(Path file) {
     if (InstallationFile.hasEnding(file.toString())) {
       installationFiles.open(file);
@@ -348,6 +349,10 @@ final class DesktopWindow {
     }
     if (TimelineView.isRecording(file)) {
       views.past().open(file);
+      return;
+    }
+    if (WaveformView.isWaveforms(file)) {
+      views.waveforms().open(file);
       return;
     }
     files.open(file);

@@ -287,6 +287,7 @@ final class MenuPlan {
         all("program.answer"),
         line(),
         sub("Speed", "", all("speed")),
+        sub("Waveforms", "Waveforms", all("waveforms")),
         line(),
         all("program.ask-start"),
         one("editor.follow", "tree.follow"),

@@ -46,6 +46,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
+import org.pendant.desktop.waveform.WaveformView;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.dock.Side;
@@ -72,6 +73,7 @@ final class Views {
   private final RobotSession session;
   private final Consumer<String> tell;
   private final StartMove startMove;
+  private final WaveformView waveforms;
   private final StartChoice start;
   private final PastViews past;
   private TreeRuns runs;
@@ -170,6 +172,7 @@ final class Views {
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
+    waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
     places =
         List.of(
             screen(past.held(run), Glyph.RUN),
@@ -189,7 +192,8 @@ final class Views {
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
             panel(past.held(calls), Side.LOWER),
             panel(breakpoints, Side.BOTTOM),
-            panel(past.timeline(), Side.BOTTOM));
+            panel(past.timeline(), Side.BOTTOM),
+            panel(waveforms, Side.BOTTOM));
   }
 
   /** Names of signals: those of the installation, and of the settings where it has none. */
@@ -376,6 +380,21 @@ final class Views {
   /** Has what people see of each file last until they open it again. */
   FileKeeper keeper() {
     return keeper;
+  }
+
+  private void chooseWaveforms(ShellWorkbench workbench) {
+    OpenDialog.show(
+        waveforms.component(),
+        "Open waveforms",
+        "Tables of waveforms",
+        new String[] {"csv"},
+        workbench.usedFolder(),
+        waveforms::open);
+  }
+
+  /** The panel in which people draw what happens at the inputs. */
+  WaveformView waveforms() {
+    return waveforms;
   }
 
   /** What happens while people look at the past. */

@@ -1,0 +1,232 @@
+package org.pendant.desktop.waveform;
+
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.io.AnalogBank;
+import org.pendant.controller.io.InputChange;
+import org.pendant.controller.io.SignalBank;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.layout.WrappingRow;
+
+/** Waveform bar: the fields and buttons above the rows. */
+@SuppressWarnings("serial") // never written to a stream
+final class WaveformBar extends JPanel {
+  private final transient WaveformDraft draft;
+  private final transient WaveformCanvas canvas;
+  private final JCheckBox play = new JCheckBox("Play");
+  private final JComboBox<String> signal = new JComboBox<>(signals());
+  private final JTextField value = new JTextField(6);
+  private final JPanel valueGroup = together();
+  private final JTextField period = new JTextField(5);
+  private final transient Consumer<String> complain;
+
+  /**
+   * A bar for a draft.
+   *
+   * @param complain takes what is wrong with what was typed; empty when nothing is
+   */
+  WaveformBar(WaveformDraft draft, WaveformCanvas canvas, Consumer<String> complain) {
+    super(new WrappingRow(6));
+    this.draft = draft;
+    this.canvas = canvas;
+    this.complain = complain;
+    name(
+        play,
+        "play",
+        "While a program runs, the inputs change as drawn, by the time since it began");
+    add(play);
+    name(
+        signal, "signal", "An input; type the name of a register, such as input_float_register[3]");
+    signal.setEditable(true);
+    signal.getEditor().getEditorComponent().setName("waveform-signal-text");
+    add(signal);
+    add(button("add", "Add", "A row for this input, low at first", this::addRow));
+    addPeriod();
+    draft.addListener(this::refresh);
+    refresh();
+  }
+
+  private void addPeriod() {
+    name(period, "period", "Seconds after which everything happens again; empty for once");
+    period.addActionListener(event -> changePeriod());
+    period.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusLost(FocusEvent event) {
+            changePeriod();
+          }
+        });
+    add(together(new JLabel("Repeat after"), period, new JLabel("s")));
+  }
+
+  /** Adds what comes last: it is there only while a row with numbers is selected. */
+  void addValue() {
+    name(
+        value,
+        "value",
+        "What an input with numbers gets where you draw, and from the cursor on: 7.5V, 12mA, 3");
+    value.addActionListener(event -> changeValue());
+    valueGroup.add(new JLabel("Value"));
+    valueGroup.add(value);
+    add(valueGroup);
+    refresh();
+  }
+
+  private static JPanel together(JComponent... parts) {
+    JPanel group = new JPanel(new MigLayout("insets 0, gap 4"));
+    for (JComponent each : parts) {
+      group.add(each);
+    }
+    return group;
+  }
+
+  private static String[] signals() {
+    List<String> names = new ArrayList<>();
+    for (SignalBank bank : SignalBank.values()) {
+      for (int i = 0; bank.input() && i < bank.size(); i++) {
+        names.add(bank.text() + "[" + i + "]");
+      }
+    }
+    for (AnalogBank bank : AnalogBank.values()) {
+      for (int i = 0; bank.input() && i < AnalogBank.SIZE; i++) {
+        names.add(bank.name(i));
+      }
+    }
+    return names.toArray(String[]::new);
+  }
+
+  private static void name(JComponent component, String name, String tip) {
+    component.setName("waveform-" + name);
+    component.setToolTipText(tip);
+    component.getAccessibleContext().setAccessibleName(tip);
+  }
+
+  /** A button of the bar. */
+  static JButton button(String name, String text, String tip, Runnable run) {
+    JButton button = new JButton(text);
+    button.setName("waveform-" + name);
+    button.setToolTipText(tip);
+    button.getAccessibleContext().setAccessibleName(text);
+    button.addActionListener(event -> run.run());
+    return button;
+  }
+
+  /** Whether programs run with what is drawn. */
+  boolean playing() {
+    return play.isSelected();
+  }
+
+  /** Has programs run with what is drawn, or not. */
+  void setPlaying(boolean on) {
+    play.setSelected(on);
+  }
+
+  /** Tells {@code listener} when that changes. */
+  void onPlaying(Runnable listener) {
+    play.addActionListener(event -> listener.run());
+  }
+
+  /** What an input with numbers gets where people draw. */
+  String number() {
+    String typed = value.getText().strip();
+    return typed.isEmpty()
+        ? canvas.row().flatMap(row -> row.at(canvas.cursorS())).orElse("0")
+        : typed;
+  }
+
+  private void addRow() {
+    String name = String.valueOf(signal.getEditor().getItem()).strip();
+    int there = draft.sheet().indexOf(name);
+    if (there >= 0) {
+      canvas.select(there);
+      canvas.requestFocusInWindow();
+      return;
+    }
+    tryTo(
+        signal,
+        () -> {
+          draft.set(draft.sheet().plus(WaveRow.idle(name)));
+          canvas.select(draft.sheet().rows().size() - 1);
+          canvas.requestFocusInWindow();
+        });
+  }
+
+  private void changeValue() {
+    Optional<WaveRow> row = canvas.row().filter(each -> !each.level());
+    row.ifPresent(
+        each ->
+            tryTo(
+                value,
+                () -> {
+                  int change = each.changeNear(canvas.cursorS(), canvas.nearS());
+                  double fromS =
+                      change >= 0 ? each.changes().get(change).timeS() : canvas.cursorS();
+                  canvas.replace(each.with(fromS, value.getText().strip()));
+                }));
+  }
+
+  private void changePeriod() {
+    String text = period.getText().strip().replace(',', '.');
+    tryTo(
+        period,
+        () ->
+            draft.set(
+                draft
+                    .sheet()
+                    .repeating(
+                        text.isEmpty()
+                            ? OptionalDouble.empty()
+                            : OptionalDouble.of(number(text)))));
+  }
+
+  private static double number(String text) {
+    try {
+      double periodS = Double.parseDouble(text);
+      if (periodS >= WaveformPainter.FRAME_S && periodS <= InputChange.MAX_TIME_S) {
+        return periodS;
+      }
+    } catch (NumberFormatException e) {
+      // the message below says what is wrong with it
+    }
+    throw new IllegalArgumentException(
+        "repeat after '" + text + "', must be seconds from 0.002, or empty");
+  }
+
+  private void tryTo(JComponent field, Runnable change) {
+    try {
+      change.run();
+      field.putClientProperty("JComponent.outline", null);
+      complain.accept("");
+    } catch (IllegalArgumentException e) {
+      field.putClientProperty("JComponent.outline", "error");
+      complain.accept(e.getMessage());
+    }
+  }
+
+  /** Shows what the draft and the selected row have. */
+  void refresh() {
+    if (!period.isFocusOwner()) {
+      OptionalDouble periodS = draft.sheet().periodS();
+      period.setText(periodS.isPresent() ? Measure.SECOND.text(periodS.getAsDouble()) : "");
+    }
+    Optional<WaveRow> row = canvas.row();
+    valueGroup.setVisible(row.isPresent() && !row.get().level());
+    if (!value.isFocusOwner()) {
+      value.setText(
+          row.filter(each -> !each.level()).flatMap(each -> each.at(canvas.cursorS())).orElse(""));
+    }
+  }
+}

@@ -1,0 +1,294 @@
+package org.pendant.desktop.waveform;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.io.InputWaveforms;
+import org.pendant.controller.io.WaveformText;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.RunTime;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.theme.Palette;
+import org.pendant.script.vm.ProgramState;
+
+/** Waveform view: the panel in which people draw what happens at the inputs. */
+public final class WaveformView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "waveforms";
+
+  private static final String TABLE = "waveforms.table";
+  private static final String PLAY = "waveforms.play";
+  private static final String ENDING = "csv";
+
+  /** A longer table is not kept over a restart; it has a file. */
+  private static final int MAX_KEPT = 100_000;
+
+  private static final long MAX_FILE_BYTES = 16 << 20;
+
+  private static final String NOTE =
+      "Nothing happens at the inputs by itself. Add an input and draw when it changes, take what"
+          + " happened in the last run, or open a table.";
+
+  private final Workbench workbench;
+  private final WaveformDraft draft;
+  private final WaveformCanvas canvas;
+  private final WaveformBar bar;
+  private final WaveformPlayer player;
+  private final WaveformNames names;
+  private final WaveformTimes times;
+  private final Remark remark = new Remark("waveform-remark", Palette::error);
+  private final CardLayout cards = new CardLayout();
+  private final JPanel middle = new JPanel(cards);
+  private final JPanel content = new JPanel(new BorderLayout());
+  private Optional<Path> file = Optional.empty();
+
+  /**
+   * With what was drawn last.
+   *
+   * @param nameOf the name that people gave a signal such as {@code digital_in[0]}; empty for none
+   * @param chooseFile asks for a table to open
+   */
+  public WaveformView(Workbench workbench, UnaryOperator<String> nameOf, Runnable chooseFile) {
+    this.workbench = workbench;
+    draft = new WaveformDraft(kept());
+    WaveformPainter painter = new WaveformPainter(nameOf);
+    canvas = new WaveformCanvas(draft, painter, this::number);
+    bar = new WaveformBar(draft, canvas, remark::say);
+    names = new WaveformNames(canvas, painter);
+    times = new WaveformTimes(canvas);
+    player = new WaveformPlayer(workbench.session()::submit);
+    workbench.session().addSwitchListener(player);
+    addButtons(chooseFile);
+    content.setName("waveform-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    JPanel head = new JPanel(new BorderLayout());
+    head.add(bar, BorderLayout.CENTER);
+    head.add(remark, BorderLayout.SOUTH);
+    content.add(head, BorderLayout.NORTH);
+    middle.add(sheet(), "sheet");
+    JLabel note = new JLabel("<html><center>" + NOTE, JLabel.CENTER);
+    note.setName("waveform-note");
+    note.setBorder(BorderFactory.createEmptyBorder(8, 24, 8, 24));
+    note.setEnabled(false);
+    middle.add(note, "note");
+    content.add(middle, BorderLayout.CENTER);
+    bar.setPlaying(workbench.settings().get(PLAY).map(Boolean::parseBoolean).orElse(false));
+    bar.onPlaying(this::changed);
+    canvas.onSelection(this::show);
+    draft.addListener(this::changed);
+    declareActions(chooseFile);
+    changed();
+  }
+
+  private String number() {
+    return bar.number();
+  }
+
+  private JScrollPane sheet() {
+    JScrollPane sheet = new JScrollPane(canvas);
+    sheet.setBorder(BorderFactory.createEmptyBorder());
+    sheet.setRowHeaderView(names);
+    sheet.setColumnHeaderView(times);
+    sheet.getHorizontalScrollBar().setUnitIncrement(40);
+    sheet.getVerticalScrollBar().setUnitIncrement(20);
+    return sheet;
+  }
+
+  private void addButtons(Runnable chooseFile) {
+    bar.add(
+        WaveformBar.button(
+            "capture",
+            "Last run",
+            "The digital inputs as they changed in the last run; its outputs are shown below",
+            this::capture));
+    bar.add(WaveformBar.button("open", "Open\u2026", "Opens a table of waveforms", chooseFile));
+    bar.add(
+        WaveformBar.button(
+            "save", "Save\u2026", "Saves a table, also for pendant run --waveforms", this::save));
+    bar.addValue();
+  }
+
+  private void declareActions(Runnable chooseFile) {
+    var actions = workbench.actions();
+    actions.add(
+        Action.of(
+                ID + ".play",
+                "Waveforms: play with programs",
+                "",
+                () -> {
+                  bar.setPlaying(!bar.playing());
+                  changed();
+                })
+            .checked(bar::playing));
+    actions.add(
+        Action.of(
+            ID + ".capture",
+            "Waveforms: take the inputs of the last run",
+            "",
+            () -> {
+              workbench.show(ID);
+              capture();
+            }));
+    actions.add(Action.of(ID + ".open", "Waveforms: open a table\u2026", "", chooseFile));
+    actions.add(Action.of(ID + ".save", "Waveforms: save the table\u2026", "", this::save));
+  }
+
+  private WaveSheet kept() {
+    String table = workbench.settings().get(TABLE).orElse("").replace(';', '\n');
+    try {
+      return table.isEmpty()
+          ? WaveSheet.EMPTY
+          : WaveSheet.of(WaveformText.parse("settings", table));
+    } catch (IllegalArgumentException e) {
+      // Settings are written by people, too.
+      return WaveSheet.EMPTY;
+    }
+  }
+
+  /** Has the controller play what is drawn, and keeps it over restarts. */
+  private void changed() {
+    InputWaveforms waveforms = draft.sheet().waveforms();
+    player.play(bar.playing() ? waveforms : InputWaveforms.NONE);
+    String table = WaveformText.format(waveforms).replace('\n', ';');
+    workbench.settings().put(TABLE, table.length() > MAX_KEPT ? "" : table);
+    workbench.settings().put(PLAY, Boolean.toString(bar.playing()));
+    show();
+  }
+
+  private void show() {
+    boolean empty = draft.sheet().rows().isEmpty() && canvas.capture().outputs().isEmpty();
+    cards.show(middle, empty ? "note" : "sheet");
+    bar.refresh();
+    names.revalidate();
+    names.repaint();
+    times.revalidate();
+    times.repaint();
+  }
+
+  private void capture() {
+    var recording = workbench.session().recording();
+    Thread.ofVirtual()
+        .name("waveforms")
+        .start(
+            () -> {
+              Optional<WaveformCapture> run = WaveformCapture.of(recording);
+              EventQueue.invokeLater(() -> captured(run));
+            });
+  }
+
+  private void captured(Optional<WaveformCapture> run) {
+    if (run.isEmpty()) {
+      workbench.notify("No program has run yet: there are no inputs to take");
+      return;
+    }
+    canvas.show(run.get());
+    if (run.get().sheet().rows().isEmpty()) {
+      workbench.notify("No digital input changed in the last run");
+    } else {
+      draft.set(run.get().sheet());
+    }
+    show();
+  }
+
+  /** Opens a table; it is read elsewhere. */
+  public void open(Path path) {
+    Thread.ofVirtual().name("waveforms").start(() -> read(path));
+  }
+
+  private void read(Path path) {
+    try {
+      if (Files.size(path) > MAX_FILE_BYTES) {
+        tell("Not opened: " + path + " is larger than any table of waveforms");
+        return;
+      }
+      InputWaveforms waveforms =
+          WaveformText.parse(
+              String.valueOf(path.getFileName()), Files.readString(path, StandardCharsets.UTF_8));
+      EventQueue.invokeLater(
+          () -> {
+            draft.set(WaveSheet.of(waveforms));
+            file = Optional.of(path);
+            workbench.show(ID);
+            workbench.notify("Opened " + path);
+          });
+    } catch (IOException e) {
+      tell("Not opened: " + path + ": " + FileTrouble.reason(e));
+    } catch (IllegalArgumentException e) {
+      tell("Not opened: " + e.getMessage());
+    }
+  }
+
+  private void tell(String text) {
+    EventQueue.invokeLater(() -> workbench.notify(text));
+  }
+
+  /** Whether a file is a table of waveforms, by its name. */
+  public static boolean isWaveforms(Path path) {
+    return path.toString().toLowerCase(Locale.ROOT).endsWith("." + ENDING);
+  }
+
+  private void save() {
+    byte[] table = WaveformText.format(draft.sheet().waveforms()).getBytes(StandardCharsets.UTF_8);
+    SaveDialog.open(
+        content,
+        new SaveRequest(
+            "Save waveforms",
+            file.orElse(Path.of("inputs.csv")),
+            List.of(ENDING),
+            workbench.openFiles()),
+        path -> {
+          AtomicFile.write(path, table);
+          EventQueue.invokeLater(() -> file = Optional.of(path));
+        },
+        workbench::notify);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Waveforms";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    RunTime run = workbench.session().runTime();
+    boolean runs = run.known() && state.program().state() != ProgramState.STOPPED;
+    canvas.showPlace(runs ? place(state.timeS() - run.beganS()) : OptionalDouble.empty());
+  }
+
+  private OptionalDouble place(double sinceStartS) {
+    OptionalDouble periodS = draft.sheet().periodS();
+    return OptionalDouble.of(
+        periodS.isPresent() && bar.playing() ? sinceStartS % periodS.getAsDouble() : sinceStartS);
+  }
+}
