@@ -39,9 +39,15 @@ final class PortsWindowTest {
     fill("ports-offset", OFFSET);
     window.click("ports-open");
     window.awaitWords("ports-summary", "Open,");
+    window.click("ports-clients");
+    window.awaitWords("clients-summary", "Nobody is connected");
     try (Socket socket = new Socket(address, port)) {
+      window.awaitWords("clients-table", "Primary");
       String text = "def visitor():\n  while True:\n    sync()\n  end\nend\n";
       socket.getOutputStream().write(text.getBytes(StandardCharsets.ISO_8859_1));
+      window.clickCell("clients-messages", "sends the program def visitor():");
+      window.awaitWords("clients-detail", "while True:");
+      window.click("rail-run");
       window.awaitWords("run-name", "visitor (sent from outside)");
       window.awaitWords("program-state", "running");
       window.awaitWords("ports-summary", "1 client");

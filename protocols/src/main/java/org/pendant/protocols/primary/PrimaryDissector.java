@@ -69,7 +69,7 @@ final class PrimaryDissector implements Dissector {
       }
       return Reading.of(
           "variable-names",
-          texts.size() + " variables: " + Reading.names(texts),
+          texts.isEmpty() ? "no variables" : "variables " + Reading.names(texts),
           () -> Fields.of("time_us", timeUs, "names", texts));
     }
     Map<String, Object> values = values(first, body);

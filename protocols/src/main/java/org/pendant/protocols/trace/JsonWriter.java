@@ -45,7 +45,7 @@ public final class JsonWriter implements Closeable {
           out.writeStringProperty("summary", reading.summary());
           reading.effect().ifPresent(effect -> out.writeStringProperty("effect", effect));
           out.writeName("fields");
-          writeValue(out, reading.fields().get());
+          writeValue(out, message.fields());
           out.writeNumberProperty("length", message.bytes().remaining());
           out.writeStringProperty("bytes", hex(message.bytes()));
         });

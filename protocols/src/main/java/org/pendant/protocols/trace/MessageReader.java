@@ -17,8 +17,17 @@ final class MessageReader {
   private final Consumer<WireMessage> messages;
   private final Map<Connection, Conversation> conversations = new HashMap<>();
 
+  private long count;
+
   MessageReader(Consumer<WireMessage> messages) {
     this.messages = messages;
+  }
+
+  /**
+   * Forgets what was begun: connections go on from what was agreed on when they are heard again.
+   */
+  void forget() {
+    conversations.clear();
   }
 
   /** Takes the next event. */
@@ -41,6 +50,7 @@ final class MessageReader {
   private void mark(WireEvent event, String type, Direction direction) {
     messages.accept(
         new WireMessage(
+            ++count,
             Peers.of(event.connection()),
             direction,
             event.epochUs(),
@@ -105,7 +115,8 @@ final class MessageReader {
       private void hand(Reading reading, ByteBuffer bytes) {
         WireEvent at = latest.orElseThrow();
         messages.accept(
-            new WireMessage(peers, direction, at.epochUs(), at.robotTimeS(), reading, bytes));
+            new WireMessage(
+                ++count, peers, direction, at.epochUs(), at.robotTimeS(), reading, bytes));
       }
     }
   }

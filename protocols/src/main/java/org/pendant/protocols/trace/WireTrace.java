@@ -124,16 +124,19 @@ public final class WireTrace implements WireTap, AutoCloseable {
   private void run() {
     try (sink) {
       List<WireEvent> batch = new ArrayList<>();
+      long flushedNs = System.nanoTime();
       while (!closed || !waiting.isEmpty()) {
         WireEvent next = waiting.poll(FLUSH_MS, TimeUnit.MILLISECONDS);
         if (next != null) {
           batch.add(next);
           waiting.drainTo(batch, BATCH);
           hand(batch);
-        } else {
-          sink.flush();
         }
         tellLeftOut();
+        if (System.nanoTime() - flushedNs > TimeUnit.MILLISECONDS.toNanos(FLUSH_MS)) {
+          sink.flush();
+          flushedNs = System.nanoTime();
+        }
       }
       sink.flush();
     } catch (IOException e) {

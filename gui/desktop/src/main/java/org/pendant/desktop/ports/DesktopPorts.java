@@ -15,6 +15,7 @@ import org.pendant.desktop.ports.PortsState.Trouble;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.protocols.modbus.ModbusServer;
+import org.pendant.protocols.net.WireTap;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.PrivilegedPort;
 import org.pendant.protocols.server.RemoteControl;
@@ -45,6 +46,7 @@ public final class DesktopPorts implements SwitchListener {
   private record Wanted(PortWishes wishes, Optional<InetAddress> host) {}
 
   private volatile RemoteControl remote = new RemoteControl(true, true);
+  private volatile Optional<WireTap> tap = Optional.empty();
   private volatile PortsState state = PortsState.CLOSED;
 
   /**
@@ -73,6 +75,28 @@ public final class DesktopPorts implements SwitchListener {
   /** Lets clients control the robot, or only ask; those that are connected notice. */
   void setRemote(boolean allowed) {
     remote.setRemote(allowed);
+  }
+
+  /**
+   * Has {@code listener} hear from now on what goes over all connections, also when the ports are
+   * opened later; empty for nobody.
+   */
+  void tap(Optional<WireTap> listener) {
+    tap = listener;
+    inBackground(
+        () -> {
+          lock.lock();
+          try {
+            open.ifPresent(each -> each.tap(tap));
+          } finally {
+            lock.unlock();
+          }
+        });
+  }
+
+  /** The robot time, s. */
+  double robotTimeS() {
+    return session.state().timeS();
   }
 
   /** Begins to open them, as {@code wishes} say; {@link #state} tells what came of it. */
@@ -166,6 +190,7 @@ public final class DesktopPorts implements SwitchListener {
       ports.close();
       return trouble(PortField.OFFSET, ports.missing().getFirst().why());
     }
+    ports.tap(tap);
     open = Optional.of(ports);
     remote = control;
     String address = host.getHostAddress();

@@ -15,6 +15,7 @@ import org.pendant.protocols.externalcontrol.Drivers;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.net.WireTap;
 import org.pendant.protocols.server.MissingPort;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.RemoteControl;
@@ -83,6 +84,11 @@ final class OpenPorts implements AutoCloseable {
   /** What could not be had. */
   List<MissingPort> missing() {
     return box.missing();
+  }
+
+  /** Has {@code listener} hear what goes over all connections; empty for nobody. */
+  void tap(Optional<WireTap> listener) {
+    box.tap(listener);
   }
 
   @Override

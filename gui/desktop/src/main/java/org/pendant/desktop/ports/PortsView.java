@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -50,7 +51,7 @@ public final class PortsView implements View {
     presenter = new PortsPresenter(ports, workbench.settings(), Path.of("").toAbsolutePath());
     content.setName("ports-view");
     content.getAccessibleContext().setAccessibleName(title());
-    content.add(top(), BorderLayout.NORTH);
+    content.add(top(workbench), BorderLayout.NORTH);
     content.add(table(), BorderLayout.CENTER);
     workbench
         .actions()
@@ -99,7 +100,7 @@ public final class PortsView implements View {
     return text;
   }
 
-  private JComponent top() {
+  private JComponent top(Workbench workbench) {
     JPanel top =
         new JPanel(new MigLayout("insets 12, gap 8, wrap 2, hidemode 3", "[][grow,fill,0::]"));
     TitledCard.named(
@@ -126,7 +127,15 @@ public final class PortsView implements View {
     for (JComponent each : new JComponent[] {problem, warning, summary}) {
       top.add(each, "span, growx, wmin 0");
     }
+    top.add(clients(workbench), "span, alignx left");
     return top;
+  }
+
+  private static JButton clients(Workbench workbench) {
+    JButton clients = new JButton("Clients and messages");
+    TitledCard.named(clients, "ports-clients", "Show who is connected, and every message");
+    clients.addActionListener(event -> workbench.show(ClientsView.ID));
+    return clients;
   }
 
   private JComponent table() {

@@ -320,7 +320,8 @@ final class MenuPlan {
         sub("Installation", "Show installation", pages()),
         sub("Inputs and registers", "", all("io")),
         line(),
-        all("robot.ports", "robot.ports-switch"),
+        all("robot.ports", "robot.clients", "robot.ports-switch"),
+        sub("Messages of clients", "", all("clients")),
         line(),
         all("robot.noise", "robot.start-ramp", "robot"));
   }

@@ -33,6 +33,7 @@ import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.move.MoveView;
 import org.pendant.desktop.plot.PlotView;
+import org.pendant.desktop.ports.ClientsView;
 import org.pendant.desktop.ports.DesktopPorts;
 import org.pendant.desktop.ports.PortsView;
 import org.pendant.desktop.program.ProgramView;
@@ -92,11 +93,10 @@ final class Views {
     this.runner = runner;
     session = workbench.session();
     tell = workbench::notify;
-    ports =
-        new PortsView(
-            workbench,
-            new DesktopPorts(
-                session, StateFolder.of(System.getenv()).resolve("desktop"), this::visited));
+    DesktopPorts desktopPorts =
+        new DesktopPorts(
+            session, StateFolder.of(System.getenv()).resolve("desktop"), this::visited);
+    ports = new PortsView(workbench, desktopPorts);
     received = new ReceivedProgram(programs);
     debug = new DebugPresenter(workbench, programs);
     keeper = new FileKeeper(workbench.settings(), programs, editor, debug.breakpoints());
@@ -188,6 +188,7 @@ final class Views {
             panel(past.selectable(watches), Side.LOWER),
             panel(new OutlineView(workbench, editor), Side.LOWER),
             panel(ports, Side.LOWER),
+            panel(new ClientsView(workbench, desktopPorts), Side.MAIN),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
             panel(past.held(calls), Side.LOWER),

@@ -1,0 +1,84 @@
+package org.pendant.desktop.ports;
+
+import java.util.List;
+import javax.swing.table.AbstractTableModel;
+
+/** Client table: the clients of the ports as rows. */
+@SuppressWarnings("serial") // never written to a stream
+final class ClientTable extends AbstractTableModel {
+  private static final List<String> TITLES =
+      List.of("Client", "Port", "For", "In", "Out", "Data", "Owns", "Waiting");
+
+  private transient List<ClientRow> rows = List.of();
+
+  /** Shows other rows; answers whether they are those of other clients. */
+  boolean show(List<ClientRow> now) {
+    if (now.equals(rows)) {
+      return false;
+    }
+    boolean same =
+        now.stream()
+            .map(ClientRow::peers)
+            .toList()
+            .equals(rows.stream().map(ClientRow::peers).toList());
+    rows = now;
+    if (same) {
+      fireTableRowsUpdated(0, now.size() - 1);
+    } else {
+      fireTableDataChanged();
+    }
+    return !same;
+  }
+
+  ClientRow row(int row) {
+    return rows.get(row);
+  }
+
+  @Override
+  public int getRowCount() {
+    return rows.size();
+  }
+
+  @Override
+  public int getColumnCount() {
+    return TITLES.size();
+  }
+
+  @Override
+  public String getColumnName(int column) {
+    return TITLES.get(column);
+  }
+
+  @Override
+  public Object getValueAt(int row, int column) {
+    ClientRow shown = rows.get(row);
+    return switch (column) {
+      case 0 -> shown.peers().client();
+      case 1 -> shown.peers().port();
+      case 2 -> shown.connected();
+      case 3 -> shown.in();
+      case 4 -> shown.out();
+      case 5 -> shown.data();
+      case 6 -> shown.writes().isEmpty() ? "" : shown.writes().size() + " inputs";
+      default -> shown.waiting();
+    };
+  }
+
+  /** What is behind a cell; empty for no more than it shows. */
+  String tip(int row, int column) {
+    ClientRow shown = rows.get(row);
+    return switch (column) {
+      case 5 -> names("Gets", shown.reads());
+      case 6 -> names("Only it may write", shown.writes());
+      case 2 -> "For how long it has been connected";
+      case 3 -> shown.in().isEmpty() ? "Nothing comes from it" : shown.in() + " come from it";
+      case 4 -> shown.out().isEmpty() ? "Nothing goes to it" : shown.out() + " go to it";
+      case 7 -> "What it has not read yet, and packages that were left out for that";
+      default -> getValueAt(row, column).toString();
+    };
+  }
+
+  private static String names(String what, List<String> names) {
+    return names.isEmpty() ? "" : "<html><body width=360>" + what + ": " + String.join(", ", names);
+  }
+}

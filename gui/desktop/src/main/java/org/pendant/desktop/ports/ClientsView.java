@@ -1,0 +1,378 @@
+package org.pendant.desktop.ports;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.AbstractAction;
+import javax.swing.AbstractButton;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollBar;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumnModel;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
+import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.layout.Typed;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.protocols.trace.LiveTrace;
+import org.pendant.protocols.trace.WireMessage;
+import org.pendant.protocols.wire.Direction;
+
+/** Clients view: who is connected to the ports, and every message of theirs. */
+public final class ClientsView implements View {
+  /** Its name among the views. */
+  public static final String ID = "clients";
+
+  private static final int[] CLIENT_WIDTHS = {132, 76, 50, 96, 124, 126, 74, 70};
+  private static final int[] MIN_CLIENT_WIDTHS = {116, 62, 38, 60, 100, 112, 60, 50};
+  private static final int[] MESSAGE_WIDTHS = {68, 22, 116, 72, 96, 2000};
+
+  private final Workbench workbench;
+  private final ClientsPresenter presenter;
+  private final JPanel content = new JPanel(new BorderLayout());
+  private final ClientTable clients = new ClientTable();
+  private final MessageTable messages = new MessageTable();
+  private final JTable clientTable = clientTable();
+  private final JTable messageTable = new JTable(messages);
+  private final JScrollPane messageScroll = new JScrollPane(messageTable);
+  private final JTextArea detail = new JTextArea();
+  private final JTextField search = new JTextField(14);
+  private final JButton all = new JButton("All clients");
+  private final JToggleButton record = new JToggleButton("Record", true);
+  private final JLabel summary = new JLabel();
+  private boolean showing;
+  private long selected = -1;
+
+  /** A screen for the clients of {@code ports}. */
+  public ClientsView(Workbench workbench, DesktopPorts ports) {
+    this.workbench = workbench;
+    presenter = new ClientsPresenter(ports);
+    content.setName("clients-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    content.add(bar(), BorderLayout.NORTH);
+    content.add(tables(), BorderLayout.CENTER);
+    workbench
+        .actions()
+        .add(
+            Action.of(
+                "robot.clients",
+                "Clients of the ports",
+                "",
+                () -> {
+                  workbench.show(ID);
+                  search.requestFocusInWindow();
+                }));
+    workbench
+        .actions()
+        .add(
+            Action.of("clients.record", "Clients: record messages", "", this::toggleRecording)
+                .checked(presenter::recording));
+    workbench.actions().add(Action.of("clients.clear", "Clients: clear messages", "", this::clear));
+    workbench
+        .actions()
+        .add(Action.of("clients.export", "Clients: export messages\u2026", "", this::export));
+  }
+
+  private JComponent bar() {
+    JPanel bar = new JPanel(new WrappingRow(8));
+    bar.setName("clients-bar");
+    search.putClientProperty("JTextField.placeholderText", "Filter messages");
+    search.putClientProperty("JTextField.showClearButton", true);
+    TitledCard.named(search, "clients-filter", "Show messages with this text");
+    search
+        .getDocument()
+        .addDocumentListener(
+            new Typed(() -> filter(presenter.filter().withText(search.getText()))));
+    bar.add(search);
+    JComboBox<String> direction =
+        new JComboBox<>(new String[] {"Both directions", "From clients", "To clients"});
+    TitledCard.named(direction, "clients-direction", "Which way messages went");
+    direction.addActionListener(
+        event ->
+            filter(
+                presenter
+                    .filter()
+                    .withDirection(
+                        switch (direction.getSelectedIndex()) {
+                          case 1 -> Optional.of(Direction.IN);
+                          case 2 -> Optional.of(Direction.OUT);
+                          default -> Optional.empty();
+                        })));
+    bar.add(direction);
+    all.addActionListener(event -> clientTable.clearSelection());
+    add(bar, all, "clients-all", "Show the messages of all clients (Escape)");
+    JToggleButton effects = new JToggleButton("Effects");
+    effects.addActionListener(
+        event -> filter(presenter.filter().withEffects(effects.isSelected())));
+    add(bar, effects, "clients-effects", "Show only what does something to robot or program");
+    JToggleButton streamed = new JToggleButton("Data");
+    streamed.addActionListener(
+        event -> filter(presenter.filter().withStreamed(streamed.isSelected())));
+    add(bar, streamed, "clients-streamed", "Show also what comes by itself, many times a second");
+    record.addActionListener(event -> recordAs(record.isSelected()));
+    add(bar, record, "clients-record", "Keep messages as they come; off keeps those that are here");
+    JButton clear = new JButton("Clear");
+    clear.addActionListener(event -> clear());
+    add(bar, clear, "clients-clear", "Forget the messages");
+    JButton export = new JButton("Export\u2026");
+    export.addActionListener(event -> export());
+    add(bar, export, "clients-export", "Save the messages shown as JSON lines or for Wireshark");
+    TitledCard.named(summary, "clients-summary", "How many messages are shown");
+    bar.add(summary);
+    return bar;
+  }
+
+  private static void add(JPanel bar, AbstractButton button, String name, String tip) {
+    button.putClientProperty("JButton.buttonType", "toolBarButton");
+    TitledCard.named(button, name, tip);
+    bar.add(button);
+  }
+
+  private JTable clientTable() {
+    return new JTable(clients) {
+      @Override
+      public String getToolTipText(MouseEvent event) {
+        int row = rowAtPoint(event.getPoint());
+        int column = columnAtPoint(event.getPoint());
+        String tip = row < 0 || column < 0 ? "" : clients.tip(row, column);
+        return tip.isEmpty() ? null : tip;
+      }
+    };
+  }
+
+  private JComponent tables() {
+    prepare(clientTable, "clients-table", "Clients", CLIENT_WIDTHS);
+    keepWidths(clientTable, MIN_CLIENT_WIDTHS);
+    clientTable.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    clientTable.getSelectionModel().addListSelectionListener(event -> clientChosen());
+    prepare(messageTable, "clients-messages", "Messages", MESSAGE_WIDTHS);
+    keepWidths(messageTable, MESSAGE_WIDTHS);
+    key(clientTable, "ESCAPE", clientTable::clearSelection);
+    key(content, "control F", search::requestFocusInWindow);
+    messageTable.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    messageTable.setDefaultRenderer(Object.class, new MessageCellRenderer());
+    messageTable.getSelectionModel().addListSelectionListener(event -> messageChosen());
+    detail.setName("clients-detail");
+    detail.getAccessibleContext().setAccessibleName("The whole message");
+    detail.putClientProperty("FlatLaf.styleClass", "monospaced");
+    detail.setEditable(false);
+    detail.setLineWrap(true);
+    detail.setWrapStyleWord(true);
+    detail.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
+    detail.setText("Choose a client to see its messages only, or a message to see all of it.");
+    JScrollPane whole = new JScrollPane(detail);
+    whole.setBorder(BorderFactory.createEmptyBorder());
+    whole.setPreferredSize(new Dimension(400, 170));
+    messageScroll.setBorder(BorderFactory.createEmptyBorder());
+    messageScroll.setPreferredSize(new Dimension(400, 250));
+    JSplitPane lower = split("clients-split", messageScroll, whole, 0.65);
+    JScrollPane upper = new JScrollPane(clientTable);
+    upper.setBorder(BorderFactory.createEmptyBorder());
+    upper.setPreferredSize(new Dimension(400, 110));
+    return split("clients-upper", upper, lower, 0.0);
+  }
+
+  private static JSplitPane split(String name, JComponent top, JComponent bottom, double weight) {
+    JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, top, bottom);
+    split.setName(name);
+    split.setResizeWeight(weight);
+    split.setBorder(null);
+    top.setMinimumSize(new Dimension(0, 90));
+    bottom.setMinimumSize(new Dimension(0, 60));
+    return split;
+  }
+
+  private static void key(JComponent on, String keys, Runnable run) {
+    on.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+        .put(KeyStroke.getKeyStroke(keys), keys);
+    on.getActionMap()
+        .put(
+            keys,
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                run.run();
+              }
+            });
+  }
+
+  private static void prepare(JTable table, String name, String meaning, int... widths) {
+    table.setName(name);
+    table.getAccessibleContext().setAccessibleName(meaning);
+    table.setFillsViewportHeight(true);
+    table.setShowGrid(false);
+    TableColumnModel columns = table.getColumnModel();
+    for (int i = 0; i < widths.length; i++) {
+      columns.getColumn(i).setPreferredWidth(UIScale.scale(widths[i]));
+    }
+  }
+
+  /** All but the last column are at least so wide. */
+  private static void keepWidths(JTable table, int... widths) {
+    for (int i = 0; i < widths.length - 1; i++) {
+      table.getColumnModel().getColumn(i).setMinWidth(UIScale.scale(widths[i]));
+    }
+  }
+
+  /** What does something to the robot stands out. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class MessageCellRenderer extends DefaultTableCellRenderer {
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean chosen, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, value, chosen, focused, row, column);
+      boolean acts =
+          column == messages.getColumnCount() - 1
+              && messages.row(row).reading().effect().isPresent();
+      setToolTipText(value.toString());
+      setFont(acts ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
+      return this;
+    }
+  }
+
+  private void filter(MessageFilter wanted) {
+    presenter.setFilter(wanted);
+    show();
+  }
+
+  private void clientChosen() {
+    int row = clientTable.getSelectedRow();
+    if (showing) {
+      return;
+    }
+    filter(
+        presenter
+            .filter()
+            .withClient(row < 0 ? Optional.empty() : Optional.of(clients.row(row).peers())));
+    if (row >= 0) {
+      messageTable.clearSelection();
+      tell(MessageDetail.of(clients.row(row)));
+    }
+  }
+
+  private void messageChosen() {
+    int row = messageTable.getSelectedRow();
+    if (!showing && row >= 0 && messages.row(row).number() != selected) {
+      selected = messages.row(row).number();
+      tell(MessageDetail.of(messages.row(row)));
+    } else if (!showing && row < 0) {
+      selected = -1;
+    }
+  }
+
+  private void tell(String text) {
+    detail.setText(text);
+    detail.setCaretPosition(0);
+  }
+
+  private void toggleRecording() {
+    workbench.show(ID);
+    recordAs(!presenter.recording());
+  }
+
+  private void recordAs(boolean wanted) {
+    presenter.setRecording(wanted);
+    show();
+  }
+
+  private void clear() {
+    presenter.clear();
+    show();
+  }
+
+  private void export() {
+    List<WireMessage> shown = presenter.messages();
+    SaveDialog.open(
+        content,
+        new SaveRequest(
+            "Export " + shown.size() + " messages of clients",
+            Path.of("clients.jsonl"),
+            List.of("jsonl", "pcap"),
+            workbench.openFiles()),
+        file -> AtomicFile.write(file, out -> LiveTrace.write(shown, file, out)),
+        workbench::notify);
+  }
+
+  /** Shows what the presenter has; chosen rows stay chosen, and the newest in sight if it was. */
+  private void show() {
+    showing = true;
+    record.setSelected(presenter.recording());
+    all.setEnabled(presenter.filter().client().isPresent());
+    summary.setText(presenter.summary());
+    int client = clientTable.getSelectedRow();
+    Optional<ClientRow> chosen = client < 0 ? Optional.empty() : Optional.of(clients.row(client));
+    if (clients.show(presenter.clients())) {
+      chosen.ifPresent(this::chooseAgain);
+    }
+    JScrollBar bar = messageScroll.getVerticalScrollBar();
+    boolean atEnd = bar.getValue() + bar.getVisibleAmount() >= bar.getMaximum() - 2;
+    if (messages.show(presenter.messages())) {
+      int row = selected < 0 ? -1 : messages.rowOf(selected);
+      if (row >= 0) {
+        messageTable.setRowSelectionInterval(row, row);
+      } else if (atEnd && messages.getRowCount() > 0) {
+        messageTable.scrollRectToVisible(
+            messageTable.getCellRect(messages.getRowCount() - 1, 0, true));
+      }
+    }
+    showing = false;
+  }
+
+  /** A client that has left leaves its messages in sight. */
+  private void chooseAgain(ClientRow before) {
+    for (int row = 0; row < clients.getRowCount(); row++) {
+      if (clients.row(row).peers().equals(before.peers())) {
+        clientTable.setRowSelectionInterval(row, row);
+        return;
+      }
+    }
+    presenter.setFilter(presenter.filter().withClient(Optional.empty()));
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Clients";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    if (presenter.look(System.nanoTime())) {
+      show();
+    }
+  }
+}
