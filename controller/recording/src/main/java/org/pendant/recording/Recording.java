@@ -32,6 +32,7 @@ public final class Recording {
   private final ProgramTexts texts;
   private final Snapshots snapshots;
   private final boolean received;
+  private final StretchIndex index;
 
   /** What was found when marks were asked for; empty before, or if there are none. */
   private volatile List<RecordingMark> marks = List.of();
@@ -56,6 +57,7 @@ public final class Recording {
     this.texts = texts;
     this.snapshots = snapshots;
     this.received = received;
+    index = new StretchIndex(stretches.size());
     this.lastFrame = Math.max(lastFrame, stretches.getLast().firstFrame());
   }
 
@@ -179,6 +181,18 @@ public final class Recording {
           }
         });
     return found.isEmpty() ? atFrame(frame) : found.getFirst();
+  }
+
+  /**
+   * Goes through all of it, which takes as long as {@link #scan}, so that a {@link StepSearch} need
+   * not do so. It is worth it for a recording of a file; one from memory is searched at once.
+   */
+  public void makeIndex() {
+    index.make(this);
+  }
+
+  StretchIndex index() {
+    return index;
   }
 
   /** How many stretches there are. */

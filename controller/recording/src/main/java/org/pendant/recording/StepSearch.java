@@ -1,7 +1,9 @@
 package org.pendant.recording;
 
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
+import java.util.function.IntPredicate;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.pendant.controller.state.ProgramStatus;
@@ -25,44 +27,90 @@ public final class StepSearch {
     this.recording = recording;
   }
 
-  /** The last wanted step that is earlier than {@code from}. */
-  public Optional<RecordedStep> before(Moment from, Predicate<RecordedStep> wanted) {
-    return backward(from, Steps::new, RecordedStep::moment, wanted);
+  /** The last step that is earlier than {@code from}. */
+  public Optional<RecordedStep> before(Moment from) {
+    return backward(from, steps(stretch -> false, step -> true));
   }
 
-  /** The first wanted step that is later than {@code from}. */
-  public Optional<RecordedStep> after(Moment from, Predicate<RecordedStep> wanted) {
-    return forward(from, Steps::new, RecordedStep::moment, wanted);
+  /** The first step that is later than {@code from}. */
+  public Optional<RecordedStep> after(Moment from) {
+    return forward(from, steps(stretch -> false, step -> true));
+  }
+
+  /** The last wanted step to one of {@code lines} that is earlier than {@code from}. */
+  public Optional<RecordedStep> before(
+      Moment from, Set<Integer> lines, Predicate<RecordedStep> wanted) {
+    return backward(from, steps(lines, wanted));
+  }
+
+  /** The first wanted step to one of {@code lines} that is later than {@code from}. */
+  public Optional<RecordedStep> after(
+      Moment from, Set<Integer> lines, Predicate<RecordedStep> wanted) {
+    return forward(from, steps(lines, wanted));
   }
 
   /** The last change of a variable or a part of one that is earlier than {@code from}. */
   public Optional<RecordedChange> changeBefore(Moment from, VariablePath path) {
-    return backward(from, () -> new Changes(path), RecordedChange::moment, change -> true);
+    return backward(from, changes(path));
   }
 
   /** The first change of a variable or a part of one that is later than {@code from}. */
   public Optional<RecordedChange> changeAfter(Moment from, VariablePath path) {
-    return forward(from, () -> new Changes(path), RecordedChange::moment, change -> true);
+    return forward(from, changes(path));
+  }
+
+  private Wanted<RecordedStep> steps(Set<Integer> lines, Predicate<RecordedStep> wanted) {
+    return steps(
+        stretch -> recording.index().lacks(stretch, lines),
+        step -> lines.contains(step.line()) && wanted.test(step));
+  }
+
+  private static Wanted<RecordedStep> steps(IntPredicate lacks, Predicate<RecordedStep> wanted) {
+    return new Wanted<>(Steps::new, RecordedStep::moment, wanted, lacks);
+  }
+
+  private Wanted<RecordedChange> changes(VariablePath path) {
+    return new Wanted<>(
+        () -> new Changes(path),
+        RecordedChange::moment,
+        change -> true,
+        stretch -> recording.index().lacks(stretch, path.name()));
+  }
+
+  /**
+   * What is looked for.
+   *
+   * @param begin begins to look
+   * @param moment when something is
+   * @param wanted whether it is meant
+   * @param lacks whether a stretch has nothing of it
+   */
+  private record Wanted<T>(
+      Supplier<Look<T>> begin,
+      Function<T, Moment> moment,
+      Predicate<T> wanted,
+      IntPredicate lacks) {
+    Optional<T> in(Optional<T> found, Predicate<Moment> when) {
+      return found.filter(each -> when.test(moment.apply(each))).filter(wanted);
+    }
   }
 
   /** Looks at entries in turn. */
-  private interface Look<T> {
+  interface Look<T> {
     /** What the next entry brings, compared with the one before. */
     Optional<T> at(SegmentCursor entry);
   }
 
-  private <T> Optional<T> backward(
-      Moment from, Supplier<Look<T>> begin, Function<T, Moment> moment, Predicate<T> wanted) {
+  private <T> Optional<T> backward(Moment from, Wanted<T> what) {
     for (int i = recording.stretchOf(from.frame()); i >= 0; i--) {
-      Optional<T> newest = Optional.empty();
-      Look<T> look = begin.get();
-      if (i > 0) {
-        look.at(recording.lastEntry(i - 1));
+      if (what.lacks().test(i)) {
+        continue;
       }
+      Optional<T> newest = Optional.empty();
+      Look<T> look = begin(what, i);
       SegmentCursor entry = recording.entries(i);
       while (entry.next() && entry.frame() <= from.frame()) {
-        Optional<T> found =
-            look.at(entry).filter(each -> moment.apply(each).compareTo(from) < 0).filter(wanted);
+        Optional<T> found = what.in(look.at(entry), moment -> moment.compareTo(from) < 0);
         newest = found.isPresent() ? found : newest;
       }
       if (newest.isPresent()) {
@@ -72,25 +120,31 @@ public final class StepSearch {
     return Optional.empty();
   }
 
-  private <T> Optional<T> forward(
-      Moment from, Supplier<Look<T>> begin, Function<T, Moment> moment, Predicate<T> wanted) {
-    Look<T> look = begin.get();
+  private <T> Optional<T> forward(Moment from, Wanted<T> what) {
     // a frame that was paused may begin in the stretch before the one that it ends in
-    int first = recording.stretchOf(from.frame() - 1);
-    if (first > 0) {
-      look.at(recording.lastEntry(first - 1));
-    }
-    for (int i = first; i < recording.stretches(); i++) {
+    for (int i = recording.stretchOf(from.frame() - 1); i < recording.stretches(); i++) {
+      if (what.lacks().test(i)) {
+        continue;
+      }
+      Look<T> look = begin(what, i);
       SegmentCursor entry = recording.entries(i);
       while (entry.next() && entry.frame() <= recording.lastFrame()) {
-        Optional<T> found =
-            look.at(entry).filter(each -> moment.apply(each).compareTo(from) > 0).filter(wanted);
+        Optional<T> found = what.in(look.at(entry), moment -> moment.compareTo(from) > 0);
         if (found.isPresent()) {
           return found;
         }
       }
     }
     return Optional.empty();
+  }
+
+  /** Looks at what was before a stretch. */
+  private <T> Look<T> begin(Wanted<T> what, int stretch) {
+    Look<T> look = what.begin().get();
+    if (stretch > 0) {
+      look.at(recording.lastEntry(stretch - 1));
+    }
+    return look;
   }
 
   private static DebugState debug(SegmentCursor entry) {
@@ -102,7 +156,7 @@ public final class StepSearch {
   }
 
   /** Where another statement begins. */
-  private static final class Steps implements Look<RecordedStep> {
+  static final class Steps implements Look<RecordedStep> {
     private int line;
     private long stop;
 
@@ -149,13 +203,14 @@ public final class StepSearch {
           ? Optional.empty()
           : Optional.of(new RecordedChange(moment(entry), before, value));
     }
+  }
 
-    private static boolean same(Optional<VariableSample> one, Optional<VariableSample> other) {
-      return one.equals(other) || value(one).equals(value(other));
-    }
+  /** Whether a variable has the same value, or none, in both. */
+  static boolean same(Optional<VariableSample> one, Optional<VariableSample> other) {
+    return one.equals(other) || value(one).equals(value(other));
+  }
 
-    private static Optional<Value> value(Optional<VariableSample> sample) {
-      return sample.flatMap(VariableSample::value);
-    }
+  private static Optional<Value> value(Optional<VariableSample> sample) {
+    return sample.flatMap(VariableSample::value);
   }
 }

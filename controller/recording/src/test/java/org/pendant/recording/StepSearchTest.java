@@ -3,11 +3,15 @@ package org.pendant.recording;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
@@ -66,10 +70,10 @@ final class StepSearchTest {
 
   private List<Integer> linesBack() {
     List<Integer> lines = new ArrayList<>();
-    Optional<RecordedStep> step = search().before(now(), each -> true);
+    Optional<RecordedStep> step = search().before(now());
     while (step.isPresent()) {
       lines.add(step.get().line());
-      step = search().before(step.get().moment(), each -> true);
+      step = search().before(step.get().moment());
     }
     return lines;
   }
@@ -77,8 +81,8 @@ final class StepSearchTest {
   @Test
   void stepsBackToWhereEachStatementBegan() {
     start(SLEEPS).frames(200);
-    RecordedStep last = search().before(now(), each -> true).orElseThrow();
-    RecordedStep before = search().before(last.moment(), each -> true).orElseThrow();
+    RecordedStep last = search().before(now()).orElseThrow();
+    RecordedStep before = search().before(last.moment()).orElseThrow();
 
     assertEquals(List.of(6, 4, 2), linesBack());
     assertEquals(50, last.moment().frame() - before.moment().frame());
@@ -96,10 +100,10 @@ final class StepSearchTest {
   void stepsOnAsItStepsBack() {
     start(SLEEPS).frames(200);
     List<Integer> lines = new ArrayList<>();
-    Optional<RecordedStep> step = search().after(Moment.endOf(0), each -> true);
+    Optional<RecordedStep> step = search().after(Moment.endOf(0));
     while (step.isPresent()) {
       lines.add(step.get().line());
-      step = search().after(step.get().moment(), each -> true);
+      step = search().after(step.get().moment());
     }
     assertEquals(List.of(2, 4, 6), lines);
   }
@@ -114,7 +118,7 @@ final class StepSearchTest {
     assertEquals(4, controller.state().debug().stop().orElseThrow().line());
     assertEquals(List.of(3, 2, 1), linesBack());
 
-    RecordedStep before = search().before(now(), each -> true).orElseThrow();
+    RecordedStep before = search().before(now()).orElseThrow();
     assertEquals(now().frame(), before.moment().frame());
     var then = ring.recording().at(before.moment());
     assertEquals(3, then.debug().stop().orElseThrow().line());
@@ -134,6 +138,7 @@ final class StepSearchTest {
         search()
             .before(
                 now(),
+                Set.of(3),
                 step ->
                     step.stop()
                         .filter(stop -> stop.reason() instanceof PauseReason.AtBreakpoint)
@@ -163,7 +168,7 @@ final class StepSearchTest {
   void aChangeIsKnownToTheFrameInWhichTheProgramCameToAnotherLine() {
     start(SLEEPS).frames(200);
     RecordedChange last = search().changeBefore(now(), I).orElseThrow();
-    RecordedStep step = search().before(now(), each -> true).orElseThrow();
+    RecordedStep step = search().before(now()).orElseThrow();
     assertEquals(step.moment(), last.moment());
   }
 
@@ -178,5 +183,45 @@ final class StepSearchTest {
             .changeBefore(now(), I)
             .flatMap(RecordedChange::after)
             .flatMap(VariableSample::value));
+  }
+
+  @Test
+  void anIndexOfAFileLeavesOutWhatHasNothingOnly(@TempDir Path folder) throws IOException {
+    start(
+            """
+            i = 0
+            sleep(0.1)
+            while True:
+              movej([0, -1.2, -1.5, -1.5, 1.5, 0], a=0.3, v=0.2)
+              movej([0, -1.5, -1.5, -1.5, 1.5, 0], a=0.3, v=0.2)
+              i = i + 1
+            end
+            """)
+        .frames(6000);
+    Path file = folder.resolve("run.rec");
+    Recording memory = ring.recording();
+    RecordingExport.toRec(memory, memory.firstS(), memory.lastS(), file);
+    Recording indexed = RecordingFile.open(file).recording();
+    indexed.makeIndex();
+
+    assertTrue(indexed.index().lacks(indexed.stretches() - 1, Set.of(2)));
+    assertTrue(indexed.index().lacks(1, "nothing"));
+    for (long frame = 0; frame <= memory.lastFrame(); frame += 97) {
+      Moment from = Moment.endOf(frame);
+      for (Set<Integer> lines : List.of(Set.of(2), Set.of(4), Set.of(5, 1))) {
+        assertEquals(
+            new StepSearch(memory).before(from, lines, step -> true).map(RecordedStep::moment),
+            new StepSearch(indexed).before(from, lines, step -> true).map(RecordedStep::moment));
+        assertEquals(
+            new StepSearch(memory).after(from, lines, step -> true).map(RecordedStep::moment),
+            new StepSearch(indexed).after(from, lines, step -> true).map(RecordedStep::moment));
+      }
+      assertEquals(
+          new StepSearch(memory).changeBefore(from, I).map(RecordedChange::moment),
+          new StepSearch(indexed).changeBefore(from, I).map(RecordedChange::moment));
+      assertEquals(
+          new StepSearch(memory).changeAfter(from, I).map(RecordedChange::moment),
+          new StepSearch(indexed).changeAfter(from, I).map(RecordedChange::moment));
+    }
   }
 }

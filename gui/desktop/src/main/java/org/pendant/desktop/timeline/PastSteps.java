@@ -6,10 +6,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.kit.fault.Faults;
@@ -114,9 +116,7 @@ public final class PastSteps {
 
   /** To where the statement began, or the one before. */
   public void stepBack() {
-    begin(
-        (search, from) ->
-            step(search.before(from, step -> true), "The recording has no earlier statement"));
+    begin((search, from) -> step(search.before(from), "The recording has no earlier statement"));
   }
 
   /** To the next statement of the recording. */
@@ -124,8 +124,7 @@ public final class PastSteps {
     begin(
         (search, from) ->
             step(
-                search.after(from, step -> true),
-                "The recording has no later statement: Esc leads back to now"));
+                search.after(from), "The recording has no later statement: Esc leads back to now"));
   }
 
   /** To the last breakpoint that the program came to before. */
@@ -134,7 +133,7 @@ public final class PastSteps {
     begin(
         (search, from) ->
             step(
-                search.before(from, passing::stops),
+                search.before(from, passing.lines(), passing::stops),
                 "The recording has no earlier breakpoint" + passing.unknown()));
   }
 
@@ -144,7 +143,7 @@ public final class PastSteps {
     begin(
         (search, from) ->
             step(
-                search.after(from, passing::stops),
+                search.after(from, passing.lines(), passing::stops),
                 "The recording has no later breakpoint" + passing.unknown()));
   }
 
@@ -272,6 +271,14 @@ public final class PastSteps {
       for (RecordedProgram each : recording.programs()) {
         known.put(each, breakpoints.apply(each));
       }
+    }
+
+    /** The lines that have a breakpoint in any program. */
+    Set<Integer> lines() {
+      return known.values().stream()
+          .flatMap(List::stream)
+          .map(Breakpoint::line)
+          .collect(Collectors.toSet());
     }
 
     boolean stops(RecordedStep step) {

@@ -215,6 +215,7 @@ public final class TimelineView implements View {
                       lookBack.open(recording, file, log);
                       workbench.show(ID);
                     });
+                makeIndex(recording);
               } catch (UncheckedIOException e) {
                 String why = FileTrouble.reason(e.getCause());
                 EventQueue.invokeLater(() -> trouble.accept("Not opened: " + file + ": " + why));
@@ -223,6 +224,15 @@ public final class TimelineView implements View {
                 EventQueue.invokeLater(() -> trouble.accept("Not opened: " + file + ": " + why));
               }
             });
+  }
+
+  private static void makeIndex(Recording recording) {
+    try {
+      recording.makeIndex();
+    } catch (UncheckedIOException e) {
+      // The file has gone. A user who looks at a moment of it is told.
+      return;
+    }
   }
 
   /** Whether a file is a recording, by its name. */
