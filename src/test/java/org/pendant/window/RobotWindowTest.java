@@ -4,9 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The arm, its stops and the look of the window. */
 @Tag("slow")
@@ -158,5 +162,28 @@ final class RobotWindowTest {
     assumeFalse(
         window.shows("scene-unavailable"),
         () -> "no 3D here: " + window.words("scene-unavailable"));
+  }
+
+  @Test
+  void aSceneIsOpenedAndTheStopByContactSaysWhatWasHit(@TempDir Path folder) throws IOException {
+    Path scene = folder.resolve("bench.scene.json");
+    Files.writeString(
+        scene,
+        "{\"objects\": [{\"type\": \"plane\", \"name\": \"bench\","
+            + " \"point\": [0, 0, 0.4], \"normal\": [0, 0, 1]}]}");
+    window.perform("Open scene");
+    window.awaitFocus("open-dialog");
+    window.type(scene + "\n");
+    window.awaitWords("status-text", "Around the arm: bench.scene.json, 1 object");
+    window.raise();
+    window.click("rail-run");
+    sharedWindow.run("movel(pose_add(get_target_tcp_pose(), p[0,0,-0.2,0,0,0]), v=0.5)");
+    window.awaitWords("stop-card", "Tool touches");
+    window.awaitWords("stop-card", "bench");
+    window.perform("Close the scene");
+    window.awaitWords("robot-change", "ends the program that runs");
+    window.clickText("robot-change", "Change scene");
+    window.awaitWords("status-text", "Nothing is around the arm");
+    window.awaitHidden("stop-card");
   }
 }

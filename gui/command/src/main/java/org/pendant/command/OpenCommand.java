@@ -31,6 +31,7 @@ final class OpenCommand implements Subcommand {
                   RunOptions.ROBOT,
                   CalibrationOption.OPTION,
                   InstallationOption.OPTION,
+                  SimulationOptions.SCENE,
                   SimulationOptions.NOISE,
                   SimulationOptions.START_RAMP,
                   PORTS),
@@ -65,6 +66,7 @@ final class OpenCommand implements Subcommand {
             || lower.endsWith(".urscript")
             || TreeFile.hasEnding(word)
             || InstallationFile.hasEnding(word)
+            || lower.endsWith(".scene.json")
             || word.contains("/");
     return named
         ? Optional.of(word + ": there is no such file, and no command of that name")
@@ -104,7 +106,7 @@ final class OpenCommand implements Subcommand {
 
   @Override
   public String summary() {
-    return "open programs, installations and recordings in the desktop";
+    return "open programs, installations, scenes and recordings in the desktop";
   }
 
   @Override
@@ -162,7 +164,8 @@ final class OpenCommand implements Subcommand {
             : Optional.empty(),
         arguments.has(SimulationOptions.START_RAMP)
             ? Optional.of(SimulationOptions.startRamp(arguments))
-            : Optional.empty());
+            : Optional.empty(),
+        SimulationOptions.sceneFile(arguments));
   }
 
   private static Optional<PortWishes> ports(Arguments arguments) throws UsageException {

@@ -3,6 +3,7 @@ package org.pendant.command;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -19,7 +20,7 @@ import org.pendant.models.json.JsonException;
 final class SimulationOptions {
   private static final double MAX_NOISE_RAD = 0.01;
 
-  private static final Option SCENE =
+  static final Option SCENE =
       Option.input("--scene", "FILE.json", "what the arm can touch and carries")
           .documented(
               "scene.json",
@@ -128,6 +129,19 @@ final class SimulationOptions {
     } catch (IOException e) {
       throw SourceFiles.unreadable(name, e);
     }
+  }
+
+  /**
+   * The file of the scene that the command line names; empty if it names none.
+   *
+   * @throws UsageException if it cannot be read or is no scene
+   */
+  static Optional<Path> sceneFile(Arguments arguments) throws UsageException {
+    Optional<String> name = arguments.value(SCENE);
+    if (name.isPresent()) {
+      scene(name.get(), arguments.files());
+    }
+    return name.map(each -> Path.of(each).toAbsolutePath());
   }
 
   private static SafetyConfiguration safety(String name, ArmDescription robot, SourceFiles files)

@@ -93,8 +93,20 @@ final class OpenCommandTest {
   }
 
   @Test
+  void asksForAScene() throws IOException {
+    String scene = write("cell.scene.json", "{}");
+
+    assertEquals(Optional.of(Path.of(scene)), opened("open", "--scene", scene).wishes.scene());
+    String wrong = write("wrong.scene.json", "{\"object\": []}");
+    assertTrue(
+        complaint("open", "--scene", wrong).startsWith("pendant open: " + wrong + ":1:2: "),
+        complaint("open", "--scene", wrong));
+  }
+
+  @Test
   void aFileAloneIsOpened() throws IOException {
-    for (String name : List.of("a.script", "b.pendant", "c.urp", "d.pinst", "e.installation")) {
+    for (String name :
+        List.of("a.script", "b.pendant", "c.urp", "d.pinst", "e.installation", "f.scene.json")) {
       String file = write(name, "");
       assertEquals(List.of(Path.of(file)), opened(file).files);
     }

@@ -13,13 +13,16 @@ import org.pendant.models.arm.ArmDescription;
  *     installation
  * @param measuredNoise whether sensors err as on recorded arms
  * @param startRamp whether programs have a start ramp
+ * @param scene the file that says what is around the arm, in place of that of last time
  */
 public record SimulationWishes(
     Optional<ArmDescription> arm,
     Optional<Path> calibration,
     Optional<Boolean> measuredNoise,
-    Optional<Boolean> startRamp) {
+    Optional<Boolean> startRamp,
+    Optional<Path> scene) {
   /** As last time. */
   public static final SimulationWishes NONE =
-      new SimulationWishes(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
+      new SimulationWishes(
+          Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
 }

@@ -1,5 +1,6 @@
 package org.pendant.desktop.scene;
 
+import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.pendant.controller.world.Contact;
@@ -23,11 +24,19 @@ public final class Touching {
     world = new ContactWorld(scene);
   }
 
-  /** Names of the objects touched by an arm at these joint positions, rad. */
-  public Set<String> names(ForwardKinematics kinematics, Joints positionRad, Pose tcpInFlange) {
+  /** The objects touched by an arm at rest at these joint positions, rad. */
+  public List<Contact> contacts(
+      ForwardKinematics kinematics, Joints positionRad, Pose tcpInFlange) {
     kinematics.flange(positionRad.toArray(), flange);
     double[] tcp = {tcpInFlange.x(), tcpInFlange.y(), tcpInFlange.z()};
     world.wrench(flange, tcp, AT_REST, wrench);
-    return world.contacts().stream().map(Contact::object).collect(Collectors.toUnmodifiableSet());
+    return world.contacts();
+  }
+
+  /** Names of the objects touched by an arm at these joint positions, rad. */
+  public Set<String> names(ForwardKinematics kinematics, Joints positionRad, Pose tcpInFlange) {
+    return contacts(kinematics, positionRad, tcpInFlange).stream()
+        .map(Contact::object)
+        .collect(Collectors.toUnmodifiableSet());
   }
 }

@@ -20,6 +20,7 @@ import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneMemory;
 import org.pendant.kit.fault.FaultFile;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.ConfigurationFolder;
@@ -36,6 +37,9 @@ public final class Desktop {
 
   /** What the controller is set up with; written before the window is made. */
   private volatile Optional<StartInstallation> start = Optional.empty();
+
+  /** What is around the arm; written before the window is made. */
+  private volatile StartScene scene = StartScene.of(Optional.empty());
 
   private Desktop(Path folder) {
     this.folder = folder;
@@ -80,7 +84,9 @@ public final class Desktop {
                   StartOptions.of(
                       desktop.settings, desktop.start, installation.isPresent(), wishes);
               desktop.missing.addAll(options.troubles());
-              return RobotSession.start(options.controller());
+              desktop.scene = desktop.sceneOf(wishes);
+              return RobotSession.start(
+                  options.controller().withScene(desktop.scene.scene().scene()));
             });
     Look look = new Look(desktop.settings);
     Programs programs = desktop.lastTime();
@@ -110,6 +116,15 @@ public final class Desktop {
       missing.add("Not opened again: " + e.getMessage());
       return Optional.empty();
     }
+  }
+
+  /** The scene that the user wants, or that of last time. */
+  private StartScene sceneOf(SimulationWishes wishes) {
+    SceneMemory memory = new SceneMemory(settings);
+    Optional<Path> installation =
+        start.map(StartInstallation::file).filter(InstallationFiles::isOurs);
+    wishes.scene().ifPresent(wanted -> memory.put(installation, wishes.scene()));
+    return StartScene.of(memory.of(installation));
   }
 
   /** The programs that were open last time, or an example. */
@@ -159,6 +174,7 @@ public final class Desktop {
     settings.notice().ifPresent(window::warn);
     settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
     start.ifPresent(window::begin);
+    window.begin(scene);
     missing.forEach(window::warn);
     files.forEach(window::open);
     window.welcome(files.isEmpty());

@@ -24,6 +24,8 @@ import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SceneFile;
+import org.pendant.desktop.session.SceneMemory;
 import org.pendant.desktop.session.StillArm;
 import org.pendant.desktop.shell.chrome.Footer;
 import org.pendant.desktop.shell.chrome.Header;
@@ -62,6 +64,7 @@ final class DesktopWindow {
   private final ProgramRunner runner;
   private final ProgramFiles files;
   private final InstallationFiles installationFiles;
+  private final SceneFiles scenes;
   private final ShellWorkbench workbench;
   private final Views views;
   private final DockFrame docks;
@@ -157,6 +160,15 @@ final class DesktopWindow {
         new Header(
             new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
     robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
+    scenes =
+        new SceneFiles(
+            views.installation(),
+            new SceneMemory(settings),
+            notices,
+            status::tell,
+            workbench.usedFolder(),
+            docks.component(),
+            robot::surround);
     autosave = new Autosave(programs, views.installation(), recovery, notices, this::warn);
     disk = new DiskWatch(programs, views.installation(), saves, notices, status::tell);
     others = new OtherWindows(programs, views.installation(), openFiles, notices, status::tell);
@@ -216,6 +228,7 @@ final class DesktopWindow {
             status::tell)
         .addAction(actions);
     installationFiles.addActions(actions);
+    scenes.addActions(actions);
     actions.add(
         Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));
     actions.add(Action.of("file.quit", "Quit", "control Q", closeDialog::ask));
@@ -235,7 +248,8 @@ final class DesktopWindow {
     windowActions.addLook(look);
     windowActions.addHelp(docks.component(), notices, status::text);
     ExampleFiles examples =
-        new ExampleFiles(files, installationFiles, notices, docks.component(), status::tell);
+        new ExampleFiles(
+            files, installationFiles, scenes, notices, docks.component(), status::tell);
     new HelpActions(
             actions,
             docks.component(),
@@ -341,10 +355,14 @@ final class DesktopWindow {
     }
   }
 
-  /** Opens a program, an installation, a recording or a table of waveforms. */
+  /** Opens a program, an installation, a scene, a recording or a table of waveforms. */
   void open(Path file) {
     if (InstallationFile.hasEnding(file.toString())) {
       installationFiles.open(file);
+      return;
+    }
+    if (SceneFile.hasEnding(file)) {
+      scenes.open(file);
       return;
     }
     if (TimelineView.isRecording(file)) {
@@ -361,6 +379,11 @@ final class DesktopWindow {
   /** Takes the installation that the controller has begun with. */
   void begin(StartInstallation start) {
     installationFiles.begin(start);
+  }
+
+  /** Takes the scene that the controller has begun with. */
+  void begin(StartScene start) {
+    scenes.begin(start);
   }
 
   /** Lets others reach the controller. */
@@ -417,6 +440,7 @@ final class DesktopWindow {
   private void keep() {
     Faults.guard(autosave::look);
     Faults.guard(disk::look);
+    Faults.guard(scenes::look);
     Faults.guard(others::look);
     Faults.guard(views.keeper()::look);
   }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.desktop.help.Example;
+import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.export.SaveDialog;
@@ -19,6 +20,7 @@ import org.pendant.project.installation.text.InstallationText;
 final class ExampleFiles {
   private final ProgramFiles files;
   private final InstallationFiles installations;
+  private final SceneFiles scenes;
   private final Notices notices;
   private final Component parent;
   private final Consumer<String> tell;
@@ -26,11 +28,13 @@ final class ExampleFiles {
   ExampleFiles(
       ProgramFiles files,
       InstallationFiles installations,
+      SceneFiles scenes,
       Notices notices,
       Component parent,
       Consumer<String> tell) {
     this.files = files;
     this.installations = installations;
+    this.scenes = scenes;
     this.notices = notices;
     this.parent = parent;
     this.tell = tell;
@@ -43,24 +47,44 @@ final class ExampleFiles {
         text -> {
           files.openCopy(example.file(), text);
           tell.accept("Opened a copy of the example " + example.file());
-          example.companions().forEach(each -> offer(example, each));
+          example.companions().forEach(each -> bring(example, each));
         },
         failed -> tell.accept("Not opened: " + failed.getMessage()));
   }
 
+  /** Where nothing is around the arm a scene comes with its program. */
+  private void bring(Example example, String companion) {
+    if (companion.endsWith(SceneFile.ENDING) && scenes.current().isNone()) {
+      surround(companion);
+    } else {
+      offer(example, companion);
+    }
+  }
+
+  private void surround(String companion) {
+    Background.run(
+        () -> Example.companion(companion),
+        text -> scenes.openCopy(companion, text),
+        failed -> tell.accept("Not opened: " + failed.getMessage()));
+  }
+
   private void offer(Example example, String companion) {
-    boolean installation = companion.endsWith(InstallationText.ENDING);
+    String made = example.file() + " is made for the ";
+    if (companion.endsWith(InstallationText.ENDING)) {
+      ask(companion, made + "installation " + companion + ".", "Use it", this::take);
+    } else if (companion.endsWith(SceneFile.ENDING)) {
+      ask(companion, made + "scene " + companion + ".", "Use it", this::surround);
+    } else {
+      String needs = example.file() + " needs " + companion + " in its folder.";
+      ask(companion, needs, "Save a copy\u2026", this::save);
+    }
+  }
+
+  private void ask(String companion, String question, String yes, Consumer<String> bring) {
     notices.ask(
         "example-" + companion,
-        example.file()
-            + (installation
-                ? " is made for the installation " + companion + "."
-                : " needs " + companion + " in its folder."),
-        List.of(
-            installation
-                ? new Choice("Use it", () -> take(companion))
-                : new Choice("Save a copy\u2026", () -> save(companion)),
-            Choice.nothing("Close")));
+        question,
+        List.of(new Choice(yes, () -> bring.accept(companion)), Choice.nothing("Close")));
   }
 
   private void take(String companion) {

@@ -212,7 +212,8 @@ final class InstallationFiles {
     }
   }
 
-  private static boolean isOurs(Path file) {
+  /** Whether it is a file in which installations are saved; others are only read. */
+  static boolean isOurs(Path file) {
     return file.toString().toLowerCase(Locale.ROOT).endsWith(InstallationText.ENDING);
   }
 

@@ -169,7 +169,7 @@ final class MenuPlan {
                 sub("Recent", "", list(files("Recent installations"))),
                 line(),
                 all("installation.save", "installation.save-as", "installation.reload"))),
-        all("file.open-recording", "file"),
+        all("scene-file.open", "file.open-recording", "file"),
         line(),
         all("file.quit"));
   }
@@ -259,6 +259,7 @@ final class MenuPlan {
                 all("scene.fit", "scene.tool"),
                 line(),
                 sub("Safety", "3D: show", all("scene.safety")),
+                sub("Scene", "", all("scene-file")),
                 all("scene"))),
         sub("Variables", "Variables", all("variables")),
         sub("Plots", "Plots", all("plot")),

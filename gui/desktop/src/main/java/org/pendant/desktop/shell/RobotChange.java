@@ -2,6 +2,7 @@ package org.pendant.desktop.shell;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.pendant.controller.world.Scene;
 import org.pendant.desktop.session.ProgramControls;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.Notices.Choice;
@@ -131,6 +132,33 @@ final class RobotChange {
                   : "Programs begin without a start ramp");
         },
         failed -> tell.accept(failed.getMessage()));
+  }
+
+  /**
+   * The same robot where it stands, with other surroundings.
+   *
+   * @param then runs when it has them
+   */
+  void surround(Scene scene, Runnable then) {
+    if (scene.equals(session.options().scene())) {
+      then.run();
+      return;
+    }
+    ask(
+        "Another scene switches the controller off and on, which ends the program that runs.",
+        "Change scene",
+        () ->
+            Background.run(
+                () -> {
+                  session.restart(
+                      session
+                          .options()
+                          .withScene(scene)
+                          .withStart(session.state().arm().actualPositionRad()));
+                  return scene;
+                },
+                done -> then.run(),
+                failed -> tell.accept(failed.getMessage())));
   }
 
   private void ask(String question, String yes, Runnable change) {

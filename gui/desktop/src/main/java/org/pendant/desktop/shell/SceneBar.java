@@ -111,6 +111,20 @@ final class SceneBar extends JPanel {
     menu.add(item);
   }
 
+  /** An action that is added elsewhere, in the menu. */
+  void entry(String id, String title) {
+    JMenuItem item = new JMenuItem(title);
+    item.setName("scene-more-" + id.replace('.', '-'));
+    item.addActionListener(event -> actions.run(id));
+    states.add(
+        () ->
+            item.setEnabled(
+                actions.all().stream()
+                    .filter(each -> each.id().equals(id))
+                    .anyMatch(each -> each.enabled().getAsBoolean())));
+    menu.add(item);
+  }
+
   /** Something in the menu that is on or off. */
   void check(String id, String title, BooleanSupplier on, Consumer<Boolean> set) {
     actions.add(

@@ -6,13 +6,16 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import javax.imageio.ImageIO;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -24,6 +27,7 @@ import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.world.Contact;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.move.GhostArm;
@@ -34,6 +38,7 @@ import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.TcpTrace;
+import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.scene.Touching;
 import org.pendant.desktop.scene.TraceRing;
 import org.pendant.desktop.scene.WaypointMarkers;
@@ -84,6 +89,7 @@ final class ScenePanel implements View, GhostArm {
   private final TraceRing trace = new TraceRing(TRACE_POINTS);
   private final SceneShows shows;
   private final SafetyScene safety;
+  private final TouchedAtStop touchedAtStop = new TouchedAtStop();
   private final ArmPull pull;
   private final SceneBar bar;
   private final Timer moving = Faults.timer(MOVING_MS, this::follow);
@@ -108,7 +114,8 @@ final class ScenePanel implements View, GhostArm {
       TcpTrace trace,
       SceneTheme theme,
       WaypointMarkers waypointMarkers,
-      SafetySight safety) {}
+      SafetySight safety,
+      Set<String> hit) {}
 
   /**
    * The arm.
@@ -177,6 +184,8 @@ final class ScenePanel implements View, GhostArm {
         shows::features,
         shows::setFeatures);
     safety.addTo(buttons);
+    buttons.entry("scene-file.open", "Open scene\u2026");
+    buttons.entry("scene-file.close", "Close the scene");
     buttons.item("scene.clear", "Forget where the tool was", trace::clear);
     buttons.item("scene.save", "Save the picture\u2026", this::save);
     return buttons.done(SPARED);
@@ -278,7 +287,8 @@ final class ScenePanel implements View, GhostArm {
             shows.trace() ? trace.trace() : TcpTrace.EMPTY,
             Palette.dark() ? SceneTheme.DARK : SceneTheme.LIGHT,
             marks(),
-            safety.sight(state, arm.actualPositionRad()));
+            safety.sight(state, arm.actualPositionRad()),
+            hit(state, around.scene));
     if (seen.equals(Optional.of(now))) {
       return;
     }
@@ -302,11 +312,25 @@ final class ScenePanel implements View, GhostArm {
         now.payload.flatMap(
             load -> PayloadBall.of(load, arm.kinematics().flangePose(now.positionRad))),
         now.surroundings.scene,
-        now.surroundings.touching.names(arm.kinematics(), now.positionRad, now.toolInFlange),
+        touched(now, arm),
         now.trace,
         now.theme,
         now.waypointMarkers,
         now.safety);
+  }
+
+  /** What the tool touches, and what it ran into when it was stopped. */
+  private static Set<String> touched(Seen now, ArmState arm) {
+    Set<String> touched = new HashSet<>(now.hit);
+    touched.addAll(
+        now.surroundings.touching.names(arm.kinematics(), now.positionRad, now.toolInFlange));
+    return touched;
+  }
+
+  private Set<String> hit(ControllerState state, Scene scene) {
+    return touchedAtStop.of(state, scene).stream()
+        .map(Contact::object)
+        .collect(Collectors.toUnmodifiableSet());
   }
 
   private Surroundings surroundings(String id) {

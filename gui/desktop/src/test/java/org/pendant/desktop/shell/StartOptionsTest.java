@@ -50,7 +50,8 @@ final class StartOptionsTest {
   @TempDir private Path folder;
 
   private static SimulationWishes wishes(Optional<ArmDescription> arm, Optional<Path> calibration) {
-    return new SimulationWishes(arm, calibration, Optional.empty(), Optional.empty());
+    return new SimulationWishes(
+        arm, calibration, Optional.empty(), Optional.empty(), Optional.empty());
   }
 
   /** A UR10e with a heavier forearm. */

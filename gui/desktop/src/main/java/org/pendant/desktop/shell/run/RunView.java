@@ -86,7 +86,7 @@ public final class RunView implements View {
     this.workbench = workbench;
     this.run = run;
     variables = new VariablesPanel(favourites, () -> workbench.show(VariablesView.ID));
-    stop = new StopPanel(send, run, showBefore);
+    stop = new StopPanel(send, run, () -> workbench.session().options().scene(), showBefore);
     buttons =
         List.of(
             button(actions, "program.run", "Run", Glyph.PLAY.icon(28, Palette.ok())),

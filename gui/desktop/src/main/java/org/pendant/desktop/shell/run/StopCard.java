@@ -6,9 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StopPlace;
+import org.pendant.controller.world.Contact;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.session.StopAdvice;
 import org.pendant.desktop.unit.PoseForm;
@@ -46,10 +48,20 @@ public record StopCard(
 
   /** As {@link #of(ControllerState)}, with numbers in the units that people have chosen. */
   public static Optional<StopCard> of(ControllerState state, PoseForm form) {
-    return state.safety().stop().map(stop -> of(stop, state.safety().stopPlace(), form));
+    return of(state, List.of(), form);
   }
 
-  static StopCard of(SafetyStop stop, Optional<StopPlace> place, PoseForm form) {
+  /**
+   * As {@link #of(ControllerState)}.
+   *
+   * @param touched what the tool touched when the stop began
+   */
+  static Optional<StopCard> of(ControllerState state, List<Contact> touched, PoseForm form) {
+    return state.safety().stop().map(stop -> of(stop, state.safety().stopPlace(), touched, form));
+  }
+
+  static StopCard of(
+      SafetyStop stop, Optional<StopPlace> place, List<Contact> touched, PoseForm form) {
     List<Fact> facts = new ArrayList<>();
     stop.joint()
         .ifPresent(
@@ -66,6 +78,12 @@ public record StopCard(
       facts.add(new Fact(found, measured(stop.value(), stop.unit(), form)));
       facts.add(new Fact("Limit", measured(stop.limit(), stop.unit(), form)));
     }
+    for (Contact each : touched) {
+      facts.add(
+          new Fact(
+              "Tool touches",
+              each.object() + ", " + form.length().reading(each.depthM()) + " deep"));
+    }
     String tcp = stop.aboutTarget() ? "TCP in the base, as commanded" : "TCP in the base";
     place.ifPresent(each -> facts.add(new Fact(tcp, form.place(each.tcpInBase()))));
     facts.add(
@@ -75,7 +93,16 @@ public record StopCard(
         StateWords.capital(stop.sentence()),
         facts,
         place.map(StopPlace::line).orElse(0),
-        StopAdvice.of(stop.code()));
+        ranInto(touched) + StopAdvice.of(stop.code()));
+  }
+
+  /** What explains a stop better than the joint that was the first to notice. */
+  private static String ranInto(List<Contact> touched) {
+    return touched.isEmpty()
+        ? ""
+        : "The tool ran into "
+            + touched.stream().map(Contact::object).collect(Collectors.joining(", "))
+            + ". ";
   }
 
   private static String at(StopPlace place, int joint, PoseForm form) {

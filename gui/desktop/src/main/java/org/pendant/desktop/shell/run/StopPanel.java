@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
+import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -12,6 +13,8 @@ import javax.swing.JTextArea;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.world.Scene;
+import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.icon.Glyph;
@@ -35,9 +38,13 @@ final class StopPanel {
   private Optional<Command> command = Optional.empty();
   private OptionalDouble stopS = OptionalDouble.empty();
   private final RunProgram run;
+  private final Supplier<Scene> scene;
+  private final TouchedAtStop touched = new TouchedAtStop();
 
-  StopPanel(Consumer<Command> send, RunProgram run, DoubleConsumer showBefore) {
+  StopPanel(
+      Consumer<Command> send, RunProgram run, Supplier<Scene> scene, DoubleConsumer showBefore) {
     this.run = run;
+    this.scene = scene;
     panel.setName("stop-card");
     panel.setVisible(false);
     title.putClientProperty("FlatLaf.styleClass", "h3");
@@ -81,7 +88,7 @@ final class StopPanel {
   }
 
   void refresh(ControllerState state, PoseForm form) {
-    Optional<StopCard> card = StopCard.of(state, form);
+    Optional<StopCard> card = StopCard.of(state, touched.of(state, scene.get()), form);
     stopS =
         state
             .safety()

@@ -82,7 +82,7 @@ final class StopCardTest {
             "C152A0 protective stop at 1.500 s: tool comes too close to safety plane \"a: b\":"
                 + " -0.00006 m, limit 0 m");
     StopPlace place = new StopPlace(3, new Pose(0.1, 0, 0.25, 0, 0, 0), Joints.ZERO);
-    StopCard card = StopCard.of(stop, Optional.of(place), PoseForm.STANDARD);
+    StopCard card = StopCard.of(stop, Optional.of(place), List.of(), PoseForm.STANDARD);
     assertEquals("Protective stop C152A0", card.title());
     assertEquals("Tool comes too close to safety plane \"a: b\"", card.message());
     assertEquals(

@@ -1,0 +1,81 @@
+package org.pendant.desktop.session;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneReader;
+import org.pendant.models.json.JsonException;
+
+/**
+ * Scene file: what stands around the arm, and where that was read.
+ *
+ * @param name for people; empty for no scene
+ * @param onDisk the file; empty for a text that has none
+ * @param scene what it says
+ */
+public record SceneFile(String name, Optional<SavedProgram> onDisk, Scene scene) {
+  /** How names of scenes end. */
+  public static final String ENDING = ".scene.json";
+
+  /** Empty space. */
+  public static final SceneFile NONE = new SceneFile("", Optional.empty(), Scene.EMPTY);
+
+  /** Whether a file is called as scenes are. */
+  public static boolean hasEnding(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(ENDING);
+  }
+
+  /**
+   * Reads a file; not for the dispatch thread.
+   *
+   * @throws IOException if it cannot be read or is no scene; its message is the file, the place in
+   *     it and the reason
+   */
+  public static SceneFile read(Path file) throws IOException {
+    Path whole = file.toAbsolutePath().normalize();
+    SavedProgram read = SavedProgram.read(whole);
+    return new SceneFile(
+        String.valueOf(whole.getFileName()),
+        Optional.of(read),
+        scene(whole.toString(), read.text()));
+  }
+
+  /**
+   * A text that has no file.
+   *
+   * @throws IOException if it is no scene; its message has the place and the reason
+   */
+  public static SceneFile of(String name, String text) throws IOException {
+    return new SceneFile(name, Optional.empty(), scene(name, text));
+  }
+
+  private static Scene scene(String name, String text) throws IOException {
+    try {
+      return SceneReader.read(
+          name, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+    } catch (JsonException e) {
+      throw new IOException(e.getMessage(), e);
+    }
+  }
+
+  /** Where it is on disk. */
+  public Optional<Path> path() {
+    return onDisk.map(SavedProgram::path);
+  }
+
+  /** Whether there is no scene. */
+  public boolean isNone() {
+    return name.isEmpty();
+  }
+
+  /** What is in it, in words. */
+  public String words() {
+    int count = scene.objects().size();
+    String objects = count == 1 ? "1 object" : count + " objects";
+    return name + ", " + objects + (scene.load().isPresent() ? " and a load" : "");
+  }
+}

@@ -1,0 +1,219 @@
+package org.pendant.desktop.shell;
+
+import java.awt.Component;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.pendant.controller.world.Scene;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.DiskChange;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneFile;
+import org.pendant.desktop.session.SceneMemory;
+import org.pendant.desktop.shell.Notices.Choice;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.background.Background;
+
+/**
+ * Scene files: puts scenes around the arm, remembers which belongs to which installation, and
+ * notices when another program changes the file. One thread uses it, the dispatch thread.
+ */
+final class SceneFiles {
+  private static final String TROUBLE = "scene-trouble";
+  private static final String CHANGED = "scene-change";
+
+  private final ActiveInstallation installation;
+  private final SceneMemory memory;
+  private final Notices notices;
+  private final Consumer<String> tell;
+  private final UsedFolder used;
+  private final Component parent;
+  private final BiConsumer<Scene, Runnable> surround;
+  private ProgramDocument known;
+  private Optional<Path> knownFile;
+  private SceneFile current = SceneFile.NONE;
+  private Optional<Path> wanted = Optional.empty();
+  private DiskChange change = new DiskChange();
+  private boolean looking;
+
+  /**
+   * Nothing is around the arm yet.
+   *
+   * @param surround puts a scene around the arm, perhaps after a question, and then runs what it is
+   *     given
+   * @param used where dialogs begin
+   * @param parent dialogs belong to its window
+   */
+  SceneFiles(
+      ActiveInstallation installation,
+      SceneMemory memory,
+      Notices notices,
+      Consumer<String> tell,
+      UsedFolder used,
+      Component parent,
+      BiConsumer<Scene, Runnable> surround) {
+    this.installation = installation;
+    this.memory = memory;
+    this.notices = notices;
+    this.tell = tell;
+    this.used = used;
+    this.parent = parent;
+    this.surround = surround;
+    known = installation.document();
+    knownFile = known.file();
+    installation.addFileListener(this::followInstallation);
+  }
+
+  /** What can be done with them. */
+  void addActions(ActionTable actions) {
+    actions.add(Action.of("scene-file.open", "Open scene\u2026", "", this::open));
+    actions.add(
+        new Action(
+            "scene-file.reload",
+            "Read the scene from disk again",
+            "",
+            () -> current.path().or(() -> wanted).isPresent(),
+            () -> current.path().or(() -> wanted).ifPresent(this::open)),
+        () -> "No scene of a file is open");
+    actions.add(
+        new Action(
+            "scene-file.close",
+            "Close the scene",
+            "",
+            () -> !current.isNone() || wanted.isPresent(),
+            this::close),
+        () -> "No scene is open");
+  }
+
+  /** What is around the arm. */
+  SceneFile current() {
+    return current;
+  }
+
+  /** Takes over what the controller was switched on with. */
+  void begin(StartScene start) {
+    current = start.scene();
+    wanted = start.wanted();
+    if (!start.trouble().isEmpty()) {
+      trouble(start.trouble(), wanted);
+    }
+  }
+
+  private void open() {
+    OpenDialog.show(parent, "Open scene", "Scenes", new String[] {"json"}, used, this::open);
+  }
+
+  /** Puts the scene of a file around the arm. */
+  void open(Path file) {
+    Background.run(
+        () -> SceneFile.read(file),
+        this::take,
+        failed -> trouble(failed.getMessage(), Optional.of(file)));
+  }
+
+  /** Puts a scene around the arm that is no file of the user's. */
+  void openCopy(String name, String text) {
+    Background.run(
+        () -> SceneFile.of(name, text),
+        this::take,
+        failed -> trouble(failed.getMessage(), Optional.empty()));
+  }
+
+  private void close() {
+    take(SceneFile.NONE);
+  }
+
+  private void take(SceneFile next) {
+    notices.close(TROUBLE);
+    notices.close(CHANGED);
+    surround.accept(
+        next.scene(),
+        () -> {
+          current = next;
+          change = new DiskChange();
+          remember(next.path());
+          tell.accept(
+              next.isNone() ? "Nothing is around the arm" : "Around the arm: " + next.words());
+        });
+  }
+
+  private void remember(Optional<Path> file) {
+    wanted = file;
+    memory.put(knownFile, file);
+  }
+
+  private void trouble(String why, Optional<Path> file) {
+    List<Choice> choices = new ArrayList<>();
+    file.ifPresent(path -> choices.add(new Choice("Try again", () -> open(path))));
+    choices.add(new Choice("Open another\u2026", this::open));
+    choices.add(Choice.nothing("Close"));
+    notices.close(CHANGED);
+    notices.ask(TROUBLE, "The scene cannot be used: " + why, choices);
+  }
+
+  /** Another installation brings the scene that was there with it last. */
+  private void followInstallation() {
+    ProgramDocument document = installation.document();
+    Optional<Path> file = document.file();
+    boolean saved = document.equals(known);
+    if (saved && file.equals(knownFile)) {
+      return;
+    }
+    known = document;
+    knownFile = file;
+    if (saved) {
+      memory.put(file, wanted);
+      return;
+    }
+    Optional<Path> last = memory.of(file);
+    if (last.isEmpty() || last.equals(wanted.or(() -> Optional.of(Path.of(""))))) {
+      return;
+    }
+    if (last.get().toString().isEmpty()) {
+      close();
+    } else {
+      open(last.get());
+    }
+  }
+
+  /** Looks whether the file has changed on disk; called every few seconds. */
+  void look() {
+    Optional<SavedProgram> onDisk = current.onDisk();
+    if (looking || onDisk.isEmpty()) {
+      return;
+    }
+    looking = true;
+    SceneFile asked = current;
+    DiskChange changeOfAsked = change;
+    Background.run(
+        () -> changeOfAsked.look(onDisk.get()),
+        found -> {
+          looking = false;
+          found.filter(each -> current.equals(asked)).ifPresent(this::offer);
+        },
+        // It is read again when it changes again.
+        failed -> looking = false);
+  }
+
+  /** Whether the disk is being looked at. */
+  boolean looking() {
+    return looking;
+  }
+
+  private void offer(SavedProgram now) {
+    if (notices.shows(TROUBLE)) {
+      // It offers to read the file again, too, and says what was wrong with it.
+      return;
+    }
+    notices.ask(
+        CHANGED,
+        current.name() + " has changed on disk.",
+        List.of(
+            new Choice("Read it again", () -> open(now.path())), Choice.nothing("Keep this one")));
+  }
+}

@@ -1,0 +1,175 @@
+package org.pendant.desktop.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JPanel;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.world.Scene;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneMemory;
+import org.pendant.kit.settings.Settings;
+
+@Timeout(value = 60, unit = TimeUnit.SECONDS)
+final class SceneFilesTest {
+  private static final String BALL =
+      "{\"objects\": [{\"type\": \"sphere\", \"name\": \"%s\", \"centre\": [0.5, 0, 0.1],"
+          + " \"radius\": 0.1}]}";
+
+  @TempDir Path folder;
+
+  private final ActiveInstallation installation = new ActiveInstallation();
+  private final Notices notices = new Notices();
+  private final List<String> told = new ArrayList<>();
+  private final List<Scene> surroundings = new ArrayList<>();
+  private final Settings settings = new Kept();
+  private SceneFiles scenes;
+  private Path file;
+
+  /** Settings in memory. */
+  private static final class Kept implements Settings {
+    private final Map<String, String> texts = new HashMap<>();
+
+    @Override
+    public Optional<String> get(String name) {
+      return Optional.ofNullable(texts.get(name));
+    }
+
+    @Override
+    public void put(String name, String text) {
+      texts.put(name, text);
+    }
+  }
+
+  @BeforeEach
+  void begin() throws Exception {
+    file = scene("a");
+    DispatchThread.run(
+        () ->
+            scenes =
+                new SceneFiles(
+                    installation,
+                    new SceneMemory(settings),
+                    notices,
+                    told::add,
+                    new UsedFolder(folder, folder),
+                    new JPanel(),
+                    (scene, then) -> {
+                      surroundings.add(scene);
+                      then.run();
+                    }));
+  }
+
+  private Path scene(String name) throws IOException {
+    return Files.writeString(folder.resolve(name + ".scene.json"), BALL.formatted(name));
+  }
+
+  private ProgramDocument installed(String name) throws IOException {
+    Path path = folder.resolve(name);
+    Files.writeString(path, "pendant installation 1\n");
+    return ProgramDocument.of(SavedProgram.read(path));
+  }
+
+  private void open(Path opened) throws Exception {
+    int before = told.size();
+    DispatchThread.run(() -> scenes.open(opened));
+    DispatchThread.await(() -> told.size() > before);
+  }
+
+  private Optional<Path> remembered(Optional<Path> of) {
+    return new SceneMemory(settings).of(of);
+  }
+
+  @Test
+  void aSceneThatIsOpenedIsPutAroundTheArmAndRemembered() throws Exception {
+    open(file);
+
+    assertEquals("a", surroundings.getLast().objects().getFirst().name());
+    assertEquals(List.of("Around the arm: a.scene.json, 1 object"), told);
+    assertEquals(Optional.of(file), remembered(Optional.empty()));
+  }
+
+  @Test
+  void aFileThatIsNoSceneIsToldAndTheOldOneStays() throws Exception {
+    open(file);
+    Path wrong = Files.writeString(folder.resolve("b.scene.json"), "{\"object\": []}");
+
+    DispatchThread.run(() -> scenes.open(wrong));
+    DispatchThread.await(() -> notices.shows("scene-trouble"));
+
+    assertEquals(Optional.of(file), scenes.current().path());
+    assertEquals(1, surroundings.size());
+    assertEquals(Optional.of(file), remembered(Optional.empty()));
+  }
+
+  @Test
+  void aSceneOfLastTimeThatIsMissingIsToldAndNotForgotten() throws Exception {
+    Path gone = folder.resolve("gone.scene.json");
+    new SceneMemory(settings).put(Optional.empty(), Optional.of(gone));
+
+    DispatchThread.run(() -> scenes.begin(StartScene.of(remembered(Optional.empty()))));
+
+    assertTrue(notices.shows("scene-trouble"));
+    assertEquals(Optional.of(gone), remembered(Optional.empty()));
+  }
+
+  @Test
+  void anotherInstallationBringsTheSceneThatWasThereWithIt() throws Exception {
+    ProgramDocument cell = installed("cell.pinst");
+    DispatchThread.run(() -> installation.open(cell));
+    open(file);
+    ProgramDocument other = installed("other.pinst");
+    DispatchThread.run(() -> installation.open(other));
+    assertEquals(Optional.of(file), scenes.current().path());
+    open(scene("b"));
+
+    DispatchThread.run(() -> installation.open(cell));
+
+    DispatchThread.await(() -> scenes.current().path().equals(Optional.of(file)));
+  }
+
+  @Test
+  void aFileThatChangesOnDiskIsOfferedAndNotTakenByItself() throws Exception {
+    open(file);
+    Files.writeString(file, BALL.formatted("changed"));
+
+    DispatchThread.await(
+        () -> {
+          scenes.look();
+          return notices.shows("scene-change");
+        });
+
+    assertEquals(1, surroundings.size());
+    open(file);
+    assertEquals("changed", surroundings.getLast().objects().getFirst().name());
+  }
+
+  @Test
+  void whatIsWrongWithAChangedFileStaysToBeRead() throws Exception {
+    open(file);
+    Files.writeString(file, "{}}");
+    DispatchThread.run(() -> scenes.open(file));
+    DispatchThread.await(() -> notices.shows("scene-trouble"));
+
+    DispatchThread.run(scenes::look);
+    DispatchThread.await(() -> !scenes.looking());
+
+    assertTrue(notices.shows("scene-trouble"));
+    assertFalse(notices.shows("scene-change"));
+  }
+}
