@@ -2,6 +2,7 @@ package org.pendant.desktop.shell;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SafetyStatus;
@@ -14,6 +15,9 @@ final class SafetyScene {
   private final RobotSession session;
   private final SceneShows shows;
   private Supplier<Optional<SafetyConfiguration>> proposed = Optional::empty;
+  private Optional<Known> known = Optional.empty();
+
+  private record Known(SafetyConfiguration holds, SafetyChecksum checksum) {}
 
   SafetyScene(RobotSession session, SceneShows shows) {
     this.session = session;
@@ -41,16 +45,28 @@ final class SafetyScene {
     bar.check("scene.safety-reach", "Show how far the arm reaches", shows::reach, shows::setReach);
   }
 
-  /** What is to be seen at a moment, of the limits that hold now. */
+  /** What is to be seen at a moment; of limits that did not hold then only what is proposed. */
   SafetySight sight(ControllerState state, Joints positionRad) {
     SafetyStatus status = state.safety();
+    SafetyConfiguration holds = session.robot().safety();
+    boolean held = checksum(holds).equals(status.checksum());
     return SafetySight.of(
-        session.robot().safety(),
+        holds,
         proposed.get(),
-        status.stop(),
+        status.stop().filter(each -> held),
         status.reduced(),
         positionRad,
         new SafetySight.Wanted(
-            shows.planes(), shows.direction(), shows.jointRange(), shows.reach()));
+            held && shows.planes(),
+            held && shows.direction(),
+            held && shows.jointRange(),
+            shows.reach()));
+  }
+
+  private SafetyChecksum checksum(SafetyConfiguration holds) {
+    if (known.isEmpty() || !known.get().holds.equals(holds)) {
+      known = Optional.of(new Known(holds, SafetyChecksum.of(holds)));
+    }
+    return known.get().checksum;
   }
 }

@@ -14,6 +14,7 @@ import java.awt.GraphicsEnvironment;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -178,6 +179,33 @@ final class InstallationViewTest {
           press(view, "planes-apply-really");
           assertEquals(1, active.current().safety().orElseThrow().planes().size());
         });
+  }
+
+  @Test
+  void whatIsTypedOfAPlaneIsProposedUntilItIsTakenBack()
+      throws InterruptedException, InvocationTargetException {
+    show(
+        view -> {
+          choose(view, "planes");
+          press(view, "planes-unlock");
+          press(view, "plane-add-plane");
+          JTextField height = find(view, "plane-z", JTextField.class);
+          height.setText("150");
+          assertEquals(0.15, proposedHeightM(view));
+          height.setText("150x");
+          assertEquals(0, proposedHeightM(view));
+          height.setText("200");
+          height.getActionMap().get("as-it-was").actionPerformed(null);
+          assertEquals(0, proposedHeightM(view));
+          type(view, "plane-z", "250");
+          assertEquals(0.25, proposedHeightM(view));
+          press(view, "planes-discard");
+          assertEquals(Optional.empty(), view.proposedSafety());
+        });
+  }
+
+  private static double proposedHeightM(InstallationView view) {
+    return view.proposedSafety().orElseThrow().planes().getFirst().pointZM();
   }
 
   @Test
