@@ -47,6 +47,10 @@ final class PortsWindowTest {
       socket.getOutputStream().write(text.getBytes(StandardCharsets.ISO_8859_1));
       window.clickCell("clients-messages", "sends the program def visitor():");
       window.awaitWords("clients-detail", "while True:");
+      window.click("clients-moment");
+      window.awaitShown("timeline-canvas");
+      window.awaitWords("clients-detail", "while True:");
+      window.perform("Timeline: back to now");
       window.click("rail-run");
       window.awaitWords("run-name", "visitor (sent from outside)");
       window.awaitWords("program-state", "running");

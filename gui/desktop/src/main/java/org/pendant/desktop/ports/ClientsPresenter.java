@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import org.pendant.desktop.timeline.ClientMark;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.trace.LiveTrace;
 import org.pendant.protocols.trace.MessageCounts;
@@ -25,6 +26,9 @@ final class ClientsPresenter {
   /** Rates are those of so long. */
   private static final long RATE_NS = TimeUnit.SECONDS.toNanos(1);
 
+  /** Times of messages are not exactly in the order of messages. */
+  private static final double CLOCKS_S = 0.1;
+
   private final DesktopPorts ports;
   private Optional<LiveTrace> trace = Optional.empty();
   private boolean recording = true;
@@ -35,6 +39,10 @@ final class ClientsPresenter {
   private long lookedNs;
   private boolean looked;
   private long newest = -1;
+
+  private List<ClientMark> marks = List.of();
+  private long markedNs;
+  private boolean marked;
 
   /** The latest traffic and the rates before it. */
   private record Measured(Traffic latest, String in, String out) {}
@@ -119,6 +127,46 @@ final class ClientsPresenter {
   /** The clients that are connected. */
   List<ClientRow> clients() {
     return clients;
+  }
+
+  /**
+   * What clients did to the present controller, in the order of time.
+   *
+   * @param nowNs a clock
+   */
+  List<ClientMark> marks(long nowNs) {
+    if (!marked || nowNs - markedNs >= LOOK_NS) {
+      marked = true;
+      markedNs = nowNs;
+      marks = trace.map(each -> marks(each.messages(false), ports.robotTimeS())).orElse(List.of());
+    }
+    return marks;
+  }
+
+  /** Of messages, those with an effect; time begins again with another controller. */
+  static List<ClientMark> marks(List<WireMessage> messages, double nowS) {
+    List<ClientMark> marks = new ArrayList<>();
+    double laterS = nowS;
+    for (WireMessage each : messages.reversed()) {
+      if (each.robotTimeS() > laterS + CLOCKS_S) {
+        break;
+      }
+      laterS = each.robotTimeS();
+      each.reading()
+          .effect()
+          .ifPresent(
+              effect ->
+                  marks.add(
+                      new ClientMark(
+                          each.robotTimeS(),
+                          each.number(),
+                          each.peers().port()
+                              + " client "
+                              + each.peers().client()
+                              + " "
+                              + effect)));
+    }
+    return marks.reversed();
   }
 
   /** One line about it all. */

@@ -6,10 +6,14 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.event.ActionEvent;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
@@ -31,6 +35,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumnModel;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.timeline.ClientMark;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -62,15 +67,26 @@ public final class ClientsView implements View {
   private final JScrollPane messageScroll = new JScrollPane(messageTable);
   private final JTextArea detail = new JTextArea();
   private final JTextField search = new JTextField(14);
+  private final JComboBox<String> direction =
+      new JComboBox<>(new String[] {"Both directions", "From clients", "To clients"});
+  private final JToggleButton effects = new JToggleButton("Effects");
+  private final JToggleButton streamed = new JToggleButton("Data");
   private final JButton all = new JButton("All clients");
   private final JToggleButton record = new JToggleButton("Record", true);
   private final JLabel summary = new JLabel();
+  private final JButton moment = new JButton("Moment");
+  private final DoubleConsumer lookAt;
   private boolean showing;
   private long selected = -1;
 
-  /** A screen for the clients of {@code ports}. */
-  public ClientsView(Workbench workbench, DesktopPorts ports) {
+  /**
+   * A screen for the clients of {@code ports}.
+   *
+   * @param lookAt shows a moment, robot time in s, in the timeline and all views
+   */
+  public ClientsView(Workbench workbench, DesktopPorts ports, DoubleConsumer lookAt) {
     this.workbench = workbench;
+    this.lookAt = lookAt;
     presenter = new ClientsPresenter(ports);
     content.setName("clients-view");
     content.getAccessibleContext().setAccessibleName(title());
@@ -109,8 +125,6 @@ public final class ClientsView implements View {
         .addDocumentListener(
             new Typed(() -> filter(presenter.filter().withText(search.getText()))));
     bar.add(search);
-    JComboBox<String> direction =
-        new JComboBox<>(new String[] {"Both directions", "From clients", "To clients"});
     TitledCard.named(direction, "clients-direction", "Which way messages went");
     direction.addActionListener(
         event ->
@@ -126,16 +140,16 @@ public final class ClientsView implements View {
     bar.add(direction);
     all.addActionListener(event -> clientTable.clearSelection());
     add(bar, all, "clients-all", "Show the messages of all clients (Escape)");
-    JToggleButton effects = new JToggleButton("Effects");
     effects.addActionListener(
         event -> filter(presenter.filter().withEffects(effects.isSelected())));
     add(bar, effects, "clients-effects", "Show only what does something to robot or program");
-    JToggleButton streamed = new JToggleButton("Data");
     streamed.addActionListener(
         event -> filter(presenter.filter().withStreamed(streamed.isSelected())));
     add(bar, streamed, "clients-streamed", "Show also what comes by itself, many times a second");
     record.addActionListener(event -> recordAs(record.isSelected()));
     add(bar, record, "clients-record", "Keep messages as they come; off keeps those that are here");
+    moment.addActionListener(event -> showMoment());
+    add(bar, moment, "clients-moment", "Show the moment of the message in the timeline (Enter)");
     JButton clear = new JButton("Clear");
     clear.addActionListener(event -> clear());
     add(bar, clear, "clients-clear", "Forget the messages");
@@ -173,6 +187,25 @@ public final class ClientsView implements View {
     prepare(messageTable, "clients-messages", "Messages", MESSAGE_WIDTHS);
     keepWidths(messageTable, MESSAGE_WIDTHS);
     key(clientTable, "ESCAPE", clientTable::clearSelection);
+    messageScroll
+        .getViewport()
+        .addComponentListener(
+            new ComponentAdapter() {
+              @Override
+              public void componentResized(ComponentEvent event) {
+                keepInSight();
+              }
+            });
+    key(messageTable, "ENTER", this::showMoment);
+    messageTable.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            if (event.getClickCount() == 2) {
+              showMoment();
+            }
+          }
+        });
     key(content, "control F", search::requestFocusInWindow);
     messageTable.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     messageTable.setDefaultRenderer(Object.class, new MessageCellRenderer());
@@ -256,8 +289,10 @@ public final class ClientsView implements View {
   }
 
   private void filter(MessageFilter wanted) {
-    presenter.setFilter(wanted);
-    show();
+    if (!showing) {
+      presenter.setFilter(wanted);
+      show();
+    }
   }
 
   private void clientChosen() {
@@ -288,6 +323,42 @@ public final class ClientsView implements View {
   private void tell(String text) {
     detail.setText(text);
     detail.setCaretPosition(0);
+  }
+
+  /** What clients did, for the timeline. */
+  public List<ClientMark> marks() {
+    return presenter.marks(System.nanoTime());
+  }
+
+  /** Brings a message in sight, also one that the filter hides. */
+  public void showMessage(long number) {
+    workbench.show(ID);
+    presenter.look(System.nanoTime());
+    if (presenter.messages().stream().noneMatch(each -> each.number() == number)) {
+      clientTable.clearSelection();
+      search.setText("");
+      filter(MessageFilter.USUAL);
+    }
+    show();
+    int row = messages.rowOf(number);
+    if (row >= 0) {
+      messageTable.setRowSelectionInterval(row, row);
+      keepInSight();
+    }
+  }
+
+  private void keepInSight() {
+    int row = messageTable.getSelectedRow();
+    if (row >= 0) {
+      messageTable.scrollRectToVisible(messageTable.getCellRect(row, 0, true));
+    }
+  }
+
+  private void showMoment() {
+    int row = messageTable.getSelectedRow();
+    if (row >= 0) {
+      lookAt.accept(messages.row(row).robotTimeS());
+    }
   }
 
   private void toggleRecording() {
@@ -322,6 +393,14 @@ public final class ClientsView implements View {
   private void show() {
     showing = true;
     record.setSelected(presenter.recording());
+    MessageFilter filter = presenter.filter();
+    effects.setSelected(filter.effects());
+    streamed.setSelected(filter.streamed());
+    int way = filter.direction().map(each -> each == Direction.IN ? 1 : 2).orElse(0);
+    if (direction.getSelectedIndex() != way) {
+      direction.setSelectedIndex(way);
+    }
+    moment.setEnabled(messageTable.getSelectedRow() >= 0);
     all.setEnabled(presenter.filter().client().isPresent());
     summary.setText(presenter.summary());
     int client = clientTable.getSelectedRow();

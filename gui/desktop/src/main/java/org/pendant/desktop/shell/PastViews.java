@@ -145,6 +145,12 @@ final class PastViews {
     lookBack.jump(timeS - BEFORE_STOP_S);
   }
 
+  /** Shows a moment. */
+  void show(double timeS) {
+    workbench.show(TimelineView.ID);
+    lookBack.jump(timeS);
+  }
+
   /** What a view shall show. */
   ControllerState shown(View view, ControllerState live) {
     return FOLLOWERS.contains(view.id()) ? lookBack.shown(live) : live;

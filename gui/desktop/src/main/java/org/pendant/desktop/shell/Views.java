@@ -173,6 +173,8 @@ final class Views {
     scene.setProposedSafety(installed::proposedSafety);
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
+    ClientsView clients = new ClientsView(workbench, desktopPorts, past::show);
+    past.timeline().markClients(clients::marks, clients::showMessage);
     places =
         List.of(
             screen(past.held(run), Glyph.RUN),
@@ -188,7 +190,7 @@ final class Views {
             panel(past.selectable(watches), Side.LOWER),
             panel(new OutlineView(workbench, editor), Side.LOWER),
             panel(ports, Side.LOWER),
-            panel(new ClientsView(workbench, desktopPorts), Side.MAIN),
+            panel(clients, Side.MAIN),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
             panel(past.held(calls), Side.LOWER),

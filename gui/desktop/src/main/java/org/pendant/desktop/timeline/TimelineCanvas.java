@@ -11,6 +11,11 @@ import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.AbstractAction;
@@ -30,6 +35,8 @@ final class TimelineCanvas extends JComponent {
   private final LookBack lookBack;
   private final TimelinePainter painter = new TimelinePainter();
   private Tracks tracks = Tracks.NONE;
+  private Supplier<List<ClientMark>> clients = List::of;
+  private LongConsumer chosen = number -> {};
 
   TimelineCanvas(LookBack lookBack) {
     this.lookBack = lookBack;
@@ -50,6 +57,7 @@ final class TimelineCanvas extends JComponent {
     key("HOME", lookBack::first);
     key("END", lookBack::last);
     key("ESCAPE", lookBack::live);
+    key("ENTER", () -> lookBack.timeS().ifPresent(this::choose));
     key("PLUS", () -> zoom(1 / ZOOM));
     key("ADD", () -> zoom(1 / ZOOM));
     key("EQUALS", () -> zoom(1 / ZOOM));
@@ -68,6 +76,37 @@ final class TimelineCanvas extends JComponent {
                 run.run();
               }
             });
+  }
+
+  /**
+   * Marks what clients did.
+   *
+   * @param marks in the order of time
+   * @param wanted shows the message with a number
+   */
+  void markClients(Supplier<List<ClientMark>> marks, LongConsumer wanted) {
+    clients = marks;
+    chosen = wanted;
+  }
+
+  private List<ClientMark> clientMarks() {
+    return lookBack.ofFile() ? List.of() : clients.get();
+  }
+
+  /** The mark of a client that is nearest to a time, if one is near. */
+  private Optional<ClientMark> clientMark(double timeS) {
+    double near = near();
+    return clientMarks().stream()
+        .filter(each -> Math.abs(each.timeS() - timeS) <= near)
+        .min(Comparator.comparingDouble(each -> Math.abs(each.timeS() - timeS)));
+  }
+
+  private double near() {
+    return 4 * lookBack.range().widthS() / Math.max(1, buckets());
+  }
+
+  private void choose(double timeS) {
+    clientMark(timeS).ifPresent(mark -> chosen.accept(mark.number()));
   }
 
   /** To a neighbouring mark, if there is one. */
@@ -106,8 +145,12 @@ final class TimelineCanvas extends JComponent {
 
   @Override
   public String getToolTipText(MouseEvent event) {
-    double near = 4 * lookBack.range().widthS() / Math.max(1, buckets());
-    return tracks.about(timeAt(event.getX()), near);
+    double timeS = timeAt(event.getX());
+    Optional<ClientMark> mark =
+        painter.onMarks(event.getY()) ? clientMark(timeS) : Optional.empty();
+    return mark.map(
+            each -> LookBack.text(each.timeS()) + ": " + each.text() + " (click for the message)")
+        .orElseGet(() -> tracks.about(timeS, near()));
   }
 
   @Override
@@ -120,7 +163,7 @@ final class TimelineCanvas extends JComponent {
     Graphics2D pen = (Graphics2D) graphics.create();
     pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     pen.setFont(getFont());
-    painter.paint(pen, getSize(), tracks, lookBack, isFocusOwner());
+    painter.paint(pen, getSize(), tracks, clientMarks(), lookBack, isFocusOwner());
     pen.dispose();
   }
 
@@ -154,6 +197,13 @@ final class TimelineCanvas extends JComponent {
       panning = !SwingUtilities.isLeftMouseButton(event) || event.isShiftDown();
       if (!panning) {
         lookBack.scrub(timeAt(event.getX()));
+      }
+    }
+
+    @Override
+    public void mouseClicked(MouseEvent event) {
+      if (SwingUtilities.isLeftMouseButton(event) && painter.onMarks(event.getY())) {
+        choose(timeAt(event.getX()));
       }
     }
 

@@ -21,6 +21,8 @@ final class TimelinePainter {
   private static final List<String> ROWS =
       List.of("Program", "Marks", "Inputs", "Outputs", "TCP speed");
 
+  private static final int MARKS = 1;
+
   /** Height of each row in heights of a line of text. */
   private static final double[] HEIGHTS = {1.35, 1.2, 0.7, 0.7, 2.4};
 
@@ -28,10 +30,17 @@ final class TimelinePainter {
   private static final double MIN_TOP_M_PER_S = 0.25;
 
   private int left = UIScale.scale(84);
+  private double marksTop;
+  private double marksBottom;
 
   /** Where time begins, in pixels. */
   int left() {
     return left;
+  }
+
+  /** Whether a height is that of the row of marks. */
+  boolean onMarks(int y) {
+    return y >= marksTop && y <= marksBottom;
   }
 
   int plotWidth(int width) {
@@ -51,7 +60,13 @@ final class TimelinePainter {
     return UIScale.scale(4);
   }
 
-  void paint(Graphics2D pen, Dimension size, Tracks tracks, LookBack at, boolean focused) {
+  void paint(
+      Graphics2D pen,
+      Dimension size,
+      Tracks tracks,
+      List<ClientMark> clients,
+      LookBack at,
+      boolean focused) {
     pen.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     pen.setColor(Palette.card());
@@ -70,6 +85,11 @@ final class TimelinePainter {
       label(sheet, ROWS.get(row), y, height);
       pen.setClip(left, 0, width + 1, size.height);
       row(sheet, row, tracks, y, height);
+      if (row == MARKS) {
+        marksTop = y;
+        marksBottom = y + height;
+        clients(sheet, clients, y, height);
+      }
       pen.setClip(null);
       y += height + gap();
     }
@@ -238,6 +258,25 @@ final class TimelinePainter {
         case MESSAGE -> diamond(sheet, mark.timeS(), y, height, Palette.accent());
         case ERROR, PROGRAM_FAILED -> diamond(sheet, mark.timeS(), y, height, Palette.error());
         case PROTECTIVE_STOP, SAFETY_STOP -> stop(sheet, mark.timeS(), y, height);
+      }
+    }
+  }
+
+  /** Triangles that come from above, as what clients send comes from outside; one in a pixel. */
+  private static void clients(Sheet sheet, List<ClientMark> marks, double y, double height) {
+    double half = height * 0.22;
+    double last = Double.NEGATIVE_INFINITY;
+    sheet.pen.setColor(Palette.series(3));
+    for (ClientMark mark : marks) {
+      double x = sheet.x(mark.timeS());
+      if (sheet.sees(mark.timeS(), mark.timeS()) && x - last >= 1) {
+        last = x;
+        Path2D shape = new Path2D.Double();
+        shape.moveTo(x - half, y);
+        shape.lineTo(x + half, y);
+        shape.lineTo(x, y + height * 0.5);
+        shape.closePath();
+        sheet.pen.fill(shape);
       }
     }
   }

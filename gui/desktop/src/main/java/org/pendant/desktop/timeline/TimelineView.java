@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -85,6 +87,16 @@ public final class TimelineView implements View {
     declareActions(chooseFile);
     lookBack.addListener(this::show);
     show();
+  }
+
+  /**
+   * Marks what clients of the ports did.
+   *
+   * @param marks in the order of time
+   * @param wanted shows the message with a number
+   */
+  public void markClients(Supplier<List<ClientMark>> marks, LongConsumer wanted) {
+    canvas.markClients(marks, wanted);
   }
 
   private record SessionBranches(RobotSession session) implements BranchControl.Branches {

@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,7 +25,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.protocols.trace.Peers;
+import org.pendant.protocols.trace.WireMessage;
 import org.pendant.protocols.wire.Direction;
+import org.pendant.protocols.wire.Reading;
 
 @Timeout(60)
 final class ClientsPresenterTest {
@@ -132,6 +138,35 @@ final class ClientsPresenterTest {
     }
     presenter.clear();
     assertEquals(List.of(), shown());
+  }
+
+  private static WireMessage message(long number, double robotTimeS, String line) {
+    InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), 29_999);
+    Reading reading = Reading.of("line", line);
+    return new WireMessage(
+        number,
+        new Peers("Dashboard", address, address),
+        Direction.IN,
+        0,
+        robotTimeS,
+        line.equals("running") ? reading : reading.doing(line),
+        ByteBuffer.allocate(0));
+  }
+
+  private static List<String> marks(double nowS, WireMessage... messages) {
+    return ClientsPresenter.marks(List.of(messages), nowS).stream()
+        .map(each -> each.timeS() + " " + each.text().substring(each.text().lastIndexOf(' ') + 1))
+        .toList();
+  }
+
+  @Test
+  void marksWhatDidSomethingToThePresentController() {
+    WireMessage stop = message(1, 7, "stop");
+    WireMessage play = message(2, 1, "play");
+    WireMessage asks = message(3, 2, "running");
+    WireMessage pause = message(4, 3, "pause");
+    assertEquals(List.of("1.0 play", "3.0 pause"), marks(4, stop, play, asks, pause));
+    assertEquals(List.of(), marks(0.5, stop));
   }
 
   @Test
