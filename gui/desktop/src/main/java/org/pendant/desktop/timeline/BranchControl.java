@@ -58,7 +58,7 @@ final class BranchControl {
     String why = lookBack.whyNoBranch();
     return why.isEmpty()
         ? lookBack
-            .past()
+            .branchStart()
             .flatMap(state -> branches.refusal(state.frame()))
             .map(reason -> "No branch from here: " + reason)
             .orElse("")
@@ -69,7 +69,7 @@ final class BranchControl {
   void ask() {
     String why = whyNot();
     if (why.isEmpty()) {
-      asking = lookBack.past();
+      asking = lookBack.branchStart();
       changed.run();
     } else {
       tell.accept(why);

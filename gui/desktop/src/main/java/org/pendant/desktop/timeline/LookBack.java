@@ -330,12 +330,20 @@ public final class LookBack {
     if (ofFile()) {
       return "A recording of a file cannot be continued";
     }
-    if (moment.isEmpty()) {
-      return "Choose a moment on the timeline first";
+    return back() ? "" : "Choose a moment on the timeline first";
+  }
+
+  /**
+   * Where a branch from the moment begins: at the end of its frame, or of the frame before where
+   * the moment is a stop of the debugger that the frame has gone on from. Empty for now.
+   */
+  Optional<ControllerState> branchStart() {
+    if (moment.isEmpty() || moment.get().stop() == 0) {
+      return past;
     }
-    long stop = moment.get().stop();
-    return stop != 0 && Moment.of(recording.atFrame(moment.get().frame())).stop() != stop
-        ? "A branch begins where a frame ends, and this is a stop of the debugger within one"
-        : "";
+    long frame = moment.get().frame();
+    return Moment.of(recording.atFrame(frame)).equals(moment.get())
+        ? past
+        : Optional.of(recording.atFrame(frame - 1));
   }
 }

@@ -142,18 +142,6 @@ public final class TimelineView implements View {
             "Mark \u203a",
             "To the next mark: start, end, stop, message (Ctrl+Right)",
             () -> canvas.toMark(true)));
-    bar.add(
-        button(
-            "step-back",
-            "\u2039 Statement",
-            "Step back: to where the program came to its last statement",
-            () -> workbench.actions().run("past.step-back")));
-    bar.add(
-        button(
-            "step-on",
-            "Statement \u203a",
-            "To where the program came to its next statement",
-            () -> workbench.actions().run("past.step-on")));
     bar.add(button("all", "Whole", "Shows all that is kept", lookBack::showAll));
     bar.add(branchButton);
     bar.add(

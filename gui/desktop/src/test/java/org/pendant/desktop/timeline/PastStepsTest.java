@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
 
 final class PastStepsTest {
   private static final String SLEEPS =
@@ -130,5 +131,22 @@ final class PastStepsTest {
     lookBack.scrub(0.05);
     later.getFirst().run();
     assertEquals(0.05, lookBack.timeS().orElseThrow());
+  }
+
+  @Test
+  void aBranchFromAStopBeginsBeforeItsFrame() {
+    run.ask(debugger -> debugger.set(Breakpoint.at(4))).frames(80);
+    assertTrue(run.state().debug().held());
+    long stopped = run.state().frame();
+    steps.stepBack();
+    steps.stepOn();
+    assertEquals(stopped, lookBack.branchStart().orElseThrow().frame(), "it is still held there");
+
+    run.ask(Debugger::resume).frames(100);
+    breakpoints.add(Breakpoint.at(4));
+    lookBack.live();
+    steps.breakpointBefore();
+    assertEquals(stopped, lookBack.moment().orElseThrow().frame());
+    assertEquals(stopped - 1, lookBack.branchStart().orElseThrow().frame());
   }
 }

@@ -1,11 +1,14 @@
 package org.pendant.desktop.timeline;
 
+import java.util.function.Consumer;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.recording.RecordingRing;
+import org.pendant.script.debug.Debugger;
 
 /** A controller that is recorded. */
 final class RecordedRun {
@@ -30,6 +33,12 @@ final class RecordedRun {
   RecordedRun pause() {
     var _ = controller.submit(new ProgramCommand.PauseProgram());
     return this;
+  }
+
+  /** Asks the debugger in the next frame. */
+  RecordedRun ask(Consumer<Debugger> request) {
+    var _ = controller.submit(new DebugCommand.Debug(request));
+    return frames(1);
   }
 
   ControllerState state() {
