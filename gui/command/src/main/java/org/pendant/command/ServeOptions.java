@@ -89,7 +89,7 @@ record ServeOptions(
                   + " 2.6; the other changes of power in proportion");
 
   private static final Option TRACE =
-      Option.text("--trace", "FILE", "write every message of every client to FILE")
+      Option.output("--trace", "FILE", "write every message of every client to FILE")
           .documented(
               "FILE",
               "write every message of every client: `FILE.pcap` for Wireshark, another name for"

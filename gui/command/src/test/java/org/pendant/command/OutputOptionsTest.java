@@ -42,6 +42,7 @@ final class OutputOptionsTest {
               delta_d = [0,0,0,0,0,0]
               delta_alpha = [0,0,0,0,0,0]
               """,
+          "--waveforms", "time,signal,value\n",
           "--scene", "{}",
           "--safety", "{}",
           "--collection", "# a run\na.csv a.script\n");
