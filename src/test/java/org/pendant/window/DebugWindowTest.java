@@ -32,7 +32,7 @@ final class DebugWindowTest {
   @Test
   void theDebugBarStepsAndEndsAPausedProgram() {
     sharedWindow.program(
-        "def twice(n):", "  return 2 * n", "end", "a = 1", "a = twice(a)", "sync()", "a = 3");
+        "def twice(n):", "  return 2 * n", "end", "a = 1", "a = twice(a)", "sleep(0.5)", "a = 3");
     toScript();
     assertFalse(window.shows("debug-bar"));
     for (int i = 0; i < 4; i++) {
@@ -49,6 +49,7 @@ final class DebugWindowTest {
     window.awaitWords("call-stack", "line 6");
     window.click("debug-bar-step");
     window.awaitWords("call-stack", "line 7");
+    window.awaitFocus("debug-bar-step");
     window.click("debug-bar-step-back");
     window.awaitShown("past-banner");
     assertFalse(window.shows("debug-bar-step"));

@@ -12,11 +12,13 @@ import org.pendant.kit.action.KeyText;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Debug bar: how a program that is paused continues, and how people go back and on through what it
- * did; it is there only then, and while they look at the past. It stands in the head of what shows
- * the program.
+ * did. It is there only then, while they look at the past, and as long as keys go to it while the
+ * program runs: what is typed must not fall into the text. It stands in the head of what shows the
+ * program.
  */
 @SuppressWarnings("serial") // never written to a stream
 public final class DebugBar extends JPanel {
@@ -35,7 +37,11 @@ public final class DebugBar extends JPanel {
   }
 
   /** A button, and when it can be used. */
-  private record Tool(JButton button, BooleanSupplier enabled, When when) {}
+  private record Tool(JButton button, BooleanSupplier enabled, When when) {
+    boolean focused() {
+      return button.isFocusOwner();
+    }
+  }
 
   /**
    * A bar for what {@code debug} knows.
@@ -109,14 +115,29 @@ public final class DebugBar extends JPanel {
     return past.back() || debug.held() || debug.steps().canStep();
   }
 
+  /** A button that has nothing to do any more gives its focus to the first that has. */
+  private void keepFocus(When gone) {
+    if (tools.stream().anyMatch(each -> each.when() == gone && each.focused())) {
+      tools.stream()
+          .filter(each -> each.when() != gone && each.enabled().getAsBoolean())
+          .findFirst()
+          .ifPresent(each -> each.button().requestFocusInWindow());
+    }
+  }
+
   /** Shows what can be done now. */
   public void refresh() {
-    boolean wanted = wanted();
+    boolean runs = workbench.session().state().program().state() != ProgramState.STOPPED;
+    boolean wanted = wanted() || (runs && tools.stream().anyMatch(Tool::focused));
     When other = past.back() ? When.NOW : When.PAST;
     for (Tool each : tools) {
-      each.button().setVisible(each.when() != other);
-      each.button().setEnabled(each.enabled().getAsBoolean());
+      // A button that goes or becomes disabled hands its focus on, and keys would write in the
+      // text.
+      boolean focused = each.focused();
+      each.button().setVisible(each.when() != other || focused);
+      each.button().setEnabled(each.enabled().getAsBoolean() || focused);
     }
+    keepFocus(other);
     if (wanted != isVisible()) {
       setVisible(wanted);
       revalidate();
