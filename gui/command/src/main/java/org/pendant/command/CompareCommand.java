@@ -20,7 +20,7 @@ import org.pendant.recording.compare.Difference;
 
 /**
  * Command {@code pendant compare RECORDING PROGRAM}: runs the program that a robot ran while it was
- * recorded, and says what differs.
+ * recorded, and says what differs; with two recordings, {@link ExactComparison}.
  */
 final class CompareCommand implements Subcommand {
   private static final String RECORDING = "the recording";
@@ -56,12 +56,12 @@ final class CompareCommand implements Subcommand {
 
   @Override
   public String operands() {
-    return "RECORDING PROGRAM";
+    return "RECORDING PROGRAM|RECORDING";
   }
 
   @Override
   public String summary() {
-    return "run a program and say what differs from a recording of a robot";
+    return "say what differs between a recording and a program, or another recording";
   }
 
   @Override
@@ -97,6 +97,12 @@ final class CompareCommand implements Subcommand {
     Optional<OutputFile> markdown = OutputFile.of(MARKDOWN, arguments);
     Optional<OutputFile> json = OutputFile.of(JSON, arguments);
     Optional<OutputFile> html = OutputFile.of(HTML, arguments);
+    if (ExactComparison.isMeant(operands)) {
+      if (list.isPresent() || markdown.isPresent() || json.isPresent() || html.isPresent()) {
+        throw new UsageException("two recordings are compared without files of what differs");
+      }
+      return ExactComparison.run(operands.get(0), operands.get(1), arguments.files(), console);
+    }
     if (list.isPresent() != markdown.isPresent()) {
       throw new UsageException("--collection and --markdown go together, one of them is missing");
     }

@@ -309,4 +309,18 @@ final class CompareCommandTest {
             file("fidelity.md")));
     assertTrue(complaints().contains("--force replaces it"), complaints());
   }
+
+  @Test
+  void twoRecordingsAreComparedFrameByFrame() throws IOException {
+    pendant("run", "--record", file("a.rec"), file("move.script"));
+    pendant("run", "--record", file("b.rec"), file("move.script"));
+    assertEquals(ExitCode.DONE, pendant("compare", file("a.rec"), file("b.rec")), errors::toString);
+    assertTrue(said().startsWith("the same in all "), said());
+    Files.writeString(folder.resolve("move.script"), PROGRAM.replace("v=1)", "v=0.5)"));
+    pendant("run", "--record", file("c.rec"), file("move.script"));
+    assertEquals(ExitCode.LIMIT_EXCEEDED, pendant("compare", file("c.rec"), file("a.rec")));
+    assertTrue(said().contains("c.rec differs first "), said());
+    assertTrue(said().contains("in line 3: target position of joint "), said());
+    assertTrue(said().contains("The texts of the programs differ from line 3 on"), said());
+  }
 }

@@ -20,6 +20,7 @@ import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.shell.run.RunProgram;
+import org.pendant.desktop.timeline.EarlierRun;
 import org.pendant.desktop.timeline.HeldView;
 import org.pendant.desktop.timeline.LookBack;
 import org.pendant.desktop.timeline.PastActions;
@@ -28,6 +29,7 @@ import org.pendant.desktop.timeline.PastSteps;
 import org.pendant.desktop.timeline.RecordedText;
 import org.pendant.desktop.timeline.TimelineView;
 import org.pendant.desktop.workbench.View;
+import org.pendant.kit.action.Action;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.Moment;
 import org.pendant.recording.RecordedProgram;
@@ -75,6 +77,14 @@ final class PastViews {
             ran -> open(ran).map(breakpoints).orElse(List.of()),
             workbench::notify);
     PastActions.addTo(workbench.actions(), steps);
+    workbench
+        .actions()
+        .add(
+            Action.of(
+                TimelineView.ID + ".compare",
+                "Timeline: compare the last run with a recording\u2026",
+                "",
+                this::chooseEarlier));
     workbench.session().addSwitchListener(new Switched());
   }
 
@@ -127,6 +137,17 @@ final class PastViews {
   /** Opens a recording. */
   void open(Path file) {
     timeline.open(file, workbench::notify);
+  }
+
+  private void chooseEarlier() {
+    EarlierRun earlier = new EarlierRun(workbench, lookBack);
+    OpenDialog.show(
+        timeline.component(),
+        "Compare the last run with",
+        "Recordings",
+        new String[] {"rec"},
+        workbench.usedFolder(),
+        earlier::compareWith);
   }
 
   private void chooseFile() {

@@ -1,0 +1,63 @@
+package org.pendant.desktop.timeline;
+
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingFile;
+import org.pendant.recording.compare.FirstDifference;
+
+/** Earlier run: compares the last run of the timeline with that of a recording. */
+public final class EarlierRun {
+  private final Workbench workbench;
+  private final LookBack lookBack;
+
+  /**
+   * A comparison for a timeline.
+   *
+   * @param lookBack shows the moment of the first difference
+   */
+  public EarlierRun(Workbench workbench, LookBack lookBack) {
+    this.workbench = workbench;
+    this.lookBack = lookBack;
+  }
+
+  /** Says what differs first from the run in a file, and goes there; it is read elsewhere. */
+  public void compareWith(Path file) {
+    Recording recording = lookBack.recording();
+    Thread.ofVirtual().name("earlier run").start(() -> compare(recording, file));
+  }
+
+  private void compare(Recording recording, Path file) {
+    try {
+      Optional<FirstDifference> difference =
+          FirstDifference.between(recording, RecordingFile.open(file).recording());
+      long frames = FirstDifference.framesOfRun(recording).orElse(0L);
+      EventQueue.invokeLater(() -> show(difference, frames, file.getFileName()));
+    } catch (UncheckedIOException e) {
+      tell("Not compared: " + file + ": " + FileTrouble.reason(e.getCause()));
+    } catch (IOException e) {
+      tell("Not compared: " + file + ": " + FileTrouble.reason(e));
+    } catch (IllegalArgumentException e) {
+      tell("Not compared: " + e.getMessage());
+    }
+  }
+
+  private void tell(String text) {
+    EventQueue.invokeLater(() -> workbench.notify(text));
+  }
+
+  private void show(Optional<FirstDifference> difference, long frames, Path name) {
+    if (difference.isEmpty()) {
+      workbench.notify("The last run equals " + name + " in all " + frames + " frames");
+      return;
+    }
+    workbench.show(TimelineView.ID);
+    lookBack.jump(difference.get().nowS());
+    workbench.notify("Compared with " + name + ", the last run " + difference.get().words());
+  }
+}
