@@ -139,6 +139,7 @@ final class ServedRobot implements AutoCloseable {
                 why -> console.complain("pendant serve: warning: the trace ends, " + why));
         trace = Optional.of(begun);
         ports.tap(Optional.of(begun));
+        scriptConnectors.tap(Optional.of(begun));
       } catch (IOException e) {
         throw new UsageException(file.name() + ": cannot be written, " + FileTrouble.reason(e));
       }

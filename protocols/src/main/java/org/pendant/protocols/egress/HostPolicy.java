@@ -18,8 +18,9 @@ import java.util.concurrent.FutureTask;
  *
  * @param allowed where it may go
  * @param names who knows the addresses of names; asked for those only that are allowed
+ * @param traced what is told of its connections
  */
-public record HostPolicy(AllowedHosts allowed, Names names) {
+public record HostPolicy(AllowedHosts allowed, Names names, Traced traced) {
   /** This computer; its name needs no asking (RFC 6761, section 6.3). */
   private static final String LOCALHOST = "localhost";
 
@@ -41,6 +42,16 @@ public record HostPolicy(AllowedHosts allowed, Names names) {
     this(allowed, InetAddress::getAllByName);
   }
 
+  /** Without a trace. */
+  public HostPolicy(AllowedHosts allowed, Names names) {
+    this(allowed, names, Traced.NOT);
+  }
+
+  /** The same, with connections that are traced. */
+  public HostPolicy with(Traced wanted) {
+    return new HostPolicy(allowed, names, wanted);
+  }
+
   /**
    * Connects, and waits for that; an interrupted virtual thread gives up.
    *
@@ -56,10 +67,11 @@ public record HostPolicy(AllowedHosts allowed, Names names) {
     }
     IOException failure = new ConnectException("no address");
     for (InetAddress address : addresses) {
-      Socket socket = new Socket();
+      TracedSocket socket = new TracedSocket(traced);
       try {
         socket.setTcpNoDelay(true);
         socket.connect(new InetSocketAddress(address, port), timeoutMs);
+        socket.opened();
         return socket;
       } catch (SocketTimeoutException e) {
         failure = new SocketTimeoutException("no answer within " + timeoutMs / 1000.0 + " s");

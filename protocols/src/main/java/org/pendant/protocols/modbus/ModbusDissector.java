@@ -11,7 +11,7 @@ import org.pendant.protocols.wire.Fields;
 import org.pendant.protocols.wire.Reading;
 
 /** Modbus dissector: requests and answers (Modbus application protocol V1.1b3). */
-final class ModbusDissector implements Dissector {
+public final class ModbusDissector implements Dissector {
   private static final int LENGTH_AT = 4;
   private static final int EXCEPTION = 0x80;
 

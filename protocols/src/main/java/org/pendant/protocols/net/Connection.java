@@ -21,7 +21,7 @@ import org.pendant.protocols.wire.Terms;
  * out in the sender's thread for this reason: waking another one for each would make the intervals
  * of what is sent at a rate as uneven as the machine is busy.
  */
-public final class Connection implements Occupant {
+public final class Connection implements Occupant, WireEnd {
   private static final int RECEIVE_BYTES = 1 << 16;
 
   /** Who takes nothing for this long of what waits for it counts as not reading. */
@@ -96,19 +96,24 @@ public final class Connection implements Occupant {
     return name;
   }
 
-  /** Where the peer is. */
+  @Override
   public InetSocketAddress peer() {
     return peer;
   }
 
-  /** The name of the port. */
+  @Override
   public String portName() {
     return port.name();
   }
 
-  /** This side of it. */
+  @Override
   public InetSocketAddress local() {
     return local;
+  }
+
+  @Override
+  public boolean outgoing() {
+    return false;
   }
 
   /** How long it has stood. */
@@ -131,7 +136,7 @@ public final class Connection implements Occupant {
     return outbox.waitingBytes();
   }
 
-  /** What was agreed on with the peer; empty where protocols have no such thing. */
+  @Override
   public Optional<Terms> terms() {
     return terms;
   }
@@ -141,7 +146,7 @@ public final class Connection implements Occupant {
     terms = Optional.of(now);
   }
 
-  /** A dissector for all of it, from its first byte. */
+  @Override
   public Dissector dissector() {
     return port.dissector();
   }

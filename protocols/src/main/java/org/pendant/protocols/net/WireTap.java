@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
  */
 public interface WireTap {
   /** A peer has connected; nothing has been sent yet. */
-  void opened(Connection connection);
+  void opened(WireEnd connection);
 
   /**
    * Bytes have come.
@@ -16,7 +16,7 @@ public interface WireTap {
    * @param before how many had come before
    * @param bytes are others after the call; the position is not to be moved
    */
-  void received(Connection connection, long before, ByteBuffer bytes);
+  void received(WireEnd connection, long before, ByteBuffer bytes);
 
   /**
    * Bytes go out, or wait for it.
@@ -24,8 +24,8 @@ public interface WireTap {
    * @param before how many went before
    * @param bytes never change
    */
-  void sent(Connection connection, long before, byte[] bytes);
+  void sent(WireEnd connection, long before, byte[] bytes);
 
   /** The conversation has ended. */
-  void closed(Connection connection);
+  void closed(WireEnd connection);
 }

@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.WireEnd;
 import org.pendant.protocols.trace.WireEvent.Kind;
 import org.pendant.protocols.wire.Direction;
 import org.pendant.protocols.wire.Dissector;
@@ -15,7 +15,7 @@ import org.pendant.protocols.wire.Reading;
 /** Message reader: events of many connections as messages. One thread at a time. */
 final class MessageReader {
   private final Consumer<WireMessage> messages;
-  private final Map<Connection, Conversation> conversations = new HashMap<>();
+  private final Map<WireEnd, Conversation> conversations = new HashMap<>();
 
   private long count;
 
@@ -32,27 +32,27 @@ final class MessageReader {
 
   /** Takes the next event. */
   void take(WireEvent event) {
-    Connection connection = event.connection();
+    WireEnd connection = event.connection();
     switch (event.kind()) {
       case OPENED -> {
         conversations.put(connection, new Conversation(connection, connection.dissector()));
-        mark(event, "connected", Direction.IN);
+        mark(event, "connected");
       }
       case RECEIVED, SENT -> conversation(connection).take(event);
       case CLOSED -> {
         conversation(connection).end();
         conversations.remove(connection);
-        mark(event, "closed", Direction.IN);
+        mark(event, "closed");
       }
     }
   }
 
-  private void mark(WireEvent event, String type, Direction direction) {
+  private void mark(WireEvent event, String type) {
     messages.accept(
         new WireMessage(
             ++count,
             Peers.of(event.connection()),
-            direction,
+            event.connection().outgoing() ? Direction.OUT : Direction.IN,
             event.epochUs(),
             event.robotTimeS(),
             Reading.of(type, type),
@@ -60,7 +60,7 @@ final class MessageReader {
   }
 
   /** One that stood before the trace goes on from what was agreed on. */
-  private Conversation conversation(Connection connection) {
+  private Conversation conversation(WireEnd connection) {
     return conversations.computeIfAbsent(
         connection,
         absent ->
@@ -74,7 +74,7 @@ final class MessageReader {
     private final Stream in;
     private final Stream out;
 
-    Conversation(Connection connection, Dissector dissector) {
+    Conversation(WireEnd connection, Dissector dissector) {
       peers = Peers.of(connection);
       in = new Stream(Direction.IN, dissector);
       out = new Stream(Direction.OUT, dissector);

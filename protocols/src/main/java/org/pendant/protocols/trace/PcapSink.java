@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.HashMap;
 import java.util.Map;
-import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.WireEnd;
 import org.pendant.protocols.wire.Direction;
 
 /** Pcap sink: a trace as packets. What was left out is a gap in the numbers of its connection. */
 final class PcapSink implements TraceSink {
   private final PcapWriter writer;
-  private final Map<Connection, TcpStream> streams = new HashMap<>();
+  private final Map<WireEnd, TcpStream> streams = new HashMap<>();
 
   PcapSink(PcapWriter writer) {
     this.writer = writer;
@@ -18,11 +18,11 @@ final class PcapSink implements TraceSink {
 
   @Override
   public void take(WireEvent event) throws IOException {
-    Connection connection = event.connection();
+    WireEnd connection = event.connection();
     TcpStream stream =
         streams.computeIfAbsent(connection, absent -> new TcpStream(Peers.of(absent)));
     switch (event.kind()) {
-      case OPENED -> stream.open(writer, event.epochUs());
+      case OPENED -> stream.open(writer, event.epochUs(), connection.outgoing());
       case RECEIVED -> write(stream, Direction.IN, event);
       case SENT -> write(stream, Direction.OUT, event);
       case CLOSED -> {

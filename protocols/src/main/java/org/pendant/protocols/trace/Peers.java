@@ -1,7 +1,7 @@
 package org.pendant.protocols.trace;
 
 import java.net.InetSocketAddress;
-import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.WireEnd;
 
 /**
  * Peers of a connection.
@@ -11,7 +11,7 @@ import org.pendant.protocols.net.Connection;
  * @param remote the client's
  */
 public record Peers(String port, InetSocketAddress local, InetSocketAddress remote) {
-  static Peers of(Connection connection) {
+  static Peers of(WireEnd connection) {
     return new Peers(connection.portName(), connection.local(), connection.peer());
   }
 

@@ -28,12 +28,18 @@ final class TcpStream {
     this.peers = peers;
   }
 
-  /** The handshake. */
-  void open(PcapWriter writer, long epochUs) throws IOException {
+  /**
+   * The handshake.
+   *
+   * @param outgoing whether our side has begun it
+   */
+  void open(PcapWriter writer, long epochUs, boolean outgoing) throws IOException {
+    Direction asks = outgoing ? Direction.OUT : Direction.IN;
+    Direction answers = outgoing ? Direction.IN : Direction.OUT;
     ByteBuffer none = ByteBuffer.allocate(0);
-    writer.write(epochUs, segment(Direction.IN, 0, 0, SYN), none);
-    writer.write(epochUs, segment(Direction.OUT, 0, 1, SYN | ACK), none);
-    writer.write(epochUs, segment(Direction.IN, 1, 1, ACK), none);
+    writer.write(epochUs, segment(asks, 0, 0, SYN), none);
+    writer.write(epochUs, segment(answers, 0, 1, SYN | ACK), none);
+    writer.write(epochUs, segment(asks, 1, 1, ACK), none);
   }
 
   /**

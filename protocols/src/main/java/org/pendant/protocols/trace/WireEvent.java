@@ -1,7 +1,7 @@
 package org.pendant.protocols.trace;
 
 import java.nio.ByteBuffer;
-import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.WireEnd;
 
 /**
  * Wire event: something that has happened on a connection.
@@ -12,12 +12,7 @@ import org.pendant.protocols.net.Connection;
  * @param robotTimeS time of the robot, s
  */
 record WireEvent(
-    Kind kind,
-    Connection connection,
-    long before,
-    ByteBuffer bytes,
-    long epochUs,
-    double robotTimeS) {
+    Kind kind, WireEnd connection, long before, ByteBuffer bytes, long epochUs, double robotTimeS) {
 
   /** What has happened. */
   enum Kind {

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.DoubleSupplier;
-import org.pendant.protocols.net.Connection;
+import org.pendant.protocols.net.WireEnd;
 import org.pendant.protocols.net.WireTap;
 import org.pendant.protocols.trace.WireEvent.Kind;
 
@@ -67,12 +67,12 @@ public final class WireTrace implements WireTap, AutoCloseable {
   }
 
   @Override
-  public void opened(Connection connection) {
+  public void opened(WireEnd connection) {
     add(Kind.OPENED, connection, 0, ByteBuffer.allocate(0));
   }
 
   @Override
-  public void received(Connection connection, long before, ByteBuffer bytes) {
+  public void received(WireEnd connection, long before, ByteBuffer bytes) {
     if (hasRoom()) {
       ByteBuffer copy = ByteBuffer.allocate(bytes.remaining()).put(bytes.duplicate()).flip();
       add(Kind.RECEIVED, connection, before, copy);
@@ -82,12 +82,12 @@ public final class WireTrace implements WireTap, AutoCloseable {
   }
 
   @Override
-  public void sent(Connection connection, long before, byte[] bytes) {
+  public void sent(WireEnd connection, long before, byte[] bytes) {
     add(Kind.SENT, connection, before, ByteBuffer.wrap(bytes));
   }
 
   @Override
-  public void closed(Connection connection) {
+  public void closed(WireEnd connection) {
     add(Kind.CLOSED, connection, 0, ByteBuffer.allocate(0));
   }
 
@@ -102,7 +102,7 @@ public final class WireTrace implements WireTap, AutoCloseable {
     }
   }
 
-  private void add(Kind kind, Connection connection, long before, ByteBuffer bytes) {
+  private void add(Kind kind, WireEnd connection, long before, ByteBuffer bytes) {
     if (!hasRoom()) {
       leaveOut();
       return;

@@ -54,7 +54,7 @@ class TcpStreamTest {
   void numbersTheBytesOfBothSidesFromHandshakeToEnd() throws Exception {
     PcapWriter writer = new PcapWriter(file);
     TcpStream stream = new TcpStream(peers("127.0.0.1", "127.0.0.2"));
-    stream.open(writer, TIME_US);
+    stream.open(writer, TIME_US, false);
     stream.write(writer, TIME_US, Direction.IN, 0, ByteBuffer.wrap(new byte[] {1, 2, 3}));
     stream.write(writer, TIME_US, Direction.OUT, 0, ByteBuffer.wrap(new byte[] {4}));
     stream.end(writer, TIME_US);

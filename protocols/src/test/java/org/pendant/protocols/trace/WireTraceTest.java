@@ -23,11 +23,15 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.pendant.protocols.egress.AllowedHosts;
+import org.pendant.protocols.egress.HostPolicy;
+import org.pendant.protocols.egress.Traced;
 import org.pendant.protocols.net.Connection;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.Session;
 import org.pendant.protocols.net.TcpPort;
+import org.pendant.protocols.wire.Dissector;
 import org.pendant.protocols.wire.LineDissector;
 
 class WireTraceTest {
@@ -102,6 +106,28 @@ class WireTraceTest {
   void saysWhatAMessageDoes() throws Exception {
     List<String> lines = linesOf("go");
     assertTrue(lines.get(1).contains("\"effect\":\"go\""), lines.get(1));
+  }
+
+  @Test
+  void hearsWhatProgramsConnectToWithTheirsAsWhatGoesOut() throws Exception {
+    ByteArrayOutputStream file = new ByteArrayOutputStream();
+    try (WireTrace trace = TraceFile.begin(Path.of("t.jsonl"), file, () -> 0, trouble::add)) {
+      Traced traced = new Traced("Script socket", Dissector::raw, () -> Optional.of(trace));
+      try (Socket socket =
+          new HostPolicy(AllowedHosts.ANY)
+              .with(traced)
+              .connect("127.0.0.1", port.number(), 10_000)) {
+        socket.getOutputStream().write(new byte[] {'h', 'i', '\n'});
+        assertEquals('h', socket.getInputStream().read());
+      }
+    }
+    List<String> lines = file.toString(StandardCharsets.UTF_8).lines().toList();
+    assertEquals(4, lines.size(), lines::toString);
+    assertTrue(lines.get(0).contains("\"direction\":\"out\",\"type\":\"connected\""), lines.get(0));
+    assertTrue(lines.get(1).contains("\"direction\":\"out\",\"type\":\"text\""), lines.get(1));
+    assertTrue(lines.get(1).contains("\"client\":\"127.0.0.1:" + port.number()), lines.get(1));
+    assertTrue(lines.get(2).contains("\"direction\":\"in\",\"type\":\"text\""), lines.get(2));
+    assertTrue(lines.get(3).contains("\"type\":\"closed\""), lines.get(3));
   }
 
   @Test
