@@ -1,5 +1,6 @@
 package org.pendant.desktop.waveform;
 
+import java.awt.Component;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.ArrayList;
@@ -51,7 +52,9 @@ final class WaveformBar extends JPanel {
     name(
         signal, "signal", "An input; type the name of a register, such as input_float_register[3]");
     signal.setEditable(true);
-    signal.getEditor().getEditorComponent().setName("waveform-signal-text");
+    Component text = signal.getEditor().getEditorComponent();
+    text.setName("waveform-signal-text");
+    text.getAccessibleContext().setAccessibleName("Input");
     add(signal);
     add(button("add", "Add", "A row for this input, low at first", this::addRow));
     addPeriod();
