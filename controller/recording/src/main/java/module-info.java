@@ -9,5 +9,6 @@ module org.pendant.recording {
   exports org.pendant.recording;
   exports org.pendant.recording.compare;
   exports org.pendant.recording.fit;
+  exports org.pendant.recording.lines;
   exports org.pendant.recording.replay;
 }

@@ -40,7 +40,9 @@ final class UsageTest {
         Arguments.of("run --memory lots good.script", "such as 256MB"),
         Arguments.of("run --external-control pc:0 good.script", "the port is 0, must be 1 to"),
         Arguments.of("run --record missing/out.csv good.script", "missing/out.csv"),
-        Arguments.of("run --force good.script", "--force goes with --record, which is missing"),
+        Arguments.of(
+            "run --force good.script",
+            "--force goes with --record or --profile, which are missing"),
         Arguments.of("run missing.script", "missing.script: there is no such file"),
         Arguments.of("run .", "is a directory"),
         Arguments.of("check good.script missing.script", "missing.script: there is no such file"),

@@ -22,11 +22,13 @@ import org.pendant.script.vm.Program;
 final class RunCommand implements Subcommand {
 
   /**
-   * What is recorded.
+   * What is written of a run.
    *
-   * @param file empty for nothing
+   * @param file the record; empty for none
+   * @param profile what the lines took; empty for none
    */
-  private record Recorded(Optional<OutputFile> file, RecordColumns columns) {}
+  private record Recorded(
+      Optional<OutputFile> file, RecordColumns columns, Optional<OutputFile> profile) {}
 
   @Override
   public String name() {
@@ -55,14 +57,17 @@ final class RunCommand implements Subcommand {
     if (arguments.operands().isEmpty()) {
       throw new UsageException("no file given");
     }
-    if (options.record().isEmpty() && arguments.has(OutputFile.FORCE)) {
-      throw new UsageException("--force goes with --record, which is missing");
+    boolean profiled = arguments.has(LineReport.OPTION);
+    if (options.record().isEmpty() && !profiled && arguments.has(OutputFile.FORCE)) {
+      throw new UsageException("--force goes with --record or --profile, which are missing");
     }
-    if (options.record().isPresent() && arguments.operands().size() > 1) {
-      throw new UsageException("--record goes with one program, there are several");
+    if ((options.record().isPresent() || profiled) && arguments.operands().size() > 1) {
+      throw new UsageException(
+          (profiled ? LineReport.OPTION : RunOptions.RECORD).name()
+              + " goes with one program, there are several");
     }
     List<RunnableFile> files = RunnableFile.read(arguments);
-    Recorded recorded = new Recorded(OutputFile.of(RunOptions.RECORD, arguments), columns);
+    Recorded recorded = recorded(arguments, columns);
     InstallationOption.tell(arguments, console);
     Builtins<ControlBox> builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
@@ -88,6 +93,16 @@ final class RunCommand implements Subcommand {
       console.flush();
     }
     return code;
+  }
+
+  private static Recorded recorded(Arguments arguments, RecordColumns columns)
+      throws UsageException {
+    Optional<OutputFile> record = OutputFile.of(RunOptions.RECORD, arguments);
+    Optional<OutputFile> profile = OutputFile.of(LineReport.OPTION, arguments);
+    if (record.isPresent() && record.map(OutputFile::path).equals(profile.map(OutputFile::path))) {
+      throw new UsageException("--record and --profile name the same file");
+    }
+    return new Recorded(record, columns, profile);
   }
 
   private static ExitCode run(
@@ -151,13 +166,22 @@ final class RunCommand implements Subcommand {
     var _ = controller.submit(recorded.columns().command());
     interruption.hold();
     ExitCode code;
+    Optional<LineReport> report =
+        recorded
+            .profile()
+            .map(wanted -> new LineReport(wanted, file, controller, options.controller().safety()));
     RunRecord record = RunRecord.open(recorded.file(), recorded.columns(), controller, console);
     try (record) {
+      FrameWatcher watcher =
+          report.isPresent() ? new FrameWatchers(List.of(record, report.get())) : record;
       code =
-          new HeadlessRun(file, controller, options, interruption, wall, console, record)
+          new HeadlessRun(file, controller, options, interruption, wall, console, watcher)
               .run(program);
     }
     console.flush();
+    if (report.isPresent()) {
+      report.get().write();
+    }
     interruption.release();
     return record.failed() ? code.or(ExitCode.WRONG_USAGE) : code;
   }

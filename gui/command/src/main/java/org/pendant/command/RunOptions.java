@@ -146,6 +146,7 @@ record RunOptions(
                   RECORD,
                   OutputFile.FORCE,
                   RecordColumns.OPTION,
+                  LineReport.OPTION,
                   TIMEOUT,
                   WallLimit.OPTION,
                   SEED,
@@ -158,7 +159,14 @@ record RunOptions(
 
   /** What says how a program runs, whatever is made of the run. */
   static final List<Option> OF_PROGRAM =
-      without(ALL, SPEED, RECORD, OutputFile.FORCE, RecordColumns.OPTION, ToolSerialOption.OPTION);
+      without(
+          ALL,
+          SPEED,
+          RECORD,
+          OutputFile.FORCE,
+          RecordColumns.OPTION,
+          LineReport.OPTION,
+          ToolSerialOption.OPTION);
 
   /** What says what a controller is and what surrounds it, whatever it is to do. */
   static final List<Option> OF_CONTROLLER =

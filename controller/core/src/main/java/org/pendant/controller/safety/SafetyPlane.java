@@ -43,7 +43,7 @@ public record SafetyPlane(
   }
 
   /** How far a point of the base frame is on the allowed side, m; negative beyond the plane. */
-  double insideM(double x, double y, double z) {
+  public double insideM(double x, double y, double z) {
     return allowedSide.dot(x - pointXM, y - pointYM, z - pointZM);
   }
 
