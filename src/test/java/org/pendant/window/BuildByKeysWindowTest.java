@@ -135,6 +135,8 @@ final class BuildByKeysWindowTest {
     window.perform("Show Run");
     window.awaitWords("run-joints-Base", "20.00");
     window.awaitWords("program-state", "stopped");
+    window.perform("Show Program");
+    window.awaitWords(TREE, "% of the cycle");
     window.perform("Show I/O");
     window.awaitShown("digital-out-3");
     window.await("the gripper closed", () -> window.selected("digital-out-3"));

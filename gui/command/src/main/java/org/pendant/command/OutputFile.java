@@ -23,8 +23,8 @@ record OutputFile(String name, Path path, boolean force) {
   static final Option FORCE =
       Option.flag("--force", "replace the file to be written, if there is one already")
           .documented(
-              "replace the file of `--record`, `--profile`, `--trace`, `--out` or `TO`, if there is one"
-                  + " already");
+              "replace the file of `--record`, `--profile`, `--trace`, `--out` or `TO`, if there"
+                  + " is one already");
 
   /**
    * The file that an option names.

@@ -32,6 +32,7 @@ public final class LineProfiler {
   private final Supplier<SafetyConfiguration> safety;
   private final ReentrantLock lock = new ReentrantLock();
 
+  private long runs;
   private String name = "";
   private long firstFrame;
   private Optional<FrameMargins> margins = Optional.empty();
@@ -81,6 +82,7 @@ public final class LineProfiler {
   }
 
   private void begin(ControllerState state) {
+    runs++;
     name = state.program().name();
     firstFrame = state.frame();
     margins = Optional.of(new FrameMargins(state.arm(), safety.get()));
@@ -174,7 +176,7 @@ public final class LineProfiler {
           lines.add(sums[i].statistics(i, margins.get()));
         }
       }
-      return new RunProfile(name, firstFrame, lines);
+      return new RunProfile(runs, name, firstFrame, lines);
     } finally {
       lock.unlock();
     }

@@ -2,6 +2,7 @@ package org.pendant.recording.lines;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.models.time.FrameTime;
 
 /**
@@ -30,6 +31,33 @@ public record LineStatistics(
   /** Copies the list. */
   public LineStatistics {
     worst = List.copyOf(worst);
+  }
+
+  /**
+   * Both together, as of the lines of one step of a program: they count as one execution if both
+   * were executed as often.
+   */
+  public LineStatistics and(LineStatistics other) {
+    boolean together = executions == other.executions;
+    return new LineStatistics(
+        Math.min(line, other.line),
+        Math.max(executions, other.executions),
+        frames + other.frames,
+        together
+            ? longestFrames + other.longestFrames
+            : Math.max(longestFrames, other.longestFrames),
+        pathM + other.pathM,
+        Math.max(toolSpeedMPerS, other.toolSpeedMPerS),
+        Stream.of(Margin.values())
+            .flatMap(each -> nearer(worst(each), other.worst(each)).stream())
+            .toList());
+  }
+
+  private static Optional<Worst> nearer(Optional<Worst> one, Optional<Worst> other) {
+    if (one.isEmpty() || other.isEmpty()) {
+      return one.or(() -> other);
+    }
+    return one.get().margin().nearer(other.get().value(), one.get().value()) ? other : one;
   }
 
   /** How long it took in all, s. */

@@ -9,13 +9,14 @@ import org.pendant.models.time.FrameTime;
 /**
  * Run profile: what the lines of a program took of its last run, as far as it has come.
  *
+ * @param run how many programs the profiler has seen start, this one included; 0 before the first
  * @param name of the program
  * @param firstFrame in which it started
  * @param lines those that the main thread was seen on, from the first
  */
-public record RunProfile(String name, long firstFrame, List<LineStatistics> lines) {
+public record RunProfile(long run, String name, long firstFrame, List<LineStatistics> lines) {
   /** Nothing has run. */
-  public static final RunProfile NONE = new RunProfile("", 0, List.of());
+  public static final RunProfile NONE = new RunProfile(0, "", 0, List.of());
 
   /** Copies the list. */
   public RunProfile {

@@ -7,7 +7,6 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.util.Optional;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Position;
@@ -86,18 +85,16 @@ final class ExecutionBand {
         new Rectangle(x - gap / 2, end.y, metrics.stringWidth(text) + gap, metrics.getHeight());
     boolean failed = execution.state() == Execution.State.FAILED;
     Color color = failed ? Palette.error() : Palette.quiet();
-    Graphics2D pen = (Graphics2D) g.create();
-    Object hints = area.getToolkit().getDesktopProperty("awt.font.desktophints");
-    if (hints instanceof java.util.Map<?, ?> map) {
-      pen.addRenderingHints(map);
-    } else {
-      pen.setRenderingHint(
-          RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-    }
+    Graphics2D pen = area.pen(g);
     pen.setFont(area.getFont());
     pen.setColor(color);
     pen.drawString(text, x, end.y + metrics.getAscent());
     pen.dispose();
+  }
+
+  /** The line that its note stands behind; 0 for none. */
+  int noted() {
+    return execution.note().isEmpty() || at.isEmpty() ? 0 : area.lineAt(at.get().getOffset());
   }
 
   private Rectangle noteLine() {

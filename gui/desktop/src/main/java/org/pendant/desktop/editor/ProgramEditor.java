@@ -41,6 +41,7 @@ final class ProgramEditor extends JPanel {
   private final AnalysisSchedule schedule;
   private final ScriptArea area;
   private final RTextScrollPane scroll;
+  private final HeatBar heat;
   private final ProblemNotices notices = new ProblemNotices();
   private final NoticeBar notice = new NoticeBar();
   private final GutterMarks marks;
@@ -79,6 +80,7 @@ final class ProgramEditor extends JPanel {
             System::nanoTime);
     area = new ScriptArea(colours, schedule::current, takenKeys);
     scroll = new RTextScrollPane(area, true);
+    heat = new HeatBar(area, area.notes());
     scroll.setFoldIndicatorEnabled(true);
     scroll.setBorder(null);
     area.addParser(notices);
@@ -118,6 +120,7 @@ final class ProgramEditor extends JPanel {
     follower = new LineFollower(area, scroll, following);
     area.addHierarchyListener(this::shown);
     add(head(), BorderLayout.NORTH);
+    scroll.setRowHeaderView(header());
     add(scroll);
     add(stripe(), BorderLayout.LINE_END);
     applyTheme();
@@ -191,6 +194,20 @@ final class ProgramEditor extends JPanel {
     if (coming.setBreakpoints() || gone) {
       editorHost.breakpointsChanged(this);
     }
+  }
+
+  /** The gutter, and how warm its lines are. */
+  private JPanel header() {
+    JPanel header = new JPanel(new BorderLayout());
+    header.add(scroll.getGutter());
+    header.add(heat, BorderLayout.LINE_END);
+    return header;
+  }
+
+  /** Shows what stands behind lines. */
+  void showNotes(Map<Integer, LineNote> notes) {
+    area.notes().set(notes);
+    heat.refresh();
   }
 
   private ErrorStrip stripe() {

@@ -1,13 +1,16 @@
 package org.pendant.desktop.editor;
 
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.RenderingHints;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -46,6 +49,7 @@ final class ScriptArea extends RSyntaxTextArea {
   private Function<Integer, Optional<String>> tips = offset -> Optional.empty();
   private IntConsumer typed = c -> {};
   private ExecutionBand band;
+  private final LineNotes notes = new LineNotes(this);
   private ScriptTyping typing;
   private final TabStops tabStops;
   private int zoom;
@@ -115,6 +119,27 @@ final class ScriptArea extends RSyntaxTextArea {
   protected void paintComponent(Graphics g) {
     super.paintComponent(g);
     band.paintNote(g);
+    Graphics2D pen = pen(g);
+    notes.paint(pen, band.noted());
+    pen.dispose();
+  }
+
+  /** A pen that writes as the screen does, for the caller to dispose. */
+  Graphics2D pen(Graphics g) {
+    Graphics2D pen = (Graphics2D) g.create();
+    Object hints = getToolkit().getDesktopProperty("awt.font.desktophints");
+    if (hints instanceof Map<?, ?> map) {
+      pen.addRenderingHints(map);
+    } else {
+      pen.setRenderingHint(
+          RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    }
+    return pen;
+  }
+
+  /** What stands behind lines. */
+  LineNotes notes() {
+    return notes;
   }
 
   /** What is known about the text as it is. */
@@ -213,7 +238,7 @@ final class ScriptArea extends RSyntaxTextArea {
 
   @Override
   public String getToolTipText(MouseEvent event) {
-    Optional<String> note = band.tip(event.getPoint());
+    Optional<String> note = band.tip(event.getPoint()).or(() -> notes.tip(event.getPoint()));
     if (note.isPresent()) {
       return note.get();
     }

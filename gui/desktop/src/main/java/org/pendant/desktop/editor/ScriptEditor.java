@@ -213,6 +213,11 @@ public final class ScriptEditor implements View {
     editor(program).ifPresent(editor -> editor.showBreakpoints(looks));
   }
 
+  /** Shows what stands behind the lines of a program, by their numbers. */
+  public void showNotes(ProgramDocument program, Map<Integer, LineNote> notes) {
+    editor(program).ifPresent(editor -> editor.showNotes(notes));
+  }
+
   /** Asks {@code known} for the breakpoints of programs that are open, or opened again. */
   public void setBreakpointMemory(Function<ProgramDocument, SortedSet<Integer>> known) {
     breakpointMemory = known;

@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.SortedSet;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.regex.Matcher;
@@ -18,6 +19,7 @@ import org.pendant.desktop.debug.DebugPresenter;
 import org.pendant.desktop.debug.EditorLink;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
+import org.pendant.desktop.editor.LineNote;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.project.program.ProgramNode;
@@ -40,6 +42,8 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
   private final NodeWarnings warnings;
   private int seenCaret;
   private Optional<ProgramDocument> seenIn = Optional.empty();
+  private BiFunction<ProgramDocument, GeneratedScript, Map<Long, LineNote>> notes =
+      (document, script) -> Map.of();
   private Function<ProgramDocument, OptionalInt> past = document -> OptionalInt.empty();
 
   /** Links trees with {@code editor}, which shows their scripts. */
@@ -75,6 +79,11 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
    */
   public void setPast(Function<ProgramDocument, OptionalInt> line) {
     past = line;
+  }
+
+  /** Asks {@code known} what the nodes of a program took of the last run. */
+  public void setNotes(BiFunction<ProgramDocument, GeneratedScript, Map<Long, LineNote>> known) {
+    notes = known;
   }
 
   // --- breakpoints
@@ -115,18 +124,19 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
           new LineIcon.Dot(each.enabled(), EditorLink.kind(each), LineIcon.Reach.HERE);
       program.breakpoints().nodes(script, each.line()).forEach(key -> dots.put(key, dot));
     }
+    Map<Long, LineNote> took = notes.apply(program.document(), script);
     OptionalInt then = past.apply(program.document());
     if (then.isPresent()) {
       long key = key(script, then.getAsInt());
-      return new TreeMarks(dots, key, Execution.State.RUNNING, "", Set.of());
+      return new TreeMarks(dots, key, Execution.State.RUNNING, "", Set.of(), took);
     }
     boolean started = debug.breakpoints().started().filter(program.document()::equals).isPresent();
     if (!started) {
-      return new TreeMarks(dots, 0, Execution.State.RUNNING, "", Set.of());
+      return new TreeMarks(dots, 0, Execution.State.RUNNING, "", Set.of(), took);
     }
     Execution execution = debug.execution(state);
     long at = key(script, execution.line());
-    return new TreeMarks(dots, at, execution.state(), execution.note(), threads(script, at));
+    return new TreeMarks(dots, at, execution.state(), execution.note(), threads(script, at), took);
   }
 
   /** Where a program is in its script, now or at the moment that people look at. */

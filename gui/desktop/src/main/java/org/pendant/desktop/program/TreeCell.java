@@ -17,6 +17,8 @@ import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
+import org.pendant.desktop.editor.LineNote;
+import org.pendant.desktop.editor.text.RichText;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.check.NodeProblem;
@@ -28,6 +30,8 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
   private static final int INDENT = 16;
   private static final int TWISTY = 14;
   private static final int GAP = 5;
+  private static final int HEAT = 3;
+  private static final int NOTE_GAP = 16;
   private static final SvgIcon INCOMPLETE = SvgIcon.of("mark/incomplete", 14);
 
   private final transient TreeLooks looks;
@@ -35,6 +39,7 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
   private boolean selected;
   private boolean focused;
   private boolean active;
+  private int problemWidth;
 
   /** What the rows look like besides their nodes. */
   interface TreeLooks {
@@ -117,6 +122,8 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     if (looks.marks().execution() == shown.key()) {
       text.append(looks.marks().state() == Execution.State.RUNNING ? ", runs" : ", paused");
     }
+    Optional.ofNullable(looks.marks().notes().get(shown.key()))
+        .ifPresent(note -> text.append(", ").append(note.heat()));
     looks.problems(shown.key()).stream()
         .findFirst()
         .ifPresent(
@@ -164,6 +171,8 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     paintMargin(pen, shown, marks);
     Color quiet = selected ? text : Palette.quiet();
     paintNumber(pen, shown, quiet);
+    Optional<LineNote> note = Optional.ofNullable(marks.notes().get(shown.key()));
+    note.ifPresent(took -> paintHeat(pen, took));
     if (shown.hasChildren()) {
       paintTwisty(pen, twistyX(shown.depth()), shown.folded(), quiet);
     }
@@ -172,7 +181,8 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     SvgIcon icon = StepIcon.of(shown.node().step());
     SvgIcon look = shown.off() ? icon.in(quiet) : selected ? icon.in(text) : icon;
     look.paintIcon(this, pen, iconX, middle(icon.getIconHeight()));
-    paintLabel(pen, shown, own);
+    int end = paintLabel(pen, shown, own);
+    note.ifPresent(took -> paintNote(pen, took, end, quiet));
     if (focused) {
       pen.setColor(Palette.accent());
       pen.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
@@ -228,14 +238,32 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     own.dispose();
   }
 
-  private void paintLabel(Graphics2D pen, TreeRow shown, Color color) {
+  /** How warm the node is, behind its number. */
+  private void paintHeat(Graphics2D pen, LineNote note) {
+    pen.setColor(note.heatColour());
+    pen.fillRect(margin() + numberWidth() + UIScale.scale(2), 0, UIScale.scale(HEAT), getHeight());
+  }
+
+  /** What the node took, at the right edge where there is room. */
+  private void paintNote(Graphics2D pen, LineNote note, int from, Color color) {
+    FontMetrics metrics = getFontMetrics(getFont());
+    int right = getWidth() - UIScale.scale(GAP) - problemWidth;
+    String text = note.fitting(metrics, right - from - UIScale.scale(NOTE_GAP));
+    pen.setColor(color);
+    pen.drawString(text, right - metrics.stringWidth(text), baseline(metrics));
+  }
+
+  /** Answers where the label ends. */
+  private int paintLabel(Graphics2D pen, TreeRow shown, Color color) {
     FontMetrics metrics = getFontMetrics(getFont());
     int x = textX(shown.depth());
     int right = getWidth() - UIScale.scale(GAP);
+    problemWidth = 0;
     boolean incomplete = !shown.off() && !looks.problems(shown.key()).isEmpty();
     if (incomplete) {
       SvgIcon icon = selected ? INCOMPLETE.in(color) : INCOMPLETE;
-      right -= icon.getIconWidth() + UIScale.scale(GAP);
+      problemWidth = icon.getIconWidth() + UIScale.scale(GAP);
+      right -= problemWidth;
       icon.paintIcon(this, pen, right + UIScale.scale(GAP), middle(icon.getIconHeight()));
     }
     String label = clipped(looks.label(shown), metrics, right - x);
@@ -246,6 +274,13 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
       int y = baseline(metrics) - metrics.getAscent() / 3;
       pen.drawLine(x, y, x + metrics.stringWidth(label), y);
     }
+    return x + metrics.stringWidth(label);
+  }
+
+  /** What a row says where the pointer rests on it. */
+  static String tip(String label, List<NodeProblem> problems, Optional<LineNote> note) {
+    String text = problems.isEmpty() ? label : label + " \u2013 " + problems.getFirst().message();
+    return note.map(took -> RichText.lines(text + "\n" + took.whole())).orElse(text);
   }
 
   private static String clipped(String label, FontMetrics metrics, int room) {

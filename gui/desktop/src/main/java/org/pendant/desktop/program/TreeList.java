@@ -409,7 +409,7 @@ final class TreeList extends JList<TreeRow> {
     }
     List<NodeProblem> wrong = problems.getOrDefault(row.get().key(), List.of());
     String label = row.get().label(labels);
-    return wrong.isEmpty() ? label : label + " \u2013 " + wrong.getFirst().message();
+    return TreeCell.tip(label, wrong, Optional.ofNullable(shownMarks.notes().get(row.get().key())));
   }
 
   // --- drops

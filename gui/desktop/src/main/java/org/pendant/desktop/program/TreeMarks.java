@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.ToLongFunction;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
+import org.pendant.desktop.editor.LineNote;
 
 /**
  * Tree marks: breakpoints, the execution point and other threads beside the nodes of a tree, by the
@@ -18,18 +19,22 @@ import org.pendant.desktop.editor.LineIcon;
  * @param state what the program does there
  * @param note why it is paused or has failed; empty without a reason
  * @param threads nodes where other threads of the program are
+ * @param notes what nodes took of the last run
  */
 record TreeMarks(
     Map<Long, LineIcon.Dot> breakpoints,
     long execution,
     Execution.State state,
     String note,
-    Set<Long> threads) {
-  static final TreeMarks NONE = new TreeMarks(Map.of(), 0, Execution.State.RUNNING, "", Set.of());
+    Set<Long> threads,
+    Map<Long, LineNote> notes) {
+  static final TreeMarks NONE =
+      new TreeMarks(Map.of(), 0, Execution.State.RUNNING, "", Set.of(), Map.of());
 
   TreeMarks {
     breakpoints = Map.copyOf(breakpoints);
     threads = Set.copyOf(threads);
+    notes = Map.copyOf(notes);
   }
 
   /** The same marks moved to other nodes, such as visible ones instead of those in folded ones. */
@@ -39,7 +44,7 @@ record TreeMarks(
     Set<Long> others = new HashSet<>();
     threads.forEach(key -> others.add(place.applyAsLong(key)));
     return new TreeMarks(
-        dots, execution == 0 ? 0 : place.applyAsLong(execution), state, note, others);
+        dots, execution == 0 ? 0 : place.applyAsLong(execution), state, note, others, notes);
   }
 
   /** What is drawn beside a node; empty for nothing. */

@@ -15,11 +15,16 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.safety.FittedSafety;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
 import org.pendant.language.source.Source;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.Recording;
+import org.pendant.recording.lines.LineProfiler;
+import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.vm.LoadResult;
@@ -39,6 +44,7 @@ public final class RobotSession implements AutoCloseable {
   private final List<SwitchListener> switchListeners = new CopyOnWriteArrayList<>();
   private final ProgramOrigin origin = new ProgramOrigin();
   private final RunClock runClock = new RunClock();
+  private final LineProfiler profiler = new LineProfiler(this::startedSource, this::safety);
   private final ReentrantLock switching = new ReentrantLock();
   private volatile DrivenController driven;
   private volatile Optional<Branching> branching = Optional.empty();
@@ -47,6 +53,7 @@ public final class RobotSession implements AutoCloseable {
   private RobotSession(ControllerOptions options) {
     listeners.add(origin);
     listeners.add(runClock);
+    listeners.add(profiler::see);
     driven = new DrivenController(SwitchedOn.with(options), Pace.REAL_TIME, listeners);
   }
 
@@ -123,6 +130,21 @@ public final class RobotSession implements AutoCloseable {
   /** How long the program that was started last has run. */
   public RunTime runTime() {
     return runClock.time();
+  }
+
+  /** What the lines of the program that was started last have taken so far. */
+  public RunProfile profile() {
+    return profiler.profile();
+  }
+
+  /** The safety limits and planes that hold. */
+  public SafetyConfiguration safety() {
+    ArmDescription arm = options().arm();
+    return robot()
+        .installation()
+        .safety()
+        .map(wanted -> FittedSafety.of(wanted, arm).configuration())
+        .orElseGet(() -> SafetyConfiguration.standard(arm));
   }
 
   /** Pauses the program. */
@@ -210,6 +232,7 @@ public final class RobotSession implements AutoCloseable {
     driven.close();
     origin.goBack(next.controller().state().frame());
     runClock.goBack(next.controller().state());
+    profiler.clear();
     driven = new DrivenController(next, pace, listeners);
     // clients that had taken signals are gone with the ports; a new controller knows of none
     for (String owner : next.journal().owners()) {

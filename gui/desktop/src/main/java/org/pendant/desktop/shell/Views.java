@@ -30,6 +30,7 @@ import org.pendant.desktop.installation.InstallationView;
 import org.pendant.desktop.installation.SignalNames;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
+import org.pendant.desktop.lines.PathStrip;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.move.MoveView;
 import org.pendant.desktop.plot.PlotView;
@@ -67,6 +68,7 @@ final class Views {
   private final LogView log;
   private final DebugPresenter debug;
   private final EditorLink link;
+  private final PathStrip strip;
   private final FileKeeper keeper;
   private final List<DebugBar> debugBars;
   private final BusyNotice busy;
@@ -101,6 +103,10 @@ final class Views {
     debug = new DebugPresenter(workbench, programs);
     keeper = new FileKeeper(workbench.settings(), programs, editor, debug.breakpoints());
     link = new EditorLink(editor, debug, programs);
+    strip =
+        new PathStrip(workbench.settings(), session::profile, () -> System.nanoTime() / 1_000_000);
+    strip.showIn(editor::showNotes);
+    strip.addTo(workbench.actions());
     runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     editor.setMarginMenu(breakpoints.marginMenu());
@@ -118,6 +124,7 @@ final class Views {
         (document, script) -> {
           move.discardGoal();
           link.beforeRun(document, script);
+          strip.beforeRun(document, script);
         });
     program = programScreen(workbench, programs, move, scene);
     scene.onNode(program::choose);
@@ -227,6 +234,7 @@ final class Views {
             programs, installation, work -> worker.run(0, work), EventQueue::invokeLater);
     ScriptLink scripts = new ScriptLink(editor, debug, workbench::notify);
     scripts.setPast(past::line);
+    scripts.setNotes(strip::nodes);
     trees.setSink(scripts);
     runs = new TreeRuns(trees, scripts);
     return new ProgramView(workbench, programs, trees, scripts, move::teach, scene::show);
@@ -266,6 +274,7 @@ final class Views {
   private void forgetRun() {
     runner.forget();
     link.strangerStarted(Optional.empty());
+    strip.strangerStarted(Optional.empty());
   }
 
   /** What is asked before a program starts. */
@@ -366,7 +375,9 @@ final class Views {
     if (session.strangersStarted() != strangers) {
       strangers = session.strangersStarted();
       runner.forget();
-      link.strangerStarted(received.show(session.startedSource()));
+      Optional<ProgramDocument> shown = received.show(session.startedSource());
+      link.strangerStarted(shown);
+      strip.strangerStarted(shown);
     }
     Faults.guard(() -> debug.refresh(state));
     debugBars.forEach(each -> Faults.guard(each::refresh));
@@ -378,6 +389,7 @@ final class Views {
           }
         });
     Faults.guard(() -> startMove.refresh(state));
+    Faults.guard(strip::refresh);
   }
 
   /** Has what people see of each file last until they open it again. */

@@ -41,6 +41,11 @@ public final class RichText {
     return page(escaped(text));
   }
 
+  /** Plain text, as it is broken into lines. */
+  public static String lines(String text) {
+    return "<html><body>" + Markup.escaped(text).replace("\n", "<br>") + "</body></html>";
+  }
+
   /** A number, in the units that people think in as well. */
   public static String of(Quantity quantity) {
     return page(CODE + escaped(QuantityText.of(quantity)) + "</span>");

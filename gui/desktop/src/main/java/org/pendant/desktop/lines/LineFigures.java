@@ -1,0 +1,120 @@
+package org.pendant.desktop.lines;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.desktop.editor.LineNote;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.recording.lines.LineStatistics;
+import org.pendant.recording.lines.Margin;
+import org.pendant.recording.lines.Worst;
+
+/** Line figures: what a line took of a run, as people read it. */
+final class LineFigures {
+  private final PoseForm units;
+
+  LineFigures(PoseForm units) {
+    this.units = units;
+  }
+
+  /**
+   * What stands beside a line.
+   *
+   * @param share of the time of the run
+   */
+  LineNote note(LineStatistics line, double share) {
+    return new LineNote(parts(line), share, heat(line, share), whole(line, share));
+  }
+
+  private List<String> parts(LineStatistics line) {
+    List<String> parts = new ArrayList<>();
+    boolean often = line.executions() > 1;
+    parts.add(timeText(line.timeS()) + (often ? " in " + line.executions() + "\u00d7" : ""));
+    if (line.moved()) {
+      parts.add(way(line.pathM()));
+      line.worst(Margin.JOINT_SPEED).ifPresent(each -> parts.add("speed " + share(each)));
+      line.worst(Margin.TORQUE).ifPresent(each -> parts.add("torque " + share(each)));
+      line.worst(Margin.PLANE).ifPresent(each -> parts.add(plane(each)));
+      line.worst(Margin.JOINT_LIMIT).ifPresent(each -> parts.add(limit(each)));
+    }
+    if (often) {
+      parts.add("longest " + timeText(line.longestS()));
+    }
+    return parts;
+  }
+
+  private static String heat(LineStatistics line, double share) {
+    return String.format(Locale.ROOT, "%.0f %% of the cycle: ", 100 * share)
+        + timeText(line.timeS())
+        + (line.executions() == 1 ? "" : " in " + line.executions() + " executions");
+  }
+
+  private String whole(LineStatistics line, double share) {
+    List<String> rows = new ArrayList<>();
+    rows.add(heat(line, share));
+    if (line.executions() > 1) {
+      rows.add("Longest execution: " + timeText(line.longestS()));
+    }
+    if (line.moved()) {
+      rows.add("Way of the tool: " + way(line.pathM()));
+      rows.add("Highest speed of the tool: " + way(line.toolSpeedMPerS()) + "/s");
+    }
+    line.worst(Margin.JOINT_SPEED)
+        .ifPresent(each -> rows.add("Highest joint speed: " + share(each) + ", of what it can"));
+    line.worst(Margin.TORQUE)
+        .ifPresent(each -> rows.add("Highest torque: " + share(each) + ", of what it can"));
+    line.worst(Margin.JOINT_LIMIT)
+        .ifPresent(
+            each -> rows.add("Nearest joint limit: " + each.part() + ", " + angle(each.value())));
+    line.worst(Margin.PLANE)
+        .ifPresent(
+            each -> rows.add("Nearest safety plane: " + each.part() + ", " + way(each.value())));
+    return String.join("\n", rows);
+  }
+
+  private static String share(Worst each) {
+    return String.format(Locale.ROOT, "%.0f %% ", 100 * each.value()) + each.part();
+  }
+
+  private String plane(Worst each) {
+    return each.value() < 0
+        ? way(-each.value()) + " beyond " + each.part()
+        : way(each.value()) + " to " + each.part();
+  }
+
+  private String limit(Worst each) {
+    return angle(each.value()) + " to the limit of " + each.part();
+  }
+
+  /** A time as it is read with ease: three digits or four. */
+  static String timeText(double timeS) {
+    String form = timeS < 1 ? "%.3f s" : timeS < 100 ? "%.2f s" : "%.1f s";
+    return String.format(Locale.ROOT, form, timeS);
+  }
+
+  /** A length in the unit of the window. */
+  String way(double lengthM) {
+    DisplayUnit unit = units.length();
+    boolean small = unit == DisplayUnit.MILLIMETRE && Math.abs(lengthM) < 0.01;
+    int decimals =
+        switch (unit) {
+          case METRE -> 4;
+          case INCH -> 2;
+          default -> small ? 1 : 0;
+        };
+    return Optional.of(unit.text(lengthM))
+        .map(Double::parseDouble)
+        .map(value -> String.format(Locale.ROOT, "%." + decimals + "f ", value))
+        .map(text -> text + unit.symbol())
+        .get();
+  }
+
+  /** An angle in the unit of the window. */
+  String angle(double angleRad) {
+    return units.angle() == DisplayUnit.RADIAN
+        ? String.format(Locale.ROOT, "%.2f rad", angleRad)
+        : String.format(Locale.ROOT, "%.0f\u00b0", Math.toDegrees(angleRad));
+  }
+}

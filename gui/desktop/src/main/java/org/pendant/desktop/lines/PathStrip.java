@@ -1,0 +1,182 @@
+package org.pendant.desktop.lines;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.pendant.desktop.debug.RunLines;
+import org.pendant.desktop.debug.RunScript;
+import org.pendant.desktop.editor.LineNote;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.settings.Settings;
+import org.pendant.project.program.script.GeneratedScript;
+import org.pendant.project.program.script.GeneratedScript.NodeLines;
+import org.pendant.recording.lines.LineStatistics;
+import org.pendant.recording.lines.RunProfile;
+
+/**
+ * Path strip: what stands beside the lines and nodes of the program that ran last: what each of
+ * them took. It stays until the text of the line changes or the next run has taken its place. It
+ * has no Swing; one thread uses it, the dispatch thread.
+ */
+public final class PathStrip {
+  private static final String SETTING = "view.path-strip";
+
+  /** A line that took less and did not move the arm is not worth a note, s. */
+  private static final double MIN_S = 0.01;
+
+  private static final long PERIOD_MS = 250;
+
+  private final Settings settings;
+  private final Supplier<RunProfile> source;
+  private final Supplier<Long> clockMs;
+  private Notes sink = (program, notes) -> {};
+  private Optional<Ran> next = Optional.empty();
+  private boolean starting;
+  private Optional<Ran> ran = Optional.empty();
+  private RunProfile profile = RunProfile.NONE;
+  private PoseForm units = PoseForm.STANDARD;
+  private long askedMs = Long.MIN_VALUE / 2;
+  private String textNow = "";
+  private KeptLines kept = KeptLines.between("", "");
+  private boolean on;
+  private Map<Integer, LineStatistics> lines = Map.of();
+  private GeneratedScript nodesOf = GeneratedScript.EMPTY;
+  private Map<Long, LineNote> nodes = Map.of();
+
+  /** A program that was started, and its text then. */
+  private record Ran(ProgramDocument document, String text, RunLines lines) {}
+
+  /** Shows notes beside the lines of a program. */
+  @FunctionalInterface
+  public interface Notes {
+    /** Shows these, by line from 1. */
+    void show(ProgramDocument program, Map<Integer, LineNote> notes);
+  }
+
+  /** Takes the profile from {@code source}, a few times a second. */
+  public PathStrip(Settings settings, Supplier<RunProfile> source, Supplier<Long> clockMs) {
+    this.settings = settings;
+    this.source = source;
+    this.clockMs = clockMs;
+    on = settings.get(SETTING).map(Boolean::parseBoolean).orElse(true);
+  }
+
+  /** Shows what stands beside lines in {@code editor}. */
+  public void showIn(Notes editor) {
+    sink = editor;
+  }
+
+  /** Adds what turns it on and off. */
+  public void addTo(ActionTable actions) {
+    actions.add(
+        Action.of("view.path-strip", "Path strip beside lines and nodes", "", this::toggle)
+            .checked(() -> on));
+  }
+
+  private void toggle() {
+    on = !on;
+    settings.put(SETTING, String.valueOf(on));
+    askedMs = Long.MIN_VALUE / 2;
+    refresh();
+  }
+
+  /** A program is about to start. */
+  public void beforeRun(ProgramDocument program, RunScript script) {
+    next = Optional.of(new Ran(program, program.script().text(), script.lines()));
+    starting = true;
+  }
+
+  /** A program that is none of the user's has started; its text is shown, or not. */
+  public void strangerStarted(Optional<ProgramDocument> received) {
+    next = received.map(program -> new Ran(program, program.script().text(), RunLines.SAME));
+    starting = true;
+  }
+
+  /** Looks for what has changed. */
+  public void refresh() {
+    long now = clockMs.get();
+    if (now - askedMs < PERIOD_MS) {
+      return;
+    }
+    askedMs = now;
+    RunProfile fresh = on ? source.get() : RunProfile.NONE;
+    PoseForm form = FormMemory.read(settings);
+    String text = ran.map(each -> each.document().script().text()).orElse("");
+    boolean same = fresh.equals(profile) && form.equals(units) && text.equals(textNow);
+    if (same) {
+      return;
+    }
+    if (on && fresh.run() != profile.run() && fresh.run() != 0) {
+      begin();
+    }
+    profile = fresh;
+    units = form;
+    show();
+  }
+
+  private void begin() {
+    if (starting) {
+      starting = false;
+      ran.ifPresent(before -> sink.show(before.document(), Map.of()));
+      ran = next;
+      textNow = "";
+      kept = KeptLines.between("", "");
+    }
+  }
+
+  private void show() {
+    nodesOf = GeneratedScript.EMPTY;
+    if (ran.isEmpty()) {
+      return;
+    }
+    Ran shown = ran.get();
+    String text = shown.document().script().text();
+    if (!text.equals(textNow)) {
+      textNow = text;
+      kept = KeptLines.between(shown.text(), text);
+    }
+    Map<Integer, LineStatistics> now = new HashMap<>();
+    for (LineStatistics each : profile.lines()) {
+      int line = kept.now(shown.lines().toShown(each.line()));
+      if (line > 0 && (each.moved() || each.timeS() >= MIN_S)) {
+        now.merge(line, each, LineStatistics::and);
+      }
+    }
+    lines = now;
+    Map<Integer, LineNote> notes = new HashMap<>();
+    now.forEach((line, statistics) -> notes.put(line, note(statistics)));
+    sink.show(shown.document(), notes);
+  }
+
+  private LineNote note(LineStatistics statistics) {
+    return new LineFigures(units).note(statistics, profile.share(statistics));
+  }
+
+  /** What stands beside the nodes of a program, by their keys. */
+  public Map<Long, LineNote> nodes(ProgramDocument program, GeneratedScript script) {
+    if (ran.filter(each -> each.document() == program).isEmpty()
+        || !script.text().equals(textNow)) {
+      return Map.of();
+    }
+    if (script.equals(nodesOf)) {
+      return nodes;
+    }
+    Map<Long, LineStatistics> sums = new HashMap<>();
+    lines.forEach(
+        (line, statistics) ->
+            script
+                .at(line)
+                .map(NodeLines::key)
+                .ifPresent(key -> sums.merge(key, statistics, LineStatistics::and)));
+    Map<Long, LineNote> notes = new HashMap<>();
+    sums.forEach((key, statistics) -> notes.put(key, note(statistics)));
+    nodesOf = script;
+    nodes = notes;
+    return nodes;
+  }
+}

@@ -1,0 +1,119 @@
+package org.pendant.desktop.lines;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.pendant.desktop.debug.RunScript;
+import org.pendant.desktop.editor.LineNote;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.settings.Settings;
+import org.pendant.recording.lines.LineStatistics;
+import org.pendant.recording.lines.RunProfile;
+
+/** What stands beside the lines of programs that are run and edited. */
+final class PathStripTest {
+  private static final String TEXT = "sleep(1)\nsleep(2)\nsleep(3)\n";
+
+  private final Map<String, String> kept = new TreeMap<>();
+  private final Settings settings =
+      new Settings() {
+        @Override
+        public Optional<String> get(String name) {
+          return Optional.ofNullable(kept.get(name));
+        }
+
+        @Override
+        public void put(String name, String text) {
+          kept.put(name, text);
+        }
+      };
+  private final ProgramDocument program = ProgramDocument.untitled("a.script", TEXT);
+  private final Map<Integer, LineNote> shown = new TreeMap<>();
+  private RunProfile profile = RunProfile.NONE;
+  private long nowMs;
+  private PathStrip strip;
+
+  @BeforeEach
+  void open() {
+    strip = new PathStrip(settings, () -> profile, () -> nowMs);
+    strip.showIn(
+        (document, notes) -> {
+          shown.clear();
+          shown.putAll(notes);
+        });
+  }
+
+  private static LineStatistics line(int line, long frames) {
+    return new LineStatistics(line, 1, frames, frames, 0, 0, List.of());
+  }
+
+  private void run(LineStatistics... lines) {
+    strip.beforeRun(program, RunScript.whole(program.source()));
+    profile = new RunProfile(profile.run() + 1, "a", 0, List.of(lines));
+    look();
+  }
+
+  private void look() {
+    nowMs += 1000;
+    strip.refresh();
+  }
+
+  @Test
+  void linesHaveWhatTheyTookOfTheRun() {
+    run(line(1, 500), line(2, 1000));
+    assertEquals(List.of(1, 2), List.copyOf(shown.keySet()));
+    assertEquals("67 % of the cycle: 2.00 s", shown.get(2).heat());
+  }
+
+  @Test
+  void aLineThatIsEditedLosesItsNoteAndTheOthersMove() {
+    run(line(1, 500), line(2, 1000), line(3, 1500));
+    program.setText("sleep(1)\n\nsleep(9)\nsleep(3)\n");
+    look();
+    assertEquals(List.of(1, 4), List.copyOf(shown.keySet()));
+    assertEquals("50 % of the cycle: 3.00 s", shown.get(4).heat());
+  }
+
+  @Test
+  void theNextRunReplacesThem() {
+    run(line(1, 500));
+    run(line(3, 500));
+    assertEquals(List.of(3), List.copyOf(shown.keySet()));
+  }
+
+  @Test
+  void theyStayUntilTheNextRunHasBegun() {
+    run(line(1, 500));
+    strip.beforeRun(program, RunScript.whole(program.source()));
+    look();
+    assertEquals(List.of(1), List.copyOf(shown.keySet()));
+  }
+
+  @Test
+  void aProgramOfOthersWhoseTextIsNotShownTakesThemAway() {
+    run(line(1, 500));
+    strip.strangerStarted(Optional.empty());
+    profile = new RunProfile(profile.run() + 1, "b", 0, List.of(line(2, 100)));
+    look();
+    assertTrue(shown.isEmpty(), shown.toString());
+  }
+
+  @Test
+  void whoTurnsItOffSeesNothingAndOnAgainTheSame() {
+    ActionTable actions = new ActionTable(settings);
+    strip.addTo(actions);
+    run(line(1, 500));
+    actions.run("view.path-strip");
+    assertTrue(shown.isEmpty(), shown.toString());
+    assertEquals("false", kept.get("view.path-strip"));
+    actions.run("view.path-strip");
+    assertEquals(List.of(1), List.copyOf(shown.keySet()));
+  }
+}
