@@ -270,6 +270,22 @@ public final class Recording {
     }
   }
 
+  /**
+   * Shows what the controller published in the frames from {@code from} to {@code to}, without
+   * those in which nothing changed. Goes through all of them, so it is not for the dispatch thread.
+   */
+  public void frames(long from, long to, Consumer<ControllerState> reader) {
+    long first = inside(from);
+    look(
+        first,
+        to,
+        entry -> {
+          if (entry.frame() >= first) {
+            reader.accept(snapshots.of(entry, entry.frame()));
+          }
+        });
+  }
+
   Snapshots snapshots() {
     return snapshots;
   }

@@ -28,14 +28,15 @@ public final class FrameMargins {
   private final ForwardKinematics kinematics;
   private final SafetyConfiguration safety;
   private final double[] q = new double[Joints.COUNT];
-  private final double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
+  private final double[][] links = new double[Joints.COUNT][Transforms.SIZE];
   private final double[] tool = new double[3];
   private final double[] lastTool = new double[3];
   private final double[] values = new double[MARGINS];
   private final int[] parts = new int[MARGINS];
   private Pose tcpInFlange = Pose.ZERO;
-  private long frame = Long.MIN_VALUE;
-  private boolean follows;
+  private long frame;
+  private long frames = 1;
+  private boolean seen;
   private double stepM;
 
   /** The margins of an arm to what it can do and to {@code safety}. */
@@ -50,12 +51,14 @@ public final class FrameMargins {
     ArmState now = state.arm();
     System.arraycopy(tool, 0, lastTool, 0, tool.length);
     // another tool is elsewhere without having moved there
-    follows = state.frame() == frame + 1 && now.tool().inFlange().equals(tcpInFlange);
+    boolean follows = seen && now.tool().inFlange().equals(tcpInFlange);
+    frames = state.frame() - frame;
+    seen = true;
     frame = state.frame();
     tcpInFlange = now.tool().inFlange();
     now.targetPositionRad().copyTo(q);
-    kinematics.frames(q, frames);
-    double[] flange = frames[FLANGE];
+    kinematics.frames(q, links);
+    double[] flange = links[FLANGE];
     for (int row = 0; row < tool.length; row++) {
       tool[row] =
           flange[9 + row]
@@ -105,7 +108,7 @@ public final class FrameMargins {
       if (restricts) {
         note(Margin.PLANE, plane.insideM(tool[0], tool[1], tool[2]), 2 * i);
         if (plane.elbow()) {
-          double[] elbow = frames[ELBOW];
+          double[] elbow = links[ELBOW];
           note(Margin.PLANE, plane.insideM(elbow[9], elbow[10], elbow[11]), 2 * i + 1);
         }
       }
@@ -140,7 +143,7 @@ public final class FrameMargins {
 
   /** How fast the tool is, m/s: by its way since the frame before. */
   public double toolSpeedMPerS() {
-    return stepM / FrameTime.FRAME_S;
+    return stepM / (Math.max(1, frames) * FrameTime.FRAME_S);
   }
 
   /** What is nearest to a limit, for people. */

@@ -12,6 +12,8 @@ import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.Joints;
+import org.pendant.recording.RecordedProgram;
+import org.pendant.recording.Recording;
 import org.pendant.script.vm.ProgramEvent;
 import org.pendant.script.vm.ProgramState;
 
@@ -32,7 +34,7 @@ public final class LineProfiler {
   private final Supplier<SafetyConfiguration> safety;
   private final ReentrantLock lock = new ReentrantLock();
 
-  private long runs;
+  private long started;
   private String name = "";
   private long firstFrame;
   private Optional<FrameMargins> margins = Optional.empty();
@@ -40,6 +42,9 @@ public final class LineProfiler {
   private LineSums[] sums = new LineSums[0];
   private int line;
   private long frame = Long.MIN_VALUE;
+
+  /** The program ran on {@code line} in the last frame that was seen. */
+  private boolean runs;
 
   /** The arm has moved since the line began, and rests now. */
   private boolean moved;
@@ -67,12 +72,18 @@ public final class LineProfiler {
     }
     lock.lock();
     try {
+      // a recording leaves out frames in which nothing has changed
+      long leftOut = state.frame() - frame - 1;
+      if (runs && leftOut > 0) {
+        sums[line].passed(leftOut);
+      }
       frame = state.frame();
       for (int i = 0; i < state.newProgramEvents().size(); i++) {
         if (state.newProgramEvents().get(i) instanceof ProgramEvent.Started) {
           begin(state);
         }
       }
+      runs = false;
       if (margins.isPresent() && state.program().line() > 0) {
         add(state, margins.get());
       }
@@ -82,7 +93,7 @@ public final class LineProfiler {
   }
 
   private void begin(ControllerState state) {
-    runs++;
+    started++;
     name = state.program().name();
     firstFrame = state.frame();
     margins = Optional.of(new FrameMargins(state.arm(), safety.get()));
@@ -119,8 +130,9 @@ public final class LineProfiler {
       sum.begin();
     }
     if (state.program().state() == ProgramState.RUNNING) {
+      runs = true;
       setOff(state.arm(), at, sum);
-      sum.passed();
+      sum.passed(1);
     }
     sum.add(now, state.frame());
   }
@@ -158,9 +170,23 @@ public final class LineProfiler {
       margins = Optional.empty();
       sums = new LineSums[0];
       frame = Long.MIN_VALUE;
+      runs = false;
     } finally {
       lock.unlock();
     }
+  }
+
+  /**
+   * The profile of the last program that runs in a recording; slow, so not for the dispatch thread.
+   *
+   * @param safety limits and planes to compare with: a recording has none
+   */
+  public static RunProfile of(Recording recording, SafetyConfiguration safety) {
+    Optional<RecordedProgram> last = recording.programs().stream().reduce((first, next) -> next);
+    long from = last.map(RecordedProgram::frame).orElseGet(recording::firstFrame);
+    LineProfiler profiler = new LineProfiler(() -> last.map(RecordedProgram::source), () -> safety);
+    recording.frames(from, recording.lastFrame(), profiler::see);
+    return profiler.profile();
   }
 
   /** What the program that was started last has taken so far. */
@@ -176,7 +202,7 @@ public final class LineProfiler {
           lines.add(sums[i].statistics(i, margins.get()));
         }
       }
-      return new RunProfile(runs, name, firstFrame, lines);
+      return new RunProfile(started, name, firstFrame, lines);
     } finally {
       lock.unlock();
     }

@@ -29,10 +29,10 @@ final class LineSums {
     executionFrames = 0;
   }
 
-  /** A frame goes by. */
-  void passed() {
-    frames++;
-    executionFrames++;
+  /** So many frames go by. */
+  void passed(long count) {
+    frames += count;
+    executionFrames += count;
     longestFrames = Math.max(longestFrames, executionFrames);
   }
 

@@ -15,6 +15,7 @@ import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyPlane;
+import org.pendant.recording.RecordingRing;
 import org.pendant.script.vm.ProgramState;
 
 /** What lines take of a run, by programs of which that is known exactly. */
@@ -197,6 +198,30 @@ final class LineProfilerTest {
 
     assertEquals(
         List.of(1), profiler.profile().lines().stream().map(LineStatistics::line).toList());
+  }
+
+  @Test
+  void aRecordingTellsTheSameAsTheRun() {
+    Controller controller = new Controller(options.withArm(ArmChoice.DYNAMIC));
+    LineProfiler profiler = new LineProfiler(controller::programSource, options::safety);
+    RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
+    var _ =
+        controller.submit(
+            new ProgramCommand.StartProgram(
+                TestController.program(
+                    controller,
+                    """
+                    movej([0.5, -1.5708, -1.5708, -1.5708, 1.5708, 0], t=1)
+                    sleep(2)
+                    movel(pose_add(get_target_tcp_pose(), p[0, 0, 0.1, 0, 0, 0]), v=0.5)
+                    """)));
+    for (int i = 0; i < 3_000; i++) {
+      controller.advance();
+      profiler.see(controller.state());
+      ring.take(controller.state());
+    }
+
+    assertEquals(profiler.profile(), LineProfiler.of(ring.recording(), options.safety()));
   }
 
   @Test

@@ -9,6 +9,7 @@ import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.recording.lines.LineStatistics;
 import org.pendant.recording.lines.Margin;
+import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.lines.Worst;
 
 /** Line figures: what a line took of a run, as people read it. */
@@ -72,6 +73,22 @@ final class LineFigures {
         .ifPresent(
             each -> rows.add("Nearest safety plane: " + each.part() + ", " + way(each.value())));
     return String.join("\n", rows);
+  }
+
+  /** What a worst moment of a run is called. */
+  String moment(RunProfile.Moment moment) {
+    Worst each = moment.worst();
+    String what =
+        switch (each.margin()) {
+          case JOINT_SPEED -> "highest joint speed, " + share(each);
+          case TORQUE -> "highest torque, " + share(each);
+          case JOINT_LIMIT -> "nearest to a joint limit, " + limit(each);
+          case PLANE -> "nearest to a safety plane, " + plane(each);
+          case TOOL_SPEED ->
+              String.format(
+                  Locale.ROOT, "fastest tool, %.0f %% of the safety limit", 100 * each.value());
+        };
+    return what + " (line " + moment.line() + ")";
   }
 
   private static String share(Worst each) {

@@ -1,6 +1,7 @@
 package org.pendant.desktop.lines;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -44,6 +45,7 @@ public final class PathStrip {
   private String textNow = "";
   private KeptLines kept = KeptLines.between("", "");
   private boolean on;
+  private boolean shownOn;
   private Map<Integer, LineStatistics> lines = Map.of();
   private GeneratedScript nodesOf = GeneratedScript.EMPTY;
   private Map<Long, LineNote> nodes = Map.of();
@@ -104,18 +106,20 @@ public final class PathStrip {
       return;
     }
     askedMs = now;
-    RunProfile fresh = on ? source.get() : RunProfile.NONE;
+    RunProfile fresh = source.get();
     PoseForm form = FormMemory.read(settings);
     String text = ran.map(each -> each.document().script().text()).orElse("");
-    boolean same = fresh.equals(profile) && form.equals(units) && text.equals(textNow);
+    boolean same =
+        fresh.equals(profile) && form.equals(units) && text.equals(textNow) && on == shownOn;
     if (same) {
       return;
     }
-    if (on && fresh.run() != profile.run() && fresh.run() != 0) {
+    if (fresh.run() != profile.run() && fresh.run() != 0) {
       begin();
     }
     profile = fresh;
     units = form;
+    shownOn = on;
     show();
   }
 
@@ -141,7 +145,7 @@ public final class PathStrip {
       kept = KeptLines.between(shown.text(), text);
     }
     Map<Integer, LineStatistics> now = new HashMap<>();
-    for (LineStatistics each : profile.lines()) {
+    for (LineStatistics each : on ? profile.lines() : List.<LineStatistics>of()) {
       int line = kept.now(shown.lines().toShown(each.line()));
       if (line > 0 && (each.moved() || each.timeS() >= MIN_S)) {
         now.merge(line, each, LineStatistics::and);
@@ -155,6 +159,16 @@ public final class PathStrip {
 
   private LineNote note(LineStatistics statistics) {
     return new LineFigures(units).note(statistics, profile.share(statistics));
+  }
+
+  /** What the lines of the last run took. */
+  public RunProfile profile() {
+    return profile;
+  }
+
+  /** What a worst moment is called, such as {@code nearest to a safety plane: 4 mm to Table}. */
+  public String words(RunProfile.Moment moment) {
+    return new LineFigures(units).moment(moment);
   }
 
   /** What stands beside the nodes of a program, by their keys. */

@@ -48,12 +48,15 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
+import org.pendant.desktop.timeline.Pin;
 import org.pendant.desktop.waveform.WaveformView;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.dock.Side;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.icon.Glyph;
+import org.pendant.models.time.FrameTime;
+import org.pendant.recording.lines.RunProfile;
 
 /** Views: everything that is in the window: a line for each view. */
 final class Views {
@@ -112,6 +115,7 @@ final class Views {
     editor.setMarginMenu(breakpoints.marginMenu());
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
     past = new PastViews(workbench, programs, editor, debug.breakpoints()::stopping);
+    past.timeline().setPins(strip::profile, this::pins);
     debug.steps().inThePast(past.steps()::back, past.steps()::stepOn);
     DebugBar scriptBar = new DebugBar("debug-bar", workbench, debug, past.steps());
     editor.addToHead(scriptBar);
@@ -224,6 +228,17 @@ final class Views {
                         () -> tell.accept(name + " is the name of another signal too")));
     installation.addListener(labels::changed);
     return labels;
+  }
+
+  private List<Pin> pins(RunProfile profile) {
+    return profile.worst().stream()
+        .map(
+            each ->
+                new Pin(
+                    each.worst().frame() * FrameTime.FRAME_S,
+                    strip.words(each),
+                    each.worst().used()))
+        .toList();
   }
 
   private ProgramView programScreen(

@@ -34,12 +34,14 @@ final class TimelineCanvas extends JComponent {
 
   private final LookBack lookBack;
   private final TimelinePainter painter = new TimelinePainter();
+  private final Pins pins;
   private Tracks tracks = Tracks.NONE;
   private Supplier<List<ClientMark>> clients = List::of;
   private LongConsumer chosen = number -> {};
 
   TimelineCanvas(LookBack lookBack) {
     this.lookBack = lookBack;
+    pins = new Pins(lookBack);
     setName("timeline-canvas");
     setFocusable(true);
     setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
@@ -54,6 +56,8 @@ final class TimelineCanvas extends JComponent {
     key("shift RIGHT", () -> lookBack.step(LONG_STEP));
     key("control LEFT", () -> toMark(false));
     key("control RIGHT", () -> toMark(true));
+    key("W", () -> toPin(true));
+    key("shift W", () -> toPin(false));
     key("HOME", lookBack::first);
     key("END", lookBack::last);
     key("ESCAPE", lookBack::live);
@@ -114,6 +118,17 @@ final class TimelineCanvas extends JComponent {
     lookBack.toMark(tracks.marks(), forward);
   }
 
+  /** The worst moments of the last run. */
+  Pins pins() {
+    return pins;
+  }
+
+  /** To the next of the worst moments after, or the last before, the one that is looked at. */
+  void toPin(boolean forward) {
+    double fromS = lookBack.timeS().orElse(lookBack.recording().lastS());
+    pins.next(fromS, forward).ifPresent(pin -> lookBack.jump(pin.timeS()));
+  }
+
   private void zoom(double factor) {
     TimeRange range = lookBack.range();
     lookBack.zoom(factor, lookBack.timeS().orElse(range.toS()));
@@ -146,10 +161,18 @@ final class TimelineCanvas extends JComponent {
   @Override
   public String getToolTipText(MouseEvent event) {
     double timeS = timeAt(event.getX());
-    Optional<ClientMark> mark =
-        painter.onMarks(event.getY()) ? clientMark(timeS) : Optional.empty();
-    return mark.map(
-            each -> LookBack.text(each.timeS()) + ": " + each.text() + " (click for the message)")
+    boolean onMarks = painter.onMarks(event.getY());
+    Optional<Pin> pin = onMarks ? pins.at(timeS, near()) : Optional.empty();
+    Optional<ClientMark> mark = onMarks ? clientMark(timeS) : Optional.empty();
+    return pin.map(each -> LookBack.text(each.timeS()) + ": " + each.text())
+        .or(
+            () ->
+                mark.map(
+                    each ->
+                        LookBack.text(each.timeS())
+                            + ": "
+                            + each.text()
+                            + " (click for the message)"))
         .orElseGet(() -> tracks.about(timeS, near()));
   }
 
@@ -163,7 +186,8 @@ final class TimelineCanvas extends JComponent {
     Graphics2D pen = (Graphics2D) graphics.create();
     pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     pen.setFont(getFont());
-    painter.paint(pen, getSize(), tracks, clientMarks(), lookBack, isFocusOwner());
+    painter.paint(
+        pen, getSize(), tracks, clientMarks(), pins.all(), lookBack, isFocusOwner());
     pen.dispose();
   }
 
@@ -196,7 +220,12 @@ final class TimelineCanvas extends JComponent {
       dragX = event.getX();
       panning = !SwingUtilities.isLeftMouseButton(event) || event.isShiftDown();
       if (!panning) {
-        lookBack.scrub(timeAt(event.getX()));
+        double timeS = timeAt(event.getX());
+        lookBack.scrub(
+            pins.at(timeS, near())
+                .filter(pin -> painter.onMarks(event.getY()))
+                .map(Pin::timeS)
+                .orElse(timeS));
       }
     }
 

@@ -7,6 +7,8 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -28,6 +30,9 @@ final class TimelinePainter {
 
   /** At this speed the curve is as high as its row, m/s, unless something was faster. */
   private static final double MIN_TOP_M_PER_S = 0.25;
+
+  /** From this use of a margin on it is told as an error. */
+  private static final double HIGH = 0.8;
 
   private int left = UIScale.scale(84);
   private double marksTop;
@@ -65,6 +70,7 @@ final class TimelinePainter {
       Dimension size,
       Tracks tracks,
       List<ClientMark> clients,
+      List<Pin> pins,
       LookBack at,
       boolean focused) {
     pen.setRenderingHint(
@@ -89,6 +95,7 @@ final class TimelinePainter {
         marksTop = y;
         marksBottom = y + height;
         clients(sheet, clients, y, height);
+          pins.forEach(pin -> pin(sheet, pin, marksTop, marksBottom - marksTop));
       }
       pen.setClip(null);
       y += height + gap();
@@ -279,6 +286,25 @@ final class TimelinePainter {
         sheet.pen.fill(shape);
       }
     }
+  }
+
+  /** A drop upside down, whose point is at the moment; the warmer the nearer it was. */
+  private static void pin(Sheet sheet, Pin pin, double y, double height) {
+    if (!sheet.sees(pin.timeS(), pin.timeS())) {
+      return;
+    }
+    double x = sheet.x(pin.timeS());
+    double r = height * 0.3;
+    double middle = y + r;
+    Path2D shape = new Path2D.Double(new Arc2D.Double(x - r, y, 2 * r, 2 * r, -30, 240, 0));
+    shape.lineTo(x, y + height);
+    shape.closePath();
+    Color color =
+        pin.used() >= HIGH ? Palette.error() : pin.used() > 0 ? Palette.warning() : Palette.quiet();
+    sheet.pen.setColor(color);
+    sheet.pen.fill(shape);
+    sheet.pen.setColor(Palette.card());
+    sheet.pen.fill(new Ellipse2D.Double(x - r / 3, middle - r / 3, 2 * r / 3, 2 * r / 3));
   }
 
   private static void tick(Sheet sheet, double timeS, double y, double height, Color color) {

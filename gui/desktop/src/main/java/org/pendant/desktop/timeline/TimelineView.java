@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
@@ -22,6 +23,7 @@ import javax.swing.JProgressBar;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Branching;
 import org.pendant.desktop.session.RobotSession;
@@ -35,6 +37,8 @@ import org.pendant.kit.theme.Palette;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingExport;
 import org.pendant.recording.RecordingFile;
+import org.pendant.recording.lines.LineProfiler;
+import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.replay.RerunRefused;
 
 /** Timeline view: the panel with what the robot did over time. */
@@ -87,6 +91,11 @@ public final class TimelineView implements View {
     declareActions(chooseFile);
     lookBack.addListener(this::show);
     show();
+  }
+
+  /** Shows the worst moments of runs as pins, see {@link Pins#from}. */
+  public void setPins(Supplier<RunProfile> live, Function<RunProfile, List<Pin>> words) {
+    canvas.pins().from(live, words);
   }
 
   /**
@@ -181,6 +190,18 @@ public final class TimelineView implements View {
     actions.add(
         Action.of(ID + ".mark-after", "Timeline: to the next mark", "", () -> canvas.toMark(true)));
     actions.add(
+        Action.of(
+            ID + ".worst-before",
+            "Timeline: to the worst moment before",
+            "",
+            () -> canvas.toPin(false)));
+    actions.add(
+        Action.of(
+            ID + ".worst-after",
+            "Timeline: to the next worst moment",
+            "",
+            () -> canvas.toPin(true)));
+    actions.add(
         Action.of(ID + ".export", "Timeline: export what it shows\u2026", "", this::export));
     actions.add(
         new Action(
@@ -212,10 +233,15 @@ public final class TimelineView implements View {
                 EventQueue.invokeLater(
                     () -> {
                       opened.warning().ifPresent(trouble);
+                      canvas.pins().setFile(RunProfile.NONE);
                       lookBack.open(recording, file, log);
                       workbench.show(ID);
                     });
                 makeIndex(recording);
+                // planes are in no recording, and those that hold now may not have held then
+                RunProfile profile =
+                    LineProfiler.of(recording, SafetyConfiguration.standard(recording.arm()));
+                EventQueue.invokeLater(() -> canvas.pins().setFile(profile));
               } catch (UncheckedIOException e) {
                 String why = FileTrouble.reason(e.getCause());
                 EventQueue.invokeLater(() -> trouble.accept("Not opened: " + file + ": " + why));
