@@ -8,6 +8,7 @@ module org.pendant.recording {
 
   exports org.pendant.recording;
   exports org.pendant.recording.compare;
+  exports org.pendant.recording.explain;
   exports org.pendant.recording.fit;
   exports org.pendant.recording.lines;
   exports org.pendant.recording.replay;
