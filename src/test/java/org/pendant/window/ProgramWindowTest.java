@@ -96,6 +96,21 @@ final class ProgramWindowTest {
   }
 
   @Test
+  void theWorstMomentOfARunIsExplained() {
+    sharedWindow.program(
+        "movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)",
+        "movej([-0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)");
+    window.press("F5");
+    window.awaitWords("run-joints-Base", "-17.19");
+    window.awaitWords("program-state", "stopped");
+    window.perform("Timeline: to the worst moment before");
+    window.perform("Show Motion");
+    window.awaitWords("motion-text", "movej(");
+    window.awaitWords("motion-table", "Following error");
+    window.perform("Timeline: back to now");
+  }
+
+  @Test
   void aLogpointWritesWhileTheProgramRunsOn() {
     sharedWindow.program("count = 0", "while count < 3:", "  count = count + 1", "end");
     window.click("rail-script");

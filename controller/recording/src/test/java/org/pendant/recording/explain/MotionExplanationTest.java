@@ -94,8 +94,10 @@ final class MotionExplanationTest {
   @Test
   void aLimitOfTheSafetyIsFoundWhereItSlowsTheArm() {
     run(
-        "movej([0, -0.3, 0, -1.5708, 1.5708, 0], t=2)\n"
-            + "movej([2, -0.3, 0, -1.5708, 1.5708, 0], a=20, v=3)\n",
+        """
+        movej([0, -0.3, 0, -1.5708, 1.5708, 0], t=2)
+        movej([2, -0.3, 0, -1.5708, 1.5708, 0], a=20, v=3)
+        """,
         2500);
 
     MotionExplanation slowed = at(2.45);

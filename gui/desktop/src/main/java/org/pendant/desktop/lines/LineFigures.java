@@ -128,6 +128,13 @@ final class LineFigures {
         .get();
   }
 
+  /** As {@link #angle}, with the digits of a speed. */
+  String turn(double angleRad) {
+    return units.angle() == DisplayUnit.RADIAN
+        ? String.format(Locale.ROOT, "%.3f rad", angleRad)
+        : String.format(Locale.ROOT, "%.1f\u00b0", Math.toDegrees(angleRad));
+  }
+
   /** An angle in the unit of the window. */
   String angle(double angleRad) {
     return units.angle() == DisplayUnit.RADIAN

@@ -166,6 +166,13 @@ public final class PathStrip {
     return profile;
   }
 
+  /** What a line of a program took of the last run, in words; empty if it took nothing. */
+  public Optional<String> about(ProgramDocument program, int line) {
+    return ran.filter(each -> each.document() == program)
+        .flatMap(each -> Optional.ofNullable(lines.get(line)))
+        .map(took -> "Line " + line + " in the last run:\n" + note(took).whole());
+  }
+
   /** What a worst moment is called, such as {@code nearest to a safety plane: 4 mm to Table}. */
   public String words(RunProfile.Moment moment) {
     return new LineFigures(units).moment(moment);

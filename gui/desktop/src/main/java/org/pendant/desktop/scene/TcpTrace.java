@@ -10,9 +10,9 @@ public final class TcpTrace {
 
   /**
    * Numbers of a point: x, y, z, m, its speed, m/s, below 0 where a new line begins, and the line
-   * of the program.
+   * of the program, and the robot time, s.
    */
-  static final int STRIDE = 5;
+  static final int STRIDE = 6;
 
   /** The oldest points fade, so that none of them vanishes suddenly: this share of all. */
   private static final float FADING_SHARE = 0.35f;
@@ -75,6 +75,11 @@ public final class TcpTrace {
   /** The line that the program had reached at point {@code i}; 0 without a program. */
   public int line(int i) {
     return (int) points[STRIDE * i + 4];
+  }
+
+  /** When the tool was at point {@code i}, robot time, s. */
+  public double timeS(int i) {
+    return points[STRIDE * i + 5];
   }
 
   /** How well point {@code i} is still seen: 1, or less, down to 0, as it is about to go. */

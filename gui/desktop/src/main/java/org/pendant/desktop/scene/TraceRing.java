@@ -64,6 +64,7 @@ public final class TraceRing {
     ring[at + 2] = (float) tcpInBase.z();
     ring[at + 3] = begins ? -1 : (float) (stepM / elapsedS);
     ring[at + 4] = line;
+    ring[at + 5] = (float) timeS;
     count++;
     lastX = tcpInBase.x();
     lastY = tcpInBase.y();

@@ -10,13 +10,16 @@ import java.util.Set;
 import java.util.function.Function;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.ScriptEditor;
+import org.pendant.desktop.lines.MotionView;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.shell.run.RunProgram;
@@ -33,6 +36,8 @@ import org.pendant.kit.action.Action;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.Moment;
 import org.pendant.recording.RecordedProgram;
+import org.pendant.recording.Recording;
+import org.pendant.recording.explain.MotionExplanation;
 import org.pendant.script.debug.Breakpoint;
 
 /** Views of the past: what the window does while people look at the past. */
@@ -53,6 +58,8 @@ final class PastViews {
   private Optional<ProgramDocument> marked = Optional.empty();
   private Optional<Moment> searched = Optional.empty();
   private Optional<List<LogEntry>> shownLog = Optional.empty();
+  private Optional<ControllerState> explainedAt = Optional.empty();
+  private Optional<MotionExplanation> explained = Optional.empty();
 
   /**
    * Shows now.
@@ -112,6 +119,35 @@ final class PastViews {
   /** How people go back and on through what a program did. */
   PastSteps steps() {
     return steps;
+  }
+
+  /** The moment that people look at, explained; empty for now. */
+  Optional<MotionExplanation> explanation() {
+    Optional<ControllerState> at = lookBack.past();
+    if (!at.equals(explainedAt)) {
+      explainedAt = at;
+      explained = at.map(state -> explain(state.frame()));
+    }
+    return explained;
+  }
+
+  private MotionExplanation explain(long frame) {
+    RobotSession session = workbench.session();
+    Recording recording = lookBack.recording();
+    return lookBack.ofFile()
+        ? MotionExplanation.of(
+            recording, frame, SafetyConfiguration.standard(recording.arm()), false)
+        : MotionExplanation.of(recording, frame, session.safety(), session.options().startRamp());
+  }
+
+  /** Looks at a moment and says why the arm moved so; tells when it is not kept any more. */
+  void explain(double timeS) {
+    if (lookBack.ofFile() || timeS < lookBack.recording().firstS()) {
+      workbench.notify("That moment is not in the recording that is shown");
+      return;
+    }
+    lookBack.jump(timeS);
+    workbench.show(MotionView.ID);
   }
 
   /** Stands above the views. */

@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
@@ -219,6 +220,11 @@ final class ScenePanel implements View, GhostArm {
   /** Tells the key of a node of the program whose place or way people click. */
   void onNode(LongConsumer listener) {
     picture.onNode(listener);
+  }
+
+  /** Tells when the tool was where people click, robot time, s. */
+  void onMoment(DoubleConsumer listener) {
+    picture.onMoment(listener);
   }
 
   /** Tells the line of the program at which the tool was where people click. */

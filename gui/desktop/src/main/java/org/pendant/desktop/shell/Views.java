@@ -30,6 +30,7 @@ import org.pendant.desktop.installation.InstallationView;
 import org.pendant.desktop.installation.SignalNames;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
+import org.pendant.desktop.lines.MotionView;
 import org.pendant.desktop.lines.PathStrip;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.move.MoveView;
@@ -132,6 +133,7 @@ final class Views {
         });
     program = programScreen(workbench, programs, move, scene);
     scene.onNode(program::choose);
+    scene.onMoment(past::explain);
     scene.onLine(line -> showTraced(workbench, programs, line));
     program.addBelow(treeBar);
     busy =
@@ -207,7 +209,13 @@ final class Views {
             panel(past.held(calls), Side.LOWER),
             panel(breakpoints, Side.BOTTOM),
             panel(past.timeline(), Side.BOTTOM),
-            panel(waveforms, Side.BOTTOM));
+            panel(waveforms, Side.BOTTOM),
+            panel(
+                new MotionView(
+                    workbench,
+                    past::explanation,
+                    () -> strip.about(programs.current(), lineLookedAt())),
+                Side.BOTTOM));
   }
 
   /** Names of signals: those of the installation, and of the settings where it has none. */
@@ -228,6 +236,14 @@ final class Views {
                         () -> tell.accept(name + " is the name of another signal too")));
     installation.addListener(labels::changed);
     return labels;
+  }
+
+  /** The line at the moment that people look at, or that of the caret. */
+  private int lineLookedAt() {
+    return past.past()
+        .map(state -> state.program().line())
+        .filter(line -> line > 0)
+        .orElseGet(editor::caretLine);
   }
 
   private List<Pin> pins(RunProfile profile) {

@@ -85,7 +85,8 @@ final class MarkFinder {
     Optional<Stop> stop = markers.next(number);
     String how = stop.map(each -> "\n" + each.how()).orElse("");
     String text = mark.name() + "\n" + words.apply(mark.inBase()) + how;
-    return new MarkTarget(text, stop.map(Stop::node).orElse(0L), 0, at, Optional.empty());
+    return new MarkTarget(
+        text, stop.map(Stop::node).orElse(0L), 0, Double.NaN, at, Optional.empty());
   }
 
   private Optional<MarkTarget> way(Point point) {
@@ -122,7 +123,8 @@ final class MarkFinder {
   private static MarkTarget target(TcpTrace trace, int i, Point2D at) {
     String speed = Measure.MILLIMETRE_PER_S.brief(trace.speedMPerS(i)) + " mm/s";
     String line = trace.line(i) == 0 ? "" : "Line " + trace.line(i) + "\n";
-    return new MarkTarget(line + speed, 0, trace.line(i), at, Optional.empty());
+    String words = line + speed + "\nA click explains the speed";
+    return new MarkTarget(words, 0, trace.line(i), trace.timeS(i), at, Optional.empty());
   }
 
   /** The way to the node that is chosen. */
@@ -150,7 +152,7 @@ final class MarkFinder {
   private record Line(String begin, String end, Stop stop, Point2D from, Point2D to) {
     MarkTarget target() {
       String text = begin + " \u2192 " + end + "\n" + stop.how();
-      return new MarkTarget(text, stop.node(), 0, to, Optional.of(from));
+      return new MarkTarget(text, stop.node(), 0, Double.NaN, to, Optional.of(from));
     }
   }
 }

@@ -6,6 +6,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
@@ -14,7 +15,7 @@ import org.pendant.models.pose.Pose;
 
 /**
  * Mark mouse: the pointer on places and ways of the program: shows what is known of them, and a
- * click chooses the node that goes there, or the line at which the tool was there.
+ * click chooses the node that goes there, or the moment and the line at which the tool was there.
  */
 final class MarkMouse extends MouseAdapter {
   private final SceneView view;
@@ -22,6 +23,7 @@ final class MarkMouse extends MouseAdapter {
   private Function<Pose, String> words = pose -> "";
   private LongConsumer chosen = node -> {};
   private IntConsumer lineChosen = line -> {};
+  private DoubleConsumer momentChosen = timeS -> {};
   private List<LabelPlaces.Placed> labels = List.of();
   private Optional<MarkTarget> target = Optional.empty();
 
@@ -45,6 +47,10 @@ final class MarkMouse extends MouseAdapter {
 
   void setLineListener(IntConsumer listener) {
     lineChosen = listener;
+  }
+
+  void setMomentListener(DoubleConsumer listener) {
+    momentChosen = listener;
   }
 
   /** Where names stand since the last painting. */
@@ -113,14 +119,17 @@ final class MarkMouse extends MouseAdapter {
   }
 
   private static boolean leads(MarkTarget target) {
-    return target.node() != 0 || target.line() != 0;
+    return target.node() != 0 || !Double.isNaN(target.timeS());
   }
 
   private void choose(MarkTarget there) {
     if (there.node() != 0) {
       chosen.accept(there.node());
     } else {
-      lineChosen.accept(there.line());
+      momentChosen.accept(there.timeS());
+      if (there.line() != 0) {
+        lineChosen.accept(there.line());
+      }
     }
   }
 }

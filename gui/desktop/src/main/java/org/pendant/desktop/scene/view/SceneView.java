@@ -12,6 +12,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.DoubleConsumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
@@ -212,6 +213,11 @@ public final class SceneView extends JPanel {
   /** Tells the line of the program at which the tool was where people click. */
   public void onLine(IntConsumer listener) {
     marks.setLineListener(listener);
+  }
+
+  /** Tells when the tool was where people click, robot time, s. */
+  public void onMoment(DoubleConsumer listener) {
+    marks.setMomentListener(listener);
   }
 
   /** How people read the pose of a place that the pointer is on, in lines. */

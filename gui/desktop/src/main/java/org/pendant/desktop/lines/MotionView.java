@@ -1,0 +1,168 @@
+package org.pendant.desktop.lines;
+
+import java.awt.BorderLayout;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.table.AbstractTableModel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.recording.explain.MotionExplanation;
+
+/**
+ * Motion view: the panel that tells why the arm moved as it did at the moment that people look at,
+ * and what the line at the caret took of the last run.
+ */
+public final class MotionView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "motion";
+
+  private static final String HINT =
+      "Look at a moment of the timeline, or click the way of the tool in 3D: here stands what was"
+          + " planned, what happened, and what set the speed.";
+
+  private final Workbench workbench;
+  private final Supplier<Optional<MotionExplanation>> moment;
+  private final Supplier<Optional<String>> line;
+  private final JPanel content = new JPanel(new BorderLayout());
+  private final JTextArea text = new JTextArea();
+  private final Rows rows = new Rows();
+  private final JTable table = new JTable(rows);
+  private final JScrollPane numbers = new JScrollPane(table);
+  private Optional<MotionExplanation> shown = Optional.empty();
+  private PoseForm units = PoseForm.STANDARD;
+
+  /** The numbers, a row each. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Rows extends AbstractTableModel {
+    private static final List<String> TITLES = List.of("", "Planned", "Actual", "Difference");
+
+    private transient List<MotionWords.Row> all = List.of();
+
+    void show(List<MotionWords.Row> wanted) {
+      boolean same = wanted.size() == all.size();
+      all = List.copyOf(wanted);
+      if (same) {
+        fireTableRowsUpdated(0, Math.max(0, all.size() - 1));
+      } else {
+        fireTableDataChanged();
+      }
+    }
+
+    @Override
+    public int getRowCount() {
+      return all.size();
+    }
+
+    @Override
+    public int getColumnCount() {
+      return TITLES.size();
+    }
+
+    @Override
+    public String getColumnName(int column) {
+      return TITLES.get(column);
+    }
+
+    @Override
+    public Object getValueAt(int row, int column) {
+      MotionWords.Row at = all.get(row);
+      return switch (column) {
+        case 0 -> at.name();
+        case 1 -> at.planned();
+        case 2 -> at.actual();
+        default -> at.difference();
+      };
+    }
+  }
+
+  /**
+   * The panel.
+   *
+   * @param moment that people look at, explained; empty for now
+   * @param line what the line at the caret, or the selected node, took of the last run
+   */
+  public MotionView(
+      Workbench workbench,
+      Supplier<Optional<MotionExplanation>> moment,
+      Supplier<Optional<String>> line) {
+    this.workbench = workbench;
+    this.moment = moment;
+    this.line = line;
+    text.setName("motion-text");
+    text.getAccessibleContext().setAccessibleName("Why the arm moved so");
+    text.setEditable(false);
+    text.setLineWrap(true);
+    text.setWrapStyleWord(true);
+    text.setBorder(BorderFactory.createEmptyBorder(8, 10, 8, 10));
+    table.setName("motion-table");
+    table.getAccessibleContext().setAccessibleName("Planned and actual");
+    table.setShowGrid(false);
+    table.setFillsViewportHeight(true);
+    table.setAutoCreateRowSorter(false);
+    JScrollPane words = new JScrollPane(text);
+    words.setBorder(BorderFactory.createEmptyBorder());
+    numbers.setBorder(BorderFactory.createEmptyBorder());
+    JPanel both =
+        new JPanel(
+            new MigLayout(
+                "insets 0, gap 0, hidemode 3", "[45%!, fill][55%!, fill]", "[grow, fill]"));
+    both.add(words, "wmin 0, hmin 0");
+    both.add(numbers, "wmin 0, hmin 0");
+    content.setName("motion-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    content.add(both);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Motion";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    Optional<MotionExplanation> now = moment.get();
+    PoseForm form = FormMemory.read(workbench.settings());
+    MotionWords words = new MotionWords(form);
+    if (!now.equals(shown) || !form.equals(units)) {
+      shown = now;
+      units = form;
+      rows.show(now.map(words::rows).orElse(List.of()));
+      numbers.setVisible(now.isPresent());
+    }
+    String about = now.map(each -> about(words, each)).orElse(HINT);
+    String wanted = line.get().map(took -> about + "\n\n" + took).orElse(about);
+    if (!wanted.equals(text.getText())) {
+      text.setText(wanted);
+      text.setCaretPosition(0);
+    }
+  }
+
+  private static String about(MotionWords words, MotionExplanation moment) {
+    String limits = words.limits(moment);
+    return words.cause(moment)
+        + "\n"
+        + words.place(moment)
+        + (limits.isEmpty() ? "" : "\n" + limits);
+  }
+}

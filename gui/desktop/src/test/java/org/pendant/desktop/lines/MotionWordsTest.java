@@ -1,0 +1,70 @@
+package org.pendant.desktop.lines;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.TestController;
+import org.pendant.controller.box.ArmChoice;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.recording.RecordingRing;
+import org.pendant.recording.explain.MotionExplanation;
+
+/** How it reads why the arm moved so. */
+final class MotionWordsTest {
+  private static final String TEXT =
+      """
+      movej([0, -1.5708, -1.5708, -1.5708, 1.5708, 0], t=1)
+      movel(pose_add(get_target_tcp_pose(), p[0, 0, -0.3, 0, 0, 0]), a=1, v=0.1)
+      """;
+
+  private final ControllerOptions options = ControllerOptions.headless().withArm(ArmChoice.IDEAL);
+  private final Controller controller = new Controller(options);
+  private final RecordingRing ring =
+      new RecordingRing(controller.state(), controller::programSource);
+  private final MotionWords words = new MotionWords(PoseForm.STANDARD);
+
+  @BeforeEach
+  void run() {
+    var _ =
+        controller.submit(
+            new ProgramCommand.StartProgram(TestController.program(controller, TEXT)));
+    for (int i = 0; i < 3000; i++) {
+      controller.advance();
+      ring.take(controller.state());
+    }
+  }
+
+  private MotionExplanation at(long frame) {
+    return MotionExplanation.of(ring.recording(), frame, options.safety(), false);
+  }
+
+  @Test
+  void placeAndCauseAreSaid() {
+    assertTrue(words.place(at(1250)).startsWith("2.500 s, line 2: movel("), words.place(at(1250)));
+    assertEquals("Full speed of the command: 100 mm/s.", words.cause(at(1250)));
+    assertEquals("The arm rests.", words.cause(at(2990)));
+  }
+
+  @Test
+  void plannedAndActualStandBesideEachOther() {
+    MotionWords.Row speed =
+        words.rows(at(1250)).stream()
+            .filter(row -> row.name().equals("Tool speed"))
+            .findFirst()
+            .orElseThrow();
+    assertEquals(
+        new MotionWords.Row("Tool speed", "100.00 mm/s", "100.00 mm/s", "0.00 mm/s"), speed);
+  }
+
+  @Test
+  void everyJointHasPlaceSpeedAndTorque() {
+    List<String> names = words.rows(at(1250)).stream().map(MotionWords.Row::name).toList();
+    assertTrue(names.containsAll(List.of("Base", "Base speed", "Base torque")), names.toString());
+  }
+}
