@@ -28,13 +28,18 @@ public enum Margin {
   }
 
   /** Its place in tables, from 0. */
-  int index() {
+  public int index() {
     return index;
   }
 
   /** Its name in a sentence. */
   public String words() {
     return words;
+  }
+
+  /** The value from which on there is ample room. */
+  public double ample() {
+    return ample;
   }
 
   /** Whether its values are shares of a limit; distances otherwise. */

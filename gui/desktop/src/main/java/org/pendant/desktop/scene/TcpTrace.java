@@ -1,18 +1,24 @@
 package org.pendant.desktop.scene;
 
+import java.util.Optional;
+import org.pendant.recording.lines.Margin;
+
 /**
  * TCP trace: the path that the tool centre point took, in the base frame; immutable. A {@link
  * TraceRing} makes them.
  */
 public final class TcpTrace {
   /** No way at all. */
-  public static final TcpTrace EMPTY = new TcpTrace(new float[0], 0, 1);
+  public static final TcpTrace EMPTY = new TcpTrace(new float[0], 0, 1, Optional.empty());
 
   /**
    * Numbers of a point: x, y, z, m, its speed, m/s, below 0 where a new line begins, and the line
-   * of the program, and the robot time, s.
+   * of the program, the robot time, s, and how much of each margin was used, 0 to 1.
    */
-  static final int STRIDE = 6;
+  static final int STRIDE = 6 + Margin.values().length;
+
+  /** Where the used parts of the margins begin among the numbers of a point. */
+  static final int MARGINS = 6;
 
   /** The oldest points fade, so that none of them vanishes suddenly: this share of all. */
   private static final float FADING_SHARE = 0.35f;
@@ -25,15 +31,18 @@ public final class TcpTrace {
   private final float[] points;
   private final double scaleMPerS;
   private final int capacity;
+  private final Optional<Margin> colouring;
 
   /**
    * @param fastestMPerS speed of the fastest point, m/s
    * @param capacity after how many more points a point is forgotten
+   * @param colouring the margin that it is coloured by; empty for the speed
    */
-  TcpTrace(float[] points, double fastestMPerS, int capacity) {
+  TcpTrace(float[] points, double fastestMPerS, int capacity, Optional<Margin> colouring) {
     this.points = points;
     scaleMPerS = scaleMPerS(fastestMPerS);
     this.capacity = capacity;
+    this.colouring = colouring;
   }
 
   /** How many points there are. */
@@ -70,6 +79,21 @@ public final class TcpTrace {
   /** Speed on the way to point {@code i}, m/s. */
   public double speedMPerS(int i) {
     return Math.max(points[STRIDE * i + 3], 0);
+  }
+
+  /** The margin that it is coloured by; empty for the speed. */
+  public Optional<Margin> colouring() {
+    return colouring;
+  }
+
+  /** How much of the margin that it is coloured by was used at point {@code i}, 0 to 1. */
+  public float used(int i) {
+    return colouring.map(margin -> points[STRIDE * i + MARGINS + margin.index()]).orElse(0f);
+  }
+
+  /** The share that says the colour of point {@code i}, see {@link SpeedColours}. */
+  public double colourShare(int i) {
+    return colouring.isEmpty() ? speedShare(i) : (double) used(i) * used(i);
   }
 
   /** The line that the program had reached at point {@code i}; 0 without a program. */

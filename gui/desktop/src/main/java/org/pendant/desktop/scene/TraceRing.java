@@ -1,8 +1,12 @@
 package org.pendant.desktop.scene;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.state.ArmState;
+import org.pendant.controller.state.ControllerState;
 import org.pendant.models.pose.Pose;
+import org.pendant.recording.lines.FrameMargins;
+import org.pendant.recording.lines.Margin;
 
 /**
  * Trace ring: remembers the last points that the tool centre point passed; the oldest are
@@ -12,6 +16,8 @@ public final class TraceRing {
   /** Points nearer to the one before are left out, m. */
   private static final double SPACING_M = 1e-3;
 
+  private static final List<Margin> MARGINS = List.of(Margin.values());
+
   private final float[] ring;
   private final int capacity;
   private long count;
@@ -20,6 +26,7 @@ public final class TraceRing {
   private double lastZ;
   private double lastS = Double.NaN;
   private Pose tool = Pose.ZERO;
+  private Optional<Margin> colouring = Optional.empty();
   private Optional<TcpTrace> snapshot = Optional.of(TcpTrace.EMPTY);
 
   /**
@@ -40,6 +47,26 @@ public final class TraceRing {
    */
   public void add(ArmState arm, double timeS, int line) {
     add(arm.actualTcpInBase(), arm.tool().inFlange(), timeS, line);
+  }
+
+  /** Adds where the tool centre point is, if it has moved, and how near the arm is to limits. */
+  public void add(ControllerState state, FrameMargins margins) {
+    long before = count;
+    add(state.arm(), state.timeS(), state.program().line());
+    if (count > before) {
+      int at = (int) (before % capacity) * TcpTrace.STRIDE + TcpTrace.MARGINS;
+      for (Margin each : MARGINS) {
+        ring[at + each.index()] = (float) each.used(margins.value(each));
+      }
+    }
+  }
+
+  /** Has traces coloured by a margin; empty for the speed. */
+  public void colourBy(Optional<Margin> margin) {
+    if (!margin.equals(colouring)) {
+      colouring = margin;
+      snapshot = Optional.empty();
+    }
   }
 
   /**
@@ -98,7 +125,7 @@ public final class TraceRing {
       System.arraycopy(ring, from, points, TcpTrace.STRIDE * i, TcpTrace.STRIDE);
       fastest = Math.max(fastest, points[TcpTrace.STRIDE * i + 3]);
     }
-    return new TcpTrace(points, fastest, capacity);
+    return new TcpTrace(points, fastest, capacity, colouring);
   }
 
   private static double square(double x) {

@@ -257,6 +257,10 @@ final class MenuPlan {
                         "scene.right",
                         "scene.top")),
                 all("scene.fit", "scene.tool"),
+                sub(
+                    "Colour the way of the tool by",
+                    "3D: colour the way of the tool by",
+                    all("scene.trace-by")),
                 line(),
                 sub("Safety", "3D: show", all("scene.safety")),
                 sub("Scene", "", all("scene-file")),

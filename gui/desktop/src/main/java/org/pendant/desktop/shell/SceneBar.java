@@ -10,9 +10,11 @@ import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Action;
@@ -135,6 +137,25 @@ final class SceneBar extends JPanel {
     states.add(() -> item.setSelected(on.getAsBoolean()));
     menu.add(item);
   }
+
+  /** A menu in the menu, of which one is chosen. */
+  void choices(String title, List<Choice> choices) {
+    JMenu sub = new JMenu(title);
+    for (Choice each : choices) {
+      actions.add(
+          Action.of(each.id(), "3D: " + lower(title) + " " + each.title(), "", each.run())
+              .chosen(each.on()));
+      JRadioButtonMenuItem item = new JRadioButtonMenuItem(each.title());
+      item.setName(each.id().replace('.', '-'));
+      item.addActionListener(event -> each.run().run());
+      states.add(() -> item.setSelected(each.on().getAsBoolean()));
+      sub.add(item);
+    }
+    menu.add(sub);
+  }
+
+  /** One of several. */
+  record Choice(String id, String title, BooleanSupplier on, Runnable run) {}
 
   private static String lower(String title) {
     return title.substring(0, 1).toLowerCase(java.util.Locale.ROOT) + title.substring(1);

@@ -25,6 +25,7 @@ import org.pendant.command.service.StandardView;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeaturePoses;
+import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
@@ -56,7 +57,10 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
+import org.pendant.recording.lines.FrameMargins;
+import org.pendant.recording.lines.Margin;
 
 /** Scene panel: the arm in 3D, what is around it, and where its tool has been. */
 final class ScenePanel implements View, GhostArm {
@@ -99,10 +103,15 @@ final class ScenePanel implements View, GhostArm {
   private List<WaypointMarkers.Mark> features = List.of();
   private Optional<Surroundings> surroundings = Optional.empty();
   private Optional<Seen> seen = Optional.empty();
+  private Optional<Near> margins = Optional.empty();
   private long changedNs;
 
   /** An arm and what is around it: people may change both at any time. */
   private record Surroundings(ArmDescription arm, Scene scene, Touching touching) {}
+
+  /** What says how near an arm is to its limits, as long as both are the same. */
+  private record Near(
+      ForwardKinematics kinematics, SafetyChecksum checksum, FrameMargins margins) {}
 
   /** All that the picture depends on. */
   private record Seen(
@@ -174,6 +183,7 @@ final class ScenePanel implements View, GhostArm {
         shows::setFrames);
     buttons.check("scene.payload", "Show the payload as a ball", shows::payload, shows::setPayload);
     buttons.check("scene.trace", "Show where the tool was", shows::trace, shows::setTrace);
+    buttons.choices("Colour the way of the tool by", colourings());
     buttons.check(
         "scene.waypoints",
         "Show the waypoints of the program",
@@ -280,8 +290,9 @@ final class ScenePanel implements View, GhostArm {
     Surroundings around = surroundings(state.arm().description().id());
     ArmState arm = state.arm();
     if (past.get().isEmpty()) {
-      trace.add(arm, state.timeS(), state.program().line());
+      trace.add(state, margins(state));
     }
+    trace.colourBy(shows.traceBy());
     Seen now =
         new Seen(
             around,
@@ -302,6 +313,41 @@ final class ScenePanel implements View, GhostArm {
     changedNs = System.nanoTime();
     moving.start();
     picture.setModel(model(now, arm));
+  }
+
+  /** How near the arm is to the limits that hold now. */
+  private FrameMargins margins(ControllerState state) {
+    if (margins.isEmpty()
+        || margins.get().kinematics() != state.arm().kinematics()
+        || !margins.get().checksum().equals(state.safety().checksum())) {
+      margins =
+          Optional.of(
+              new Near(
+                  state.arm().kinematics(),
+                  state.safety().checksum(),
+                  new FrameMargins(state.arm(), workbench.session().safety())));
+    }
+    FrameMargins now = margins.get().margins();
+    now.look(state);
+    return now;
+  }
+
+  private List<SceneBar.Choice> colourings() {
+    List<SceneBar.Choice> choices = new ArrayList<>();
+    choices.add(colouring("speed", Optional.empty()));
+    for (Margin each : Margin.values()) {
+      choices.add(colouring("margin: " + each.words(), Optional.of(each)));
+    }
+    return choices;
+  }
+
+  private SceneBar.Choice colouring(String title, Optional<Margin> margin) {
+    String word = margin.map(each -> each.words().replace(' ', '-')).orElse("speed");
+    return new SceneBar.Choice(
+        "scene.trace-by-" + word,
+        title,
+        () -> shows.traceBy().equals(margin),
+        () -> shows.setTraceBy(margin));
   }
 
   private static SceneModel model(Seen now, ArmState arm) {

@@ -1,6 +1,9 @@
 package org.pendant.desktop.shell;
 
+import java.util.Arrays;
+import java.util.Optional;
 import org.pendant.kit.settings.Settings;
+import org.pendant.recording.lines.Margin;
 
 /** Scene options: what people want to see besides the arm; kept from one start to the next. */
 final class SceneShows {
@@ -8,6 +11,7 @@ final class SceneShows {
   private static final String PAYLOAD = "scene.payload";
   private static final String FEATURES = "scene.features";
   private static final String TRACE = "scene.trace";
+  private static final String TRACE_BY = "scene.trace-by";
   private static final String WAYPOINTS = "scene.waypoints";
   private static final String PLANES = "scene.safety-planes";
   private static final String DIRECTION = "scene.safety-direction";
@@ -54,6 +58,19 @@ final class SceneShows {
 
   void setTrace(boolean on) {
     settings.put(TRACE, Boolean.toString(on));
+  }
+
+  /** The margin that the way of the tool is coloured by; empty for its speed. */
+  Optional<Margin> traceBy() {
+    return settings
+        .get(TRACE_BY)
+        .flatMap(
+            name ->
+                Arrays.stream(Margin.values()).filter(each -> each.name().equals(name)).findAny());
+  }
+
+  void setTraceBy(Optional<Margin> margin) {
+    settings.put(TRACE_BY, margin.map(Margin::name).orElse(""));
   }
 
   /** The places that the program in front goes to. */

@@ -7,8 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.TestController;
+import org.pendant.controller.box.ArmChoice;
 import org.pendant.models.pose.Pose;
+import org.pendant.recording.lines.FrameMargins;
+import org.pendant.recording.lines.Margin;
 
 final class TraceRingTest {
   private static void add(TraceRing ring, double x, double timeS) {
@@ -123,5 +130,31 @@ final class TraceRingTest {
         assertThrows(IllegalArgumentException.class, () -> new TraceRing(1));
 
     assertEquals("trace: capacity is 1, must be at least 2", refused.getMessage());
+  }
+
+  @Test
+  void aMarginColoursTheWayByHowMuchOfItWasUsed() {
+    ControllerOptions options = ControllerOptions.headless().withArm(ArmChoice.IDEAL);
+    Controller controller = new Controller(options);
+    TraceRing ring = new TraceRing(2000);
+    FrameMargins margins = new FrameMargins(controller.state().arm(), options.safety());
+    TestController.start(
+        controller, "movej([2, -1.5708, -1.5708, -1.5708, 1.5708, 0], a=10, v=2.8)");
+    for (int i = 0; i < 400; i++) {
+      controller.advance();
+      margins.look(controller.state());
+      ring.add(controller.state(), margins);
+    }
+
+    assertEquals(Optional.empty(), ring.trace().colouring());
+    ring.colourBy(Optional.of(Margin.JOINT_SPEED));
+    TcpTrace trace = ring.trace();
+    float most = 0;
+    for (int i = 0; i < trace.size(); i++) {
+      most = Math.max(most, trace.used(i));
+    }
+    double share = 2.8 / Math.PI;
+    assertEquals((share - 0.5) / 0.5, most, 1e-3, "half of the speed is ample room");
+    assertEquals(0, trace.used(0), "it begins at rest");
   }
 }

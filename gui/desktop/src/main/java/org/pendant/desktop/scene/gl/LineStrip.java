@@ -41,7 +41,7 @@ final class LineStrip implements AutoCloseable {
   static Lines lines(TcpTrace trace) {
     Lines lines = new Lines();
     for (int i = 0; i < trace.size(); i++) {
-      int rgb = SpeedColours.rgb(trace.speedShare(i));
+      int rgb = SpeedColours.rgb(trace.colourShare(i));
       if (trace.begins(i)) {
         lines.from(trace.x(i), trace.y(i), trace.z(i), rgb, trace.opacity(i));
       } else {

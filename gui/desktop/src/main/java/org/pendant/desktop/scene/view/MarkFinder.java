@@ -123,7 +123,14 @@ final class MarkFinder {
   private static MarkTarget target(TcpTrace trace, int i, Point2D at) {
     String speed = Measure.MILLIMETRE_PER_S.brief(trace.speedMPerS(i)) + " mm/s";
     String line = trace.line(i) == 0 ? "" : "Line " + trace.line(i) + "\n";
-    String words = line + speed + "\nA click explains the speed";
+    String margin =
+        trace
+            .colouring()
+            .map(
+                each ->
+                    "\n" + Math.round(100 * trace.used(i)) + " % of the margin: " + each.words())
+            .orElse("");
+    String words = line + speed + margin + "\nA click explains the speed";
     return new MarkTarget(words, 0, trace.line(i), trace.timeS(i), at, Optional.empty());
   }
 

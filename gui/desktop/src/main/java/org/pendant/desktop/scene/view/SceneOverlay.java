@@ -20,9 +20,11 @@ import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.Sheets;
 import org.pendant.desktop.scene.SpeedColours;
+import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
+import org.pendant.recording.lines.Margin;
 
 /**
  * Scene overlay: what is written on the picture: the scale of speeds, names of frames, what the
@@ -72,8 +74,7 @@ final class SceneOverlay {
     int thick = legendThickness();
     int left = em;
     int bottom = height - em;
-    double mostMmPerS = 1000 * model.trace().scaleMPerS();
-    String most = mostText(model);
+    Scale scale = Scale.of(model.trace());
     int top = bottom - thick - metrics.getHeight();
     for (int x = 0; x < bar; x++) {
       double place = (x + 0.5) / bar;
@@ -82,9 +83,9 @@ final class SceneOverlay {
     }
     int base = bottom - metrics.getDescent();
     graphics.setColor(Palette.quiet());
-    graphics.drawString("0", left, base);
-    centred(number(mostMmPerS / 4), left + bar * SpeedColours.place(0.25), base);
-    centred(most, left + bar - em / 2.0, base);
+    graphics.drawString(scale.least(), left, base);
+    centred(scale.middle(), left + bar * SpeedColours.place(0.25), base);
+    centred(scale.most(), left + bar - em / 2.0, base);
   }
 
   private int legendBar() {
@@ -95,15 +96,37 @@ final class SceneOverlay {
     return Math.max(4, em / 2);
   }
 
-  private static String mostText(SceneModel model) {
-    return number(1000 * model.trace().scaleMPerS()) + " mm/s";
+  /** What the colours of a trace mean: at both ends, and at half way where there is room. */
+  private record Scale(String least, String middle, String most) {
+    static Scale of(TcpTrace trace) {
+      double mostMmPerS = 1000 * trace.scaleMPerS();
+      return trace
+          .colouring()
+          .map(Scale::of)
+          .orElseGet(() -> new Scale("0", number(mostMmPerS / 4), number(mostMmPerS) + " mm/s"));
+    }
+
+    private static Scale of(Margin margin) {
+      return switch (margin) {
+        case JOINT_SPEED, TORQUE, TOOL_SPEED ->
+            new Scale(
+                "\u2264 " + Math.round(100 * margin.ample()) + " %", "", "100 % " + margin.words());
+        case JOINT_LIMIT ->
+            new Scale(
+                "\u2265 " + Math.round(Math.toDegrees(margin.ample())) + "\u00b0",
+                "",
+                "at a joint limit");
+        case PLANE ->
+            new Scale("\u2265 " + Math.round(1000 * margin.ample()) + " mm", "", "at a plane");
+      };
+    }
   }
 
   private Optional<Rectangle2D> legendBox(SceneModel model) {
     if (model.trace().size() < 2 || width < MIN_WIDTH_FOR_LEGEND) {
       return Optional.empty();
     }
-    int wide = legendBar() - em / 2 + metrics.stringWidth(mostText(model)) / 2;
+    int wide = legendBar() - em / 2 + metrics.stringWidth(Scale.of(model.trace()).most()) / 2;
     int high = legendThickness() + metrics.getHeight() + em / 2;
     return Optional.of(
         new Rectangle2D.Double(em / 2.0, height - em - high, wide + em, high + em / 2.0));
