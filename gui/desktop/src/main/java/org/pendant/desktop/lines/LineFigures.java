@@ -32,7 +32,10 @@ final class LineFigures {
   private List<String> parts(LineStatistics line) {
     List<String> parts = new ArrayList<>();
     boolean often = line.executions() > 1;
-    parts.add(timeText(line.timeS()) + (often ? " in " + line.executions() + "\u00d7" : ""));
+    parts.add(timeText(line.timeS()));
+    if (often) {
+      parts.add(line.executions() + "\u00d7");
+    }
     if (line.moved()) {
       parts.add(way(line.pathM()));
       line.worst(Margin.JOINT_SPEED).ifPresent(each -> parts.add("speed " + share(each)));

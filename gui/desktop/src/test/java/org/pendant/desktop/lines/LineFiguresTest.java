@@ -35,7 +35,8 @@ final class LineFiguresTest {
   void theMostImportantPartsOfAMoveComeFirst() {
     assertEquals(
         List.of(
-            "4.10 s in 12\u00d7",
+            "4.10 s",
+            "12\u00d7",
             "960 mm",
             "speed 36 % base",
             "torque 25 % shoulder",
