@@ -15,7 +15,7 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.IoCommand;
-import org.pendant.controller.safety.FittedSafety;
+import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
@@ -139,12 +139,18 @@ public final class RobotSession implements AutoCloseable {
 
   /** The safety limits and planes that hold. */
   public SafetyConfiguration safety() {
-    ArmDescription arm = options().arm();
-    return robot()
-        .installation()
-        .safety()
-        .map(wanted -> FittedSafety.of(wanted, arm).configuration())
-        .orElseGet(() -> SafetyConfiguration.standard(arm));
+    return robot().safety();
+  }
+
+  /**
+   * The safety limits and planes that held in a recording, if they are those that hold now;
+   * otherwise what is standard for its arm, as no recording has them.
+   *
+   * @param checksum of those that held
+   */
+  public SafetyConfiguration safety(SafetyChecksum checksum, ArmDescription arm) {
+    SafetyConfiguration now = safety();
+    return SafetyChecksum.of(now).equals(checksum) ? now : SafetyConfiguration.standard(arm);
   }
 
   /** Pauses the program. */

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.ScriptEditor;
@@ -134,10 +134,12 @@ final class PastViews {
   private MotionExplanation explain(long frame) {
     RobotSession session = workbench.session();
     Recording recording = lookBack.recording();
-    return lookBack.ofFile()
-        ? MotionExplanation.of(
-            recording, frame, SafetyConfiguration.standard(recording.arm()), false)
-        : MotionExplanation.of(recording, frame, session.safety(), session.options().startRamp());
+    SafetyChecksum held = recording.atFrame(frame).safety().checksum();
+    return MotionExplanation.of(
+        recording,
+        frame,
+        session.safety(held, recording.arm()),
+        !lookBack.ofFile() && session.options().startRamp());
   }
 
   /** Looks at a moment and says why the arm moved so; tells when it is not kept any more. */

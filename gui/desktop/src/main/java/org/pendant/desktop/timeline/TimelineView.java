@@ -23,7 +23,7 @@ import javax.swing.JProgressBar;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.Branching;
 import org.pendant.desktop.session.RobotSession;
@@ -238,9 +238,9 @@ public final class TimelineView implements View {
                       workbench.show(ID);
                     });
                 makeIndex(recording);
-                // planes are in no recording, and those that hold now may not have held then
+                SafetyChecksum held = recording.atFrame(recording.lastFrame()).safety().checksum();
                 RunProfile profile =
-                    LineProfiler.of(recording, SafetyConfiguration.standard(recording.arm()));
+                    LineProfiler.of(recording, workbench.session().safety(held, recording.arm()));
                 EventQueue.invokeLater(() -> canvas.pins().setFile(profile));
               } catch (UncheckedIOException e) {
                 String why = FileTrouble.reason(e.getCause());
