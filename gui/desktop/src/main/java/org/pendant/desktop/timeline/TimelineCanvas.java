@@ -186,8 +186,7 @@ final class TimelineCanvas extends JComponent {
     Graphics2D pen = (Graphics2D) graphics.create();
     pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     pen.setFont(getFont());
-    painter.paint(
-        pen, getSize(), tracks, clientMarks(), pins.all(), lookBack, isFocusOwner());
+    painter.paint(pen, getSize(), tracks, clientMarks(), pins.all(), lookBack, isFocusOwner());
     pen.dispose();
   }
 
@@ -231,8 +230,10 @@ final class TimelineCanvas extends JComponent {
 
     @Override
     public void mouseClicked(MouseEvent event) {
-      if (SwingUtilities.isLeftMouseButton(event) && painter.onMarks(event.getY())) {
-        choose(timeAt(event.getX()));
+      double timeS = timeAt(event.getX());
+      boolean onMark = painter.onMarks(event.getY()) && pins.at(timeS, near()).isEmpty();
+      if (SwingUtilities.isLeftMouseButton(event) && onMark) {
+        choose(timeS);
       }
     }
 

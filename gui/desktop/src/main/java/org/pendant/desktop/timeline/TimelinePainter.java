@@ -95,7 +95,7 @@ final class TimelinePainter {
         marksTop = y;
         marksBottom = y + height;
         clients(sheet, clients, y, height);
-          pins.forEach(pin -> pin(sheet, pin, marksTop, marksBottom - marksTop));
+        pins.forEach(pin -> pin(sheet, pin, marksTop, marksBottom - marksTop));
       }
       pen.setClip(null);
       y += height + gap();
