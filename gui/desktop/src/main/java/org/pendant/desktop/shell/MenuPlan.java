@@ -258,9 +258,9 @@ final class MenuPlan {
                         "scene.top")),
                 all("scene.fit", "scene.tool"),
                 sub(
-                    "Colour the way of the tool by",
-                    "3D: colour the way of the tool by",
-                    all("scene.trace-by")),
+                    "Way of the tool",
+                    "3D",
+                    list(all("scene.trace", "scene.clear"), line(), all("scene.trace-by"))),
                 line(),
                 sub("Safety", "3D: show", all("scene.safety")),
                 sub("Scene", "", all("scene-file")),
