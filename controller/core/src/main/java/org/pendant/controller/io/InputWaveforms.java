@@ -5,6 +5,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.OptionalDouble;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.pendant.models.time.FrameTime;
 
 /**
@@ -20,7 +22,7 @@ public final class InputWaveforms {
 
   private final List<InputChange> changes;
   private final OptionalDouble periodS;
-  private final List<Step> steps = new ArrayList<>();
+  private final List<Step> steps;
 
   /** All that changes before one frame. */
   private record Step(long frame, List<SignalWrite> writes) {}
@@ -43,9 +45,16 @@ public final class InputWaveforms {
     if (periodS.isPresent()) {
       checkPeriod(periodS.getAsDouble());
     }
+    SortedMap<Long, List<SignalWrite>> byFrame = new TreeMap<>();
     for (InputChange change : sorted) {
-      add(frameAt(change.timeS()), change.writes());
+      byFrame
+          .computeIfAbsent(frameAt(change.timeS()), frame -> new ArrayList<>())
+          .addAll(change.writes());
     }
+    steps =
+        byFrame.entrySet().stream()
+            .map(each -> new Step(each.getKey(), List.copyOf(each.getValue())))
+            .toList();
   }
 
   private void checkPeriod(double period) {
@@ -62,15 +71,6 @@ public final class InputWaveforms {
               + period
               + " s is over");
     }
-  }
-
-  private void add(long frame, List<SignalWrite> writes) {
-    List<SignalWrite> all = new ArrayList<>();
-    if (!steps.isEmpty() && steps.getLast().frame() == frame) {
-      all.addAll(steps.removeLast().writes());
-    }
-    all.addAll(writes);
-    steps.add(new Step(frame, List.copyOf(all)));
   }
 
   private static long frameAt(double timeS) {

@@ -73,6 +73,15 @@ final class WaveformTextTest {
   }
 
   @Test
+  void aTableIsBoundedAndAsManyChangesInOneFrameAreRead() {
+    String all =
+        "time,signal,value\n" + "1,digital_in[0],true\n".repeat(InputWaveforms.MAX_CHANGES);
+    assertEquals(
+        InputWaveforms.MAX_CHANGES, WaveformText.parse("inputs.csv", all).changes().size());
+    refuses("inputs.csv:100002:1: more than 100000 changes", all + "1,digital_in[0],true");
+  }
+
+  @Test
   void anInputThatIsNoneIsToldAtItsCell() {
     String message =
         assertThrows(UnknownSignal.class, () -> SignalText.input("digital_out[0]", "true"))
