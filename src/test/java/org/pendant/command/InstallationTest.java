@@ -96,7 +96,7 @@ final class InstallationTest {
     assertTrue(
         result
             .errors()
-            .contains("the installation cannot be used: robot: it is for ur10e, the arm is ur5e"),
+            .contains("the installation cannot be used: robot: it is for UR10e, the arm is UR5e"),
         result.errors());
   }
 

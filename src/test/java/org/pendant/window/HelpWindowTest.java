@@ -47,6 +47,19 @@ final class HelpWindowTest {
   }
 
   @Test
+  void sectionsAreFoundByTheirWords() {
+    window.perform("Help and documentation");
+    window.awaitFocus("help-pages");
+    window.click("help-search");
+    window.type("checksum");
+    window.awaitWords("help-pages", "Safety: ");
+    window.clickRow("help-pages", "Safety: ");
+    window.awaitWords("help-text", "<h1 id=\"safety-functions\">");
+    window.press("ESCAPE");
+    window.awaitHidden("help-text");
+  }
+
+  @Test
   void linksAreFollowedByKeys() {
     window.perform("Help and documentation");
     window.awaitFocus("help-pages");

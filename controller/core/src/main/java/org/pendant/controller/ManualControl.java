@@ -154,7 +154,7 @@ final class ManualControl implements CommandHandler<ManualCommand> {
                 + " kg, must be 0 to "
                 + text(most)
                 + " kg on "
-                + arm.id());
+                + arm.displayName());
   }
 
   private static Optional<Refusal> distanceRefusal(String what, double x, double y, double z) {

@@ -153,7 +153,7 @@ final class OpenCommandTest {
     assertTrue(refusal("--robot", "ur4").contains("must be one of"));
     assertTrue(
         refusal("--robot", "ur3e", "--installation", cell)
-            .endsWith("it is for ur10e, the arm is ur3e"));
+            .endsWith("it is for UR10e, the arm is UR3e"));
     assertTrue(refusal("--robot", "ur3e", "--calibration", conf).contains("from where a UR3e has"));
     assertTrue(
         refusal("--installation", cell, "--calibration", conf).contains("from where a UR10e has"));

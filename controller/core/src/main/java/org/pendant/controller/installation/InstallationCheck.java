@@ -11,6 +11,7 @@ import org.pendant.controller.io.ToolConnector;
 import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -55,11 +56,15 @@ public final class InstallationCheck {
     return problems(installation, arm).stream().filter(InstallationProblem::blocks).findFirst();
   }
 
+  private static String robotName(String id) {
+    return ArmLibrary.ids().contains(id) ? ArmLibrary.load(id).displayName() : id;
+  }
+
   private void run() {
     problems.require(
         installation.robot().isEmpty() || installation.robot().equals(arm.id()),
         "robot",
-        () -> "it is for " + installation.robot() + ", the arm is " + arm.id());
+        () -> "it is for " + robotName(installation.robot()) + ", the arm is " + arm.displayName());
     tools();
     payloads();
     mounting();
@@ -73,7 +78,7 @@ public final class InstallationCheck {
             "home is "
                 + installation.homeRad()
                 + ", must be within the joint ranges of "
-                + arm.id());
+                + arm.displayName());
     variables();
     startUp();
     // what is beyond the arm is taken back to what it can do
@@ -139,7 +144,13 @@ public final class InstallationCheck {
       problems.require(
           massKg >= 0 && massKg <= mostKg,
           field + "massKg",
-          () -> "the mass is " + massKg + " kg, must be 0 to " + mostKg + " kg on " + arm.id());
+          () ->
+              "the mass is "
+                  + massKg
+                  + " kg, must be 0 to "
+                  + mostKg
+                  + " kg on "
+                  + arm.displayName());
       Vector3 cog = payload.cogM();
       problems.require(
           near(cog.x(), cog.y(), cog.z(), MAX_M),

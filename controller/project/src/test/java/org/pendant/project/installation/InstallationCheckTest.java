@@ -77,7 +77,7 @@ class InstallationCheckTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "robot id=\"ur3e\"|robot|it is for ur3e, the arm is ur5e",
+        "robot id=\"ur3e\"|robot|it is for UR3e, the arm is UR5e",
         "tool name=\" \" in-flange=[0, 0, 0, 0, 0, 0]|tools[0].name|there is no name",
         "tool name=\"a\" in-flange=[0, 0, 0, 0, 0, 0]\\n"
             + "tool name=\"a\" in-flange=[0, 0, 0, 0, 0, 0]|tools[1].name|a is the name of another"
@@ -85,7 +85,7 @@ class InstallationCheckTest {
         "tool name=\"a\" in-flange=[0, 0, 9, 0, 0, 0]|tools[0].inFlange|the position must be -4.0",
         "active-tool name=\"b\"|activeTool|there is no TCP b",
         "payload name=\"a\" mass-kg=500 cog-m=[0, 0, 0] inertia-kg-m2=[0, 0, 0, 0, 0, 0]"
-            + "|payloads[0].massKg|the mass is 500.0 kg, must be 0 to 20.0 kg on ur5e",
+            + "|payloads[0].massKg|the mass is 500.0 kg, must be 0 to 20.0 kg on UR5e",
         "payload name=\"a\" mass-kg=1 cog-m=[0, 0, 0] inertia-kg-m2=[-1, 0, 0, 0, 0, 0]"
             + "|payloads[0].inertia|the inertia is refused: the first three",
         "active-payload name=\"b\"|activePayload|there is no payload b",

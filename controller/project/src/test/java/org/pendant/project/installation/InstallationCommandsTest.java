@@ -124,7 +124,7 @@ class InstallationCommandsTest {
     IllegalArgumentException refused =
         assertThrows(
             IllegalArgumentException.class, () -> new Controller(options("robot id=\"ur10e\"\n")));
-    assertEquals("installation: robot: it is for ur10e, the arm is ur5e", refused.getMessage());
+    assertEquals("installation: robot: it is for UR10e, the arm is UR5e", refused.getMessage());
     RunningProgram robot = robot("");
     assertEquals(
         "activeTool: there is no TCP x",

@@ -1,6 +1,7 @@
 package org.pendant.desktop.help;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
@@ -8,16 +9,21 @@ import java.awt.event.ActionEvent;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import javax.swing.AbstractAction;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.DefaultListModel;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JEditorPane;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.event.HyperlinkEvent;
@@ -30,20 +36,25 @@ import javax.swing.text.html.HTMLDocument;
 import javax.swing.text.html.HTMLEditorKit;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.background.Background;
+import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 
 /** Help panel: the pages of the help, over the views. */
 final class HelpPanel {
-  private static final Dimension USUAL = new Dimension(900, 620);
+  private static final Dimension USUAL = new Dimension(960, 620);
 
   private final Function<HelpPage, String> made;
   private final Consumer<String> outside;
-  private final JList<HelpPage> list = new JList<>(HelpPage.all().toArray(HelpPage[]::new));
+  private final DefaultListModel<HelpSearch.Hit> model = new DefaultListModel<>();
+  private final JList<HelpSearch.Hit> list = new JList<>(model);
+  private final JTextField query = new JTextField();
   private final JEditorPane text = new JEditorPane();
   private final Overlay overlay;
   private HelpPage shown = HelpPage.FIRST;
   private boolean choosing;
+  private Optional<HelpSearch> search = Optional.empty();
+  private boolean indexing;
 
   /**
    * A panel that is closed.
@@ -58,18 +69,19 @@ final class HelpPanel {
     JPanel panel =
         new JPanel(
             new MigLayout(
-                "insets 0, gap 12", "[170!, fill][grow, fill, 0::]", "[grow, fill, 0::][]"));
+                "insets 0, gap 12", "[230!, fill][grow, fill, 0::]", "[grow, fill, 0::][]"));
     panel.setOpaque(false);
     list.setName("help-pages");
-    list.setToolTipText("Pages of the help; Escape closes it");
+    list.setCellRenderer(new WithTip());
     list.getAccessibleContext().setAccessibleName("Pages of the help");
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.addListSelectionListener(
         event -> {
           if (!event.getValueIsAdjusting() && !choosing && list.getSelectedValue() != null) {
-            show(list.getSelectedValue(), "");
+            show(list.getSelectedValue().page(), list.getSelectedValue().place());
           }
         });
+    addQuery();
     text.setName("help-text");
     text.setEditable(false);
     addLinkKeys();
@@ -79,11 +91,15 @@ final class HelpPanel {
             follow(event.getDescription());
           }
         });
-    panel.add(
+    // A column of its own, so that Tab leads from the list to the text.
+    JPanel pages = new JPanel(new MigLayout("insets 0, gap 8, wrap 1", "[grow, fill]"));
+    pages.setOpaque(false);
+    pages.add(query);
+    pages.add(
         new JScrollPane(
-            list,
-            JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
-            JScrollPane.HORIZONTAL_SCROLLBAR_NEVER));
+            list, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER),
+        "grow, push");
+    panel.add(pages);
     panel.add(new JScrollPane(text), "spany 2, wrap");
     panel.add(close());
     panel.setPreferredSize(UIScale.scale(USUAL));
@@ -110,6 +126,58 @@ final class HelpPanel {
             });
   }
 
+  private void addQuery() {
+    query.setName("help-search");
+    query.putClientProperty("JTextField.placeholderText", "Search the help");
+    query.putClientProperty("JTextField.showClearButton", true);
+    query.setToolTipText("Words that a section has; the arrow down goes to what was found");
+    query.getAccessibleContext().setAccessibleName("Search the help");
+    query.getDocument().addDocumentListener(new Typed(this::find));
+    query.registerKeyboardAction(
+        event -> list.requestFocusInWindow(),
+        KeyStroke.getKeyStroke("DOWN"),
+        JComponent.WHEN_FOCUSED);
+    query.addActionListener(event -> list.setSelectedIndex(0));
+    listPages();
+  }
+
+  private void listPages() {
+    model.clear();
+    HelpPage.all().forEach(page -> model.addElement(new HelpSearch.Hit(page, page.title(), "")));
+  }
+
+  /** Lists what has the words that were typed; all pages while there are none. */
+  private void find() {
+    String words = query.getText();
+    choosing = true;
+    if (words.isBlank()) {
+      listPages();
+    } else if (search.isPresent()) {
+      model.clear();
+      model.addAll(search.get().find(words));
+    } else if (!indexing) {
+      indexing = true;
+      index();
+    }
+    choosing = false;
+  }
+
+  /** Reads all pages, and then finds what has been typed until then. */
+  private void index() {
+    Map<HelpPage, String> own =
+        HelpPage.all().stream().collect(Collectors.toMap(page -> page, made));
+    Background.run(
+        () ->
+            new HelpSearch(
+                HelpPage.all(),
+                page -> own.get(page).isEmpty() ? HelpTexts.read(page.name()) : own.get(page)),
+        read -> {
+          search = Optional.of(read);
+          find();
+        },
+        failed -> text.setText(failed.getMessage()));
+  }
+
   private JButton close() {
     JButton close = new JButton("Close");
     close.setName("help-close");
@@ -120,6 +188,7 @@ final class HelpPanel {
 
   /** Opens it at a page. */
   void open(HelpPage page) {
+    query.setText("");
     overlay.open();
     show(page, "");
     list.requestFocusInWindow();
@@ -128,7 +197,9 @@ final class HelpPanel {
   private void show(HelpPage page, String place) {
     shown = page;
     choosing = true;
-    list.setSelectedValue(page, true);
+    if (query.getText().isBlank()) {
+      list.setSelectedValue(new HelpSearch.Hit(page, page.title(), ""), true);
+    }
     choosing = false;
     // Reading the look and the keys is for this thread, the rest takes long for long pages.
     HTMLEditorKit kit = HelpStyle.kit();
@@ -201,6 +272,18 @@ final class HelpPanel {
       show(new HelpPage(name, name), place);
     } else {
       outside.accept(name);
+    }
+  }
+
+  /** What is too long for the list is whole in its tip. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class WithTip extends DefaultListCellRenderer {
+    @Override
+    public Component getListCellRendererComponent(
+        JList<?> list, Object value, int index, boolean selected, boolean focused) {
+      super.getListCellRendererComponent(list, value, index, selected, focused);
+      setToolTipText(value.toString());
+      return this;
     }
   }
 }

@@ -27,7 +27,8 @@ final class ShortcutText {
                   .toList();
           if (!withKeys.isEmpty()) {
             text.append("\n## ").append(title).append("\n\n| Keys | Action |\n| --- | --- |\n");
-            withKeys.forEach(each -> text.append(row(actions, each)));
+            // One key may do the same on several screens.
+            withKeys.stream().map(each -> row(actions, each)).distinct().forEach(text::append);
           }
         });
     return text.toString();

@@ -129,7 +129,7 @@ final class TreeActions {
     add("to-tree", "Go to the tree", "", commands::ready, view::focusTree);
     add("script", "Show the node in the script", "", commands::ready, view::showInScript);
     add("as-text", "Edit the program file as text", "", view::canEditText, view::editAsText);
-    add("close", "Close the program in front", "control W", () -> view.hasProgram(), view::close);
+    add("close", "Close program", "control W", () -> view.hasProgram(), view::close);
     actions.add(
         new Action(
                 PREFIX + "follow",

@@ -1,5 +1,6 @@
 package org.pendant.desktop.help;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -35,6 +36,15 @@ final class ShortcutTextTest {
     assertTrue(text.contains("\n| **F5** | Run program |\n"), text);
     assertFalse(text.contains("Something else"), text);
     assertFalse(text.contains("## Go"), text);
+  }
+
+  @Test
+  void aKeyThatDoesTheSameOnTwoScreensHasOneRow() {
+    ActionTable actions = new ActionTable(new Nothing());
+    actions.add(Action.of("editor.close", "Close program", "control W", () -> {}));
+    actions.add(Action.of("tree.close", "Close program", "control W", () -> {}));
+    String text = ShortcutText.of(actions, Map.of("File", List.of("editor.close", "tree.close")));
+    assertEquals(2, text.split("Close program", -1).length, text);
   }
 
   @Test

@@ -324,7 +324,7 @@ final class MovePresenterTest {
     presenter.tool().setPayload();
     refresh(1);
     assertEquals(
-        "the mass is 60 kg, must be 0 to 20 kg on ur5e", presenter.tool().payloadProblem());
+        "the mass is 60 kg, must be 0 to 20 kg on UR5e", presenter.tool().payloadProblem());
     payload.type(0, "1500 g");
     presenter.tool().setPayload();
     refresh(2);

@@ -142,7 +142,7 @@ final class StartOptionsTest {
 
     assertEquals(ArmLibrary.load("ur3e"), of.controller().arm());
     assertEquals(2, of.troubles().size());
-    assertTrue(of.troubles().getFirst().contains("it is for ur16e, the arm is ur3e"));
+    assertTrue(of.troubles().getFirst().contains("it is for UR16e, the arm is UR3e"));
     assertEquals(
         "The calibration cannot be used: none.conf, there is no such file",
         of.troubles().getLast());
