@@ -94,6 +94,6 @@ final class MarkFinderTest {
     Pose between = new Pose(TRAY.x(), TRAY.y(), TRAY.z() + 0.1, 0, 0, 0);
     MarkTarget found = finder.at(near(pixel(between))).orElseThrow();
     assertEquals(44, found.line());
-    assertEquals("Line 44\n100 mm/s", found.words());
+    assertEquals("Line 44\n100 mm/s\nA click explains the speed", found.words());
   }
 }
