@@ -407,7 +407,7 @@ final class JoggingTest {
     TestController.done(controller, payload(1.5, 0, 0, 0.05));
     assertEquals(1.5, controller.state().readings().payload().massKg());
     assertEquals(0.05, controller.state().readings().payload().cogZM());
-    assertEquals("the mass is 50 kg, must be 0 to 20 kg on ur5e", refusal(payload(50, 0, 0, 0)));
+    assertEquals("the mass is 50 kg, must be 0 to 20 kg on UR5e", refusal(payload(50, 0, 0, 0)));
     assertEquals(
         "the centre of gravity is at [0, 0, 50] m, each must be -4 to 4 m",
         refusal(payload(1, 0, 0, 50)));
