@@ -414,8 +414,10 @@ final class DesktopWindow {
 
   private void refresh() {
     ControllerState state = stillArm.shown(session.state());
-    Faults.guard(() -> header.refresh(state));
-    Faults.guard(() -> footer.refresh(state));
+    if (WindowFrame.seen(docks.component())) {
+      Faults.guard(() -> header.refresh(state));
+      Faults.guard(() -> footer.refresh(state));
+    }
     Faults.guard(
         () ->
             status.refresh(
@@ -425,7 +427,7 @@ final class DesktopWindow {
     Faults.guard(() -> views.follow(state));
     Faults.guard(() -> startPanel.refresh(state));
     for (View view : views.all()) {
-      if (view.component().isShowing()) {
+      if (WindowFrame.seen(view.component())) {
         Faults.guard(() -> view.refresh(views.past().shown(view, state)));
       }
     }

@@ -31,6 +31,10 @@ final class SceneBar extends JPanel {
 
   private final transient Actions actions;
   private final transient List<Runnable> states = new ArrayList<>();
+
+  /** What the menu shows is needed only when it opens. */
+  private final transient List<Runnable> menuStates = new ArrayList<>();
+
   private final transient Map<String, Squeeze.Part> spares = new HashMap<>();
   private final JButton more = new JButton("More \u25BE");
   private final JPopupMenu menu = new JPopupMenu();
@@ -41,7 +45,11 @@ final class SceneBar extends JPanel {
     setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
     more.setToolTipText("More to see, and the picture as a file");
     prepare(more, "scene-more", "More about the 3D view");
-    more.addActionListener(event -> menu.show(more, 0, more.getHeight()));
+    more.addActionListener(
+        event -> {
+          menuStates.forEach(Runnable::run);
+          menu.show(more, 0, more.getHeight());
+        });
   }
 
   /** A button that does something; {@code key} works while the picture has the focus. */
@@ -71,7 +79,7 @@ final class SceneBar extends JPanel {
     add(described(button, id, describes, key));
     JCheckBoxMenuItem item = new JCheckBoxMenuItem(title);
     item.addActionListener(event -> set.accept(item.isSelected()));
-    states.add(() -> item.setSelected(on.getAsBoolean()));
+    menuStates.add(() -> item.setSelected(on.getAsBoolean()));
     spare(button, item);
   }
 
@@ -118,7 +126,7 @@ final class SceneBar extends JPanel {
     JMenuItem item = new JMenuItem(title);
     item.setName("scene-more-" + id.replace('.', '-'));
     item.addActionListener(event -> actions.run(id));
-    states.add(
+    menuStates.add(
         () ->
             item.setEnabled(
                 actions.all().stream()
@@ -134,7 +142,7 @@ final class SceneBar extends JPanel {
     JCheckBoxMenuItem item = new JCheckBoxMenuItem(title);
     item.setName(id.replace('.', '-'));
     item.addActionListener(event -> set.accept(item.isSelected()));
-    states.add(() -> item.setSelected(on.getAsBoolean()));
+    menuStates.add(() -> item.setSelected(on.getAsBoolean()));
     menu.add(item);
   }
 
@@ -148,7 +156,7 @@ final class SceneBar extends JPanel {
       JRadioButtonMenuItem item = new JRadioButtonMenuItem(each.title());
       item.setName(each.id().replace('.', '-'));
       item.addActionListener(event -> each.run().run());
-      states.add(() -> item.setSelected(each.on().getAsBoolean()));
+      menuStates.add(() -> item.setSelected(each.on().getAsBoolean()));
       sub.add(item);
     }
     menu.add(sub);

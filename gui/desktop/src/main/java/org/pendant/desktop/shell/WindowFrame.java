@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell;
 
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Graphics2D;
@@ -15,6 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.WindowBounds;
@@ -64,6 +66,13 @@ final class WindowFrame {
     return WindowBounds.parse(settings.get(BOUNDS).orElse(""))
         .flatMap(bounds -> WindowBounds.within(bounds, WindowBounds.screens()))
         .orElseGet(() -> WindowBounds.usual(screens.getMaximumWindowBounds()));
+  }
+
+  /** Whether a component is shown, in a window that is not minimised. */
+  static boolean seen(Component component) {
+    return component.isShowing()
+        && !(SwingUtilities.getWindowAncestor(component) instanceof Frame frame
+            && (frame.getExtendedState() & Frame.ICONIFIED) != 0);
   }
 
   /** Pendant's picture in the sizes that desktops ask for. */
