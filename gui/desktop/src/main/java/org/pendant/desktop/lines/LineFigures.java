@@ -66,9 +66,8 @@ final class LineFigures {
       rows.add("Highest speed of the tool: " + way(line.toolSpeedMPerS()) + "/s");
     }
     line.worst(Margin.JOINT_SPEED)
-        .ifPresent(each -> rows.add("Highest joint speed: " + share(each) + ", of what it can"));
-    line.worst(Margin.TORQUE)
-        .ifPresent(each -> rows.add("Highest torque: " + share(each) + ", of what it can"));
+        .ifPresent(each -> rows.add("Highest joint speed: " + ofLimit(each)));
+    line.worst(Margin.TORQUE).ifPresent(each -> rows.add("Highest torque: " + ofLimit(each)));
     line.worst(Margin.JOINT_LIMIT)
         .ifPresent(
             each -> rows.add("Nearest joint limit: " + each.part() + ", " + angle(each.value())));
@@ -92,6 +91,10 @@ final class LineFigures {
                   Locale.ROOT, "fastest tool, %.0f %% of the safety limit", 100 * each.value());
         };
     return what + " (line " + moment.line() + ")";
+  }
+
+  private static String ofLimit(Worst each) {
+    return String.format(Locale.ROOT, "%s, %.0f %% of its limit", each.part(), 100 * each.value());
   }
 
   private static String share(Worst each) {

@@ -27,6 +27,9 @@ public final class MotionView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "motion";
 
+  /** Of the names; 75 is that of a column of numbers. */
+  private static final int NAME_WIDTH = 95;
+
   private static final String HINT =
       "Look at a moment of the timeline, or click the way of the tool in 3D: here stands what was"
           + " planned, what happened, and what set the speed.";
@@ -110,13 +113,14 @@ public final class MotionView implements View {
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
     table.setAutoCreateRowSorter(false);
+    table.getColumnModel().getColumn(0).setPreferredWidth(NAME_WIDTH);
     JScrollPane words = new JScrollPane(text);
     words.setBorder(BorderFactory.createEmptyBorder());
     numbers.setBorder(BorderFactory.createEmptyBorder());
     JPanel both =
         new JPanel(
             new MigLayout(
-                "insets 0, gap 0, hidemode 3", "[45%!, fill][55%!, fill]", "[grow, fill]"));
+                "insets 0, gap 0, hidemode 3", "[40%!, fill][60%!, fill]", "[grow, fill]"));
     both.add(words, "wmin 0, hmin 0");
     both.add(numbers, "wmin 0, hmin 0");
     content.setName("motion-view");

@@ -53,9 +53,10 @@ public final class ClientsView implements View {
   /** Its name among the views. */
   public static final String ID = "clients";
 
-  private static final int[] CLIENT_WIDTHS = {132, 76, 50, 96, 124, 126, 74, 70};
-  private static final int[] MIN_CLIENT_WIDTHS = {116, 62, 38, 60, 100, 112, 60, 50};
-  private static final int[] MESSAGE_WIDTHS = {68, 22, 116, 72, 96, 2000};
+  private static final int[] CLIENT_WIDTHS = {132, 84, 50, 110, 124, 126, 74, 70};
+  private static final int[] MIN_CLIENT_WIDTHS = {116, 78, 40, 66, 66, 114, 60, 62};
+  private static final int[] MESSAGE_WIDTHS = {76, 22, 116, 78, 104, 2000};
+  private static final int[] MIN_MESSAGE_WIDTHS = {76, 22, 116, 78, 104, 100};
 
   private final Workbench workbench;
   private final ClientsPresenter presenter;
@@ -73,7 +74,7 @@ public final class ClientsView implements View {
   private final JToggleButton streamed = new JToggleButton("Data");
   private final JButton all = new JButton("All clients");
   private final JToggleButton record = new JToggleButton("Record", true);
-  private final JLabel summary = new JLabel();
+  private final JLabel summary = summary();
   private final JButton moment = new JButton("Moment");
   private final DoubleConsumer lookAt;
   private boolean showing;
@@ -167,6 +168,17 @@ public final class ClientsView implements View {
     bar.add(button);
   }
 
+  /** As wide as its longest words, or the bar would get another row and lose it again. */
+  private static JLabel summary() {
+    return new JLabel() {
+      @Override
+      public Dimension getPreferredSize() {
+        int width = getFontMetrics(getFont()).stringWidth("Nobody is connected, 99999 messages");
+        return new Dimension(width, super.getPreferredSize().height);
+      }
+    };
+  }
+
   private JTable clientTable() {
     return new JTable(clients) {
       @Override
@@ -182,10 +194,12 @@ public final class ClientsView implements View {
   private JComponent tables() {
     prepare(clientTable, "clients-table", "Clients", CLIENT_WIDTHS);
     keepWidths(clientTable, MIN_CLIENT_WIDTHS);
+    clientTable.getColumn("In").setCellRenderer(new RateCellRenderer());
+    clientTable.getColumn("Out").setCellRenderer(new RateCellRenderer());
     clientTable.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     clientTable.getSelectionModel().addListSelectionListener(event -> clientChosen());
     prepare(messageTable, "clients-messages", "Messages", MESSAGE_WIDTHS);
-    keepWidths(messageTable, MESSAGE_WIDTHS);
+    keepWidths(messageTable, MIN_MESSAGE_WIDTHS);
     key(clientTable, "ESCAPE", clientTable::clearSelection);
     messageScroll
         .getViewport()
@@ -226,7 +240,7 @@ public final class ClientsView implements View {
     JSplitPane lower = split("clients-split", messageScroll, whole, 0.65);
     JScrollPane upper = new JScrollPane(clientTable);
     upper.setBorder(BorderFactory.createEmptyBorder());
-    upper.setPreferredSize(new Dimension(400, 110));
+    upper.setPreferredSize(UIScale.scale(new Dimension(400, 120)));
     return split("clients-upper", upper, lower, 0.0);
   }
 
@@ -235,8 +249,8 @@ public final class ClientsView implements View {
     split.setName(name);
     split.setResizeWeight(weight);
     split.setBorder(null);
-    top.setMinimumSize(new Dimension(0, 90));
-    bottom.setMinimumSize(new Dimension(0, 60));
+    top.setMinimumSize(UIScale.scale(new Dimension(0, 106)));
+    bottom.setMinimumSize(UIScale.scale(new Dimension(0, 60)));
     return split;
   }
 
@@ -265,9 +279,9 @@ public final class ClientsView implements View {
     }
   }
 
-  /** All but the last column are at least so wide. */
+  /** Columns are at least so wide. */
   private static void keepWidths(JTable table, int... widths) {
-    for (int i = 0; i < widths.length - 1; i++) {
+    for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setMinWidth(UIScale.scale(widths[i]));
     }
   }

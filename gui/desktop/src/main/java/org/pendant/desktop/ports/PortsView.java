@@ -125,7 +125,8 @@ public final class PortsView implements View {
       top.add(field, "wmin 60");
     }
     for (JComponent each : new JComponent[] {problem, warning, summary}) {
-      top.add(each, "span, growx, wmin 0");
+      // Its lines break at the width that it gets, so that it must not ask for one.
+      top.add(each, "span, growx, w 0:0");
     }
     top.add(clients(workbench), "span, alignx left");
     return top;

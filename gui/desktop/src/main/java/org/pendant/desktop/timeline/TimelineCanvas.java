@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
@@ -21,12 +22,13 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import javax.swing.Scrollable;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
 
 /** Timeline canvas: the tracks over time; the mouse and keys move through it. */
 @SuppressWarnings("serial") // never written to a stream
-final class TimelineCanvas extends JComponent {
+final class TimelineCanvas extends JComponent implements Scrollable {
   /** Frames of 2 ms that make 100 ms. */
   private static final int LONG_STEP = 50;
 
@@ -150,12 +152,38 @@ final class TimelineCanvas extends JComponent {
 
   @Override
   public Dimension getPreferredSize() {
-    return new Dimension(UIScale.scale(480), painter.height(getFontMetrics(getFont())));
+    return getMinimumSize();
   }
 
   @Override
   public Dimension getMinimumSize() {
-    return new Dimension(UIScale.scale(120), UIScale.scale(60));
+    return new Dimension(UIScale.scale(120), painter.leastHeight(getFontMetrics(getFont())));
+  }
+
+  @Override
+  public Dimension getPreferredScrollableViewportSize() {
+    return new Dimension(UIScale.scale(480), painter.height(getFontMetrics(getFont())));
+  }
+
+  @Override
+  public int getScrollableUnitIncrement(Rectangle visible, int orientation, int way) {
+    return getFontMetrics(getFont()).getHeight();
+  }
+
+  @Override
+  public int getScrollableBlockIncrement(Rectangle visible, int orientation, int way) {
+    return visible.height;
+  }
+
+  @Override
+  public boolean getScrollableTracksViewportWidth() {
+    return true;
+  }
+
+  /** The rows fill a panel that is high enough, and scroll in others. */
+  @Override
+  public boolean getScrollableTracksViewportHeight() {
+    return getParent().getHeight() >= getMinimumSize().height;
   }
 
   @Override

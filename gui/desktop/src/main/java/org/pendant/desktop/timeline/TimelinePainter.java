@@ -28,6 +28,12 @@ final class TimelinePainter {
   /** Height of each row in heights of a line of text. */
   private static final double[] HEIGHTS = {1.35, 1.2, 0.7, 0.7, 2.4};
 
+  /** Height of the axis in the same. */
+  private static final double AXIS = 1.5;
+
+  /** So far rows become lower where there is little room. */
+  private static final double SMALLEST = 0.8;
+
   /** At this speed the curve is as high as its row, m/s, unless something was faster. */
   private static final double MIN_TOP_M_PER_S = 0.25;
 
@@ -54,11 +60,25 @@ final class TimelinePainter {
 
   /** The height that all rows need. */
   int height(FontMetrics metrics) {
-    double lines = 1.5;
-    for (double each : HEIGHTS) {
-      lines += each;
+    return height(metrics, rest() + HEIGHTS[HEIGHTS.length - 1]);
+  }
+
+  /** The height below which names and rows would lie on each other. */
+  int leastHeight(FontMetrics metrics) {
+    return height(metrics, SMALLEST * (rest() + 1));
+  }
+
+  private static int height(FontMetrics metrics, double lines) {
+    return (int) Math.ceil((AXIS + lines) * metrics.getHeight()) + (ROWS.size() + 1) * gap();
+  }
+
+  /** The lines of all rows but the last. */
+  private static double rest() {
+    double lines = 0;
+    for (int i = 0; i < HEIGHTS.length - 1; i++) {
+      lines += HEIGHTS[i];
     }
-    return (int) Math.ceil(lines * metrics.getHeight()) + (ROWS.size() + 1) * gap();
+    return lines;
   }
 
   private static int gap() {
@@ -107,11 +127,8 @@ final class TimelinePainter {
   private static double[] heights(double room, int lineHeight) {
     double[] heights = new double[HEIGHTS.length];
     double gaps = (double) HEIGHTS.length * gap();
-    double rest = 0;
-    for (int i = 0; i < heights.length - 1; i++) {
-      rest += HEIGHTS[i] * lineHeight;
-    }
-    double scale = Math.clamp((room - gaps) / (rest + lineHeight), 0.3, 1);
+    double rest = rest() * lineHeight;
+    double scale = Math.clamp((room - gaps) / (rest + lineHeight), SMALLEST, 1);
     for (int i = 0; i < heights.length - 1; i++) {
       heights[i] = scale * HEIGHTS[i] * lineHeight;
     }
@@ -140,7 +157,7 @@ final class TimelinePainter {
     Graphics2D pen = sheet.pen;
     double unit =
         unit(sheet.range.widthS() * sheet.metrics.stringWidth("0000.000 s  ") / sheet.width);
-    double bottom = 1.5 * sheet.metrics.getHeight();
+    double bottom = AXIS * sheet.metrics.getHeight();
     // What is not held any more, or has not come yet, is dimmer.
     double fromX = Math.max(sheet.left, sheet.x(at.recording().firstS()));
     double toX = Math.min(sheet.left + (double) sheet.width, sheet.x(at.recording().lastS()));
@@ -150,16 +167,17 @@ final class TimelinePainter {
       pen.setColor(Palette.card());
       pen.fill(new Rectangle2D.Double(fromX, bottom, toX - fromX, height - bottom - gap()));
     }
+    Rectangle2D flag = flag(sheet, at);
     int decimals = unit >= 1 ? 0 : unit >= 0.1 ? 1 : unit >= 0.01 ? 2 : 3;
     for (double i = Math.ceil(sheet.range.fromS() / unit); i * unit <= sheet.range.toS(); i++) {
       double timeS = i * unit;
       double x = sheet.x(timeS);
       pen.setColor(Palette.line());
       pen.draw(new Line2D.Double(x, bottom - gap(), x, height - (double) gap()));
-      if (timeS > -unit / 2) {
-        String text = String.format(Locale.ROOT, "%." + decimals + "f s", Math.max(0, timeS));
-        double textX =
-            Math.min(x + gap() / 2.0, sheet.left + sheet.width - sheet.metrics.stringWidth(text));
+      String text = String.format(Locale.ROOT, "%." + decimals + "f s", Math.max(0, timeS));
+      double textWidth = sheet.metrics.stringWidth(text);
+      double textX = Math.min(x + gap() / 2.0, sheet.left + sheet.width - textWidth);
+      if (timeS > -unit / 2 && !flag.intersects(textX - gap(), 0, textWidth + 2 * gap(), 1)) {
         pen.setColor(Palette.quiet());
         pen.drawString(text, (float) textX, sheet.metrics.getAscent() + gap() / 2f);
       }
@@ -406,12 +424,24 @@ final class TimelinePainter {
     sheet.pen.setStroke(new BasicStroke(UIScale.scale(focused ? 2f : 1.5f)));
     sheet.pen.draw(new Line2D.Double(x, 0, x, size.height));
     if (at.back()) {
-      String text = LookBack.text(timeS);
-      double width = sheet.metrics.stringWidth(text) + 2.0 * gap();
-      double from = Math.clamp(x - width / 2, sheet.left, Math.max(sheet.left, size.width - width));
-      sheet.pen.fill(new Rectangle2D.Double(from, 0, width, sheet.metrics.getHeight() + 2.0));
+      Rectangle2D flag = flag(sheet, at);
+      sheet.pen.fill(flag);
       sheet.pen.setColor(Palette.card());
-      sheet.pen.drawString(text, (float) (from + gap()), sheet.metrics.getAscent() + 1f);
+      sheet.pen.drawString(
+          LookBack.text(timeS), (float) flag.getX() + gap(), sheet.metrics.getAscent() + 1f);
     }
+  }
+
+  /** Where the moment that people look at is written; empty while that is now. */
+  private static Rectangle2D flag(Sheet sheet, LookBack at) {
+    double timeS = at.timeS().orElse(Double.NaN);
+    if (!at.back() || !sheet.sees(timeS, timeS)) {
+      return new Rectangle2D.Double();
+    }
+    double width = sheet.metrics.stringWidth(LookBack.text(timeS)) + 2.0 * gap();
+    double right = sheet.left + sheet.width + 3.0 * gap();
+    double from =
+        Math.clamp(sheet.x(timeS) - width / 2, sheet.left, Math.max(sheet.left, right - width));
+    return new Rectangle2D.Double(from, 0, width, sheet.metrics.getHeight() + 2.0);
   }
 }

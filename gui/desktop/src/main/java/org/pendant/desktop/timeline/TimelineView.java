@@ -14,12 +14,15 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
+import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.message.LogEntry;
@@ -32,7 +35,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
-import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingExport;
@@ -46,6 +49,8 @@ public final class TimelineView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "timeline";
 
+  private static final String OPEN = "Open recording\u2026";
+  private static final String BRANCH = "Branch from here\u2026";
   private static final int THOUSAND = 1000;
 
   private final Workbench workbench;
@@ -57,7 +62,7 @@ public final class TimelineView implements View {
   private final JPanel head = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
   private final JButton live = button("live", "Live", "Back to what the robot does now (Esc)");
-  private final JButton branchButton = button("branch", "Branch from here\u2026", "");
+  private final JButton branchButton = button("branch", BRANCH, "");
   private final JLabel question = new JLabel();
   private final JButton yes = button("branch-yes", "Branch", "Continues from that moment");
   private final JProgressBar progress = new JProgressBar(0, THOUSAND);
@@ -86,7 +91,10 @@ public final class TimelineView implements View {
     head.add(asking(), "asking");
     head.add(running(), "running");
     content.add(head, BorderLayout.NORTH);
-    content.add(canvas, BorderLayout.CENTER);
+    JScrollPane rows = new JScrollPane(canvas);
+    rows.setBorder(BorderFactory.createEmptyBorder());
+    rows.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+    content.add(rows, BorderLayout.CENTER);
     content.setBorder(BorderFactory.createEmptyBorder());
     declareActions(chooseFile);
     lookBack.addListener(this::show);
@@ -124,6 +132,7 @@ public final class TimelineView implements View {
     JButton button = new JButton(text);
     button.setName("timeline-" + name);
     button.setToolTipText(tip.isEmpty() ? text : tip);
+    button.putClientProperty("FlatLaf.style", "margin: 2,8,2,8; minimumWidth: 0");
     button.getAccessibleContext().setAccessibleName(text);
     return button;
   }
@@ -134,10 +143,15 @@ public final class TimelineView implements View {
     return button;
   }
 
+  /** One row always: words become shorter, then what is in the menu, too, is left out. */
   private JPanel bar(Runnable chooseFile) {
-    JPanel bar = new JPanel(new WrappingRow(6));
+    JPanel bar = new JPanel(new MigLayout("insets 4 6 4 6, gap 6, hidemode 3"));
     live.addActionListener(event -> lookBack.live());
     branchButton.addActionListener(event -> branch.ask());
+    JButton all = button("all", "Whole", "Shows all that is kept", lookBack::showAll);
+    JButton export =
+        button("export", "Export\u2026", "Saves the stretch that is shown as a file", this::export);
+    JButton open = button("open", OPEN, "Shows a recording of a file", chooseFile);
     bar.add(live);
     bar.add(
         button(
@@ -151,12 +165,22 @@ public final class TimelineView implements View {
             "Mark \u203a",
             "To the next mark: start, end, stop, message (Ctrl+Right)",
             () -> canvas.toMark(true)));
-    bar.add(button("all", "Whole", "Shows all that is kept", lookBack::showAll));
+    bar.add(all);
     bar.add(branchButton);
-    bar.add(
-        button(
-            "export", "Export\u2026", "Saves the stretch that is shown as a file", this::export));
-    bar.add(button("open", "Open recording\u2026", "Shows a recording of a file", chooseFile));
+    bar.add(export);
+    bar.add(open);
+    Squeeze squeeze =
+        new Squeeze(
+            bar,
+            List.of(
+                whole -> open.setText(whole ? OPEN : "Open\u2026"),
+                whole -> branchButton.setText(whole ? BRANCH : "Branch\u2026"),
+                open::setVisible,
+                export::setVisible,
+                all::setVisible));
+    // its words change
+    live.addPropertyChangeListener(AbstractButton.TEXT_CHANGED_PROPERTY, e -> squeeze.fitLater());
+    squeeze.fitLater();
     return bar;
   }
 

@@ -20,7 +20,7 @@ import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.InputChange;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.kit.form.Measure;
-import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.layout.Squeeze;
 
 /** Waveform bar: the fields and buttons above the rows. */
 @SuppressWarnings("serial") // never written to a stream
@@ -31,7 +31,9 @@ final class WaveformBar extends JPanel {
   private final JComboBox<String> signal = new JComboBox<>(signals());
   private final JTextField value = new JTextField(6);
   private final JPanel valueGroup = together();
-  private final JTextField period = new JTextField(5);
+  private final JTextField period = new JTextField(4);
+  private final JLabel repeat = new JLabel("Repeat after");
+  private transient Optional<Squeeze> squeeze = Optional.empty();
   private final transient Consumer<String> complain;
 
   /**
@@ -40,7 +42,7 @@ final class WaveformBar extends JPanel {
    * @param complain takes what is wrong with what was typed; empty when nothing is
    */
   WaveformBar(WaveformDraft draft, WaveformCanvas canvas, Consumer<String> complain) {
-    super(new WrappingRow(6));
+    super(new MigLayout("insets 4 6 4 6, gap 6, hidemode 3", "", "[center]"));
     this.draft = draft;
     this.canvas = canvas;
     this.complain = complain;
@@ -52,14 +54,23 @@ final class WaveformBar extends JPanel {
     name(
         signal, "signal", "An input; type the name of a register, such as input_float_register[3]");
     signal.setEditable(true);
-    Component text = signal.getEditor().getEditorComponent();
-    text.setName("waveform-signal-text");
-    text.getAccessibleContext().setAccessibleName("Input");
+    nameEditor();
+    // Other colours bring another one.
+    signal.addPropertyChangeListener("editor", event -> nameEditor());
     add(signal);
     add(button("add", "Add", "A row for this input, low at first", this::addRow));
     addPeriod();
     draft.addListener(this::refresh);
     refresh();
+  }
+
+  private void nameEditor() {
+    if (signal.getEditor() == null) {
+      return;
+    }
+    Component text = signal.getEditor().getEditorComponent();
+    text.setName("waveform-signal-text");
+    text.getAccessibleContext().setAccessibleName("Input");
   }
 
   private void addPeriod() {
@@ -72,7 +83,7 @@ final class WaveformBar extends JPanel {
             changePeriod();
           }
         });
-    add(together(new JLabel("Repeat after"), period, new JLabel("s")));
+    add(together(repeat, period, new JLabel("s")));
   }
 
   /** Adds what comes last: it is there only while a row with numbers is selected. */
@@ -86,6 +97,19 @@ final class WaveformBar extends JPanel {
     valueGroup.add(value);
     add(valueGroup);
     refresh();
+  }
+
+  /**
+   * Keeps to one row: where there is little room, what the menu has, too, is left out.
+   *
+   * @param spared the least important first
+   */
+  void keepToOneRow(List<JButton> spared) {
+    List<Squeeze.Part> parts = new ArrayList<>();
+    parts.add(whole -> repeat.setText(whole ? "Repeat after" : "Every"));
+    spared.forEach(each -> parts.add(each::setVisible));
+    squeeze = Optional.of(new Squeeze(this, parts));
+    squeeze.get().fitLater();
   }
 
   private static JPanel together(JComponent... parts) {
@@ -122,6 +146,7 @@ final class WaveformBar extends JPanel {
     JButton button = new JButton(text);
     button.setName("waveform-" + name);
     button.setToolTipText(tip);
+    button.putClientProperty("FlatLaf.style", "margin: 2,8,2,8; minimumWidth: 0");
     button.getAccessibleContext().setAccessibleName(text);
     button.addActionListener(event -> run.run());
     return button;
@@ -226,7 +251,11 @@ final class WaveformBar extends JPanel {
       period.setText(periodS.isPresent() ? Measure.SECOND.text(periodS.getAsDouble()) : "");
     }
     Optional<WaveRow> row = canvas.row();
-    valueGroup.setVisible(row.isPresent() && !row.get().level());
+    boolean number = row.isPresent() && !row.get().level();
+    if (number != valueGroup.isVisible()) {
+      valueGroup.setVisible(number);
+      squeeze.ifPresent(Squeeze::fitLater);
+    }
     if (!value.isFocusOwner()) {
       value.setText(
           row.filter(each -> !each.level()).flatMap(each -> each.at(canvas.cursorS())).orElse(""));

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -116,17 +117,22 @@ public final class WaveformView implements View {
   }
 
   private void addButtons(Runnable chooseFile) {
-    bar.add(
+    JButton capture =
         WaveformBar.button(
             "capture",
             "Last run",
             "The digital inputs as they changed in the last run; its outputs are shown below",
-            this::capture));
-    bar.add(WaveformBar.button("open", "Open\u2026", "Opens a table of waveforms", chooseFile));
-    bar.add(
+            this::capture);
+    JButton open =
+        WaveformBar.button("open", "Open\u2026", "Opens a table of waveforms", chooseFile);
+    JButton save =
         WaveformBar.button(
-            "save", "Save\u2026", "Saves a table, also for pendant run --waveforms", this::save));
+            "save", "Save\u2026", "Saves a table, also for pendant run --waveforms", this::save);
+    bar.add(capture);
+    bar.add(open);
+    bar.add(save);
     bar.addValue();
+    bar.keepToOneRow(List.of(open, save, capture));
   }
 
   private void declareActions(Runnable chooseFile) {

@@ -17,6 +17,9 @@ final class DockLayout implements LayoutManager {
 
   private static final int MAIN_HEIGHT = 260;
 
+  /** Below this a panel at the bottom has its bar and next to nothing else; in the same. */
+  private static final int USEFUL_HEIGHT = 208;
+
   /** Thickness of the line between a dock and what is beside it, in pixels before scaling. */
   static final int DIVIDER = 6;
 
@@ -101,7 +104,8 @@ final class DockLayout implements LayoutManager {
   private int open(Side side, int whole, int room) {
     int smallest = UIScale.scale(DockPlan.SMALLEST);
     int wanted = (int) Math.round(plan.share(side) * whole);
-    return Math.max(smallest, Math.min(wanted, room));
+    int useful = side == Side.BOTTOM ? UIScale.scale(USEFUL_HEIGHT) : smallest;
+    return Math.max(smallest, Math.min(Math.max(wanted, useful), room));
   }
 
   private void place(Side side, int thickness, Consumer<Rectangle> bounds, int gap) {
