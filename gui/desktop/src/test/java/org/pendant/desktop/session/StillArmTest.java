@@ -49,4 +49,20 @@ class StillArmTest {
     controller.advance();
     assertSame(controller.state(), stillArm.shown(controller.state()));
   }
+
+  @Test
+  void anArmThatTremblesAtItsTargetIsShownStillAfterAWhile() {
+    ControllerState state = resting(false).state();
+    Joints there = state.arm().actualPositionRad();
+    Joints first = there;
+    for (int i = 0; i < 200; i++) {
+      Joints trembling = there.with(1, there.get(1) + 2e-5 * Math.sin(i));
+      Joints shown = stillArm.shown(state.withActualPosition(trembling)).arm().actualPositionRad();
+      if (i == 100) {
+        first = shown;
+      } else if (i > 100) {
+        assertEquals(first, shown);
+      }
+    }
+  }
 }
