@@ -20,7 +20,7 @@ final class DockPane extends JPanel {
   private final transient Function<String, Dockable> viewOf;
   private final transient DockFrame frame;
   private final transient TabDrag drag;
-  private JTabbedPane tabs = new JTabbedPane();
+  private JTabbedPane tabs = new DockTabs();
   private transient Shown shown = new Shown(List.of(), false, false);
   private boolean filling;
 
@@ -55,11 +55,9 @@ final class DockPane extends JPanel {
   private void fill() {
     removeAll();
     tabs.removeAll();
-    tabs = new JTabbedPane();
+    tabs = new DockTabs();
     tabs.setName("dock-tabs-" + side.word());
     tabs.getAccessibleContext().setAccessibleName("Panels at " + side.title());
-    tabs.putClientProperty("JTabbedPane.tabType", "underlined");
-    tabs.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
     if (plan.collapsed(side)) {
       fillStrip();
     } else {

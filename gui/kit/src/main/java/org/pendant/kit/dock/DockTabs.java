@@ -1,0 +1,58 @@
+package org.pendant.kit.dock;
+
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
+import java.awt.Graphics2D;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JTabbedPane;
+import javax.swing.UIManager;
+import org.pendant.kit.icon.Glyph;
+
+/**
+ * Dock tabs: one row; those without room are in a list behind three dots, which nobody takes for
+ * the arrow that folds the dock.
+ */
+@SuppressWarnings("serial") // never written to a stream
+final class DockTabs extends JTabbedPane {
+  private static final int DOTS = 14;
+
+  DockTabs() {
+    setTabLayoutPolicy(SCROLL_TAB_LAYOUT);
+    putClientProperty("JTabbedPane.tabType", "underlined");
+    // Arrows come and go, and cover what was just brought in sight: the wheel scrolls, too.
+    putClientProperty("JTabbedPane.scrollButtonsPolicy", "never");
+    putClientProperty("JTabbedPane.tabsPopupPolicy", "asNeeded");
+  }
+
+  @Override
+  public void updateUI() {
+    if (UIManager.getLookAndFeel() instanceof FlatLaf) {
+      setUI(new Tabs());
+    } else {
+      super.updateUI();
+    }
+  }
+
+  private static final class Tabs extends FlatTabbedPaneUI {
+    @Override
+    protected JButton createMoreTabsButton() {
+      return new Dots();
+    }
+
+    private final class Dots extends FlatMoreTabsButton {
+      private final transient Icon dots = Glyph.MORE.icon(DOTS);
+
+      Dots() {
+        setToolTipText("More panels");
+        getAccessibleContext().setAccessibleName("More panels");
+      }
+
+      @Override
+      protected void paintArrow(Graphics2D pen) {
+        int x = (getWidth() - dots.getIconWidth()) / 2;
+        dots.paintIcon(this, pen, x, (getHeight() - dots.getIconHeight()) / 2);
+      }
+    }
+  }
+}
