@@ -12,4 +12,5 @@ module org.pendant.recording {
   exports org.pendant.recording.fit;
   exports org.pendant.recording.lines;
   exports org.pendant.recording.replay;
+  exports org.pendant.recording.whatif;
 }

@@ -132,7 +132,7 @@ public final class FrameMargins {
    * Which part of the arm that is: 0 to 5 for a joint; for planes twice their number, and 1 more
    * for the elbow.
    */
-  int part(Margin margin) {
+  public int part(Margin margin) {
     return parts[margin.index()];
   }
 

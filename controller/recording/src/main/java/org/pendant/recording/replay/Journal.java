@@ -1,6 +1,8 @@
 package org.pendant.recording.replay;
 
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -132,6 +134,45 @@ public final class Journal {
       }
     }
     return Optional.empty();
+  }
+
+  /**
+   * A command of the run.
+   *
+   * @param frame in which it came into force
+   */
+  public record Noted(long frame, Command command) {}
+
+  /**
+   * The command with which the program started that ran last up to the end of a frame; empty if
+   * none did.
+   */
+  public Optional<Noted> programStart(long frame) {
+    for (int i = size - 1; i >= 0; i--) {
+      Entry entry = entry(i);
+      boolean starts =
+          entry.command() instanceof ProgramCommand.StartProgram
+              || entry.command() instanceof ProgramCommand.ReplaceProgram;
+      if (starts && entry.frame() <= frame) {
+        return Optional.of(new Noted(entry.frame(), entry.command()));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The commands so far that came into force after the end of a frame, in their order. */
+  public List<Noted> after(long frame) {
+    int count = size;
+    List<Noted> after = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      Entry entry = entry(i);
+      if (entry.frame() > frame) {
+        // where robot time stood, the next frame is the first that shows what came of it
+        boolean stood = entry.turn() > 0 && !entry.held();
+        after.add(new Noted(entry.frame() + (stood ? 1 : 0), entry.command()));
+      }
+    }
+    return after;
   }
 
   /** How many commands it has. */

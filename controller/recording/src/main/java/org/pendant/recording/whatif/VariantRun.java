@@ -1,0 +1,315 @@
+package org.pendant.recording.whatif;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.box.MessageCommand;
+import org.pendant.controller.box.WorldCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.message.Answer;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.message.Question;
+import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.time.FrameTime;
+import org.pendant.recording.replay.Journal;
+import org.pendant.recording.replay.Rerun;
+import org.pendant.recording.replay.RerunRefused;
+import org.pendant.script.debug.DebugRequest;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramState;
+
+/**
+ * Variant run: one variant, from a moment of a run to the end of its program, as fast as the
+ * processor goes and in a controller of its own, which reaches nothing outside. The controller
+ * whose run it was is not touched and may continue meanwhile.
+ *
+ * <p>What came from outside after the moment comes again at the same robot time, and breakpoints
+ * and pauses do not. Popups are closed at once, questions get the answers that they got.
+ *
+ * <p>One thread runs it, once; any thread may ask how far it is, or cancel it.
+ */
+public final class VariantRun {
+  private final Journal journal;
+  private final ControllerOptions options;
+  private final Variant variant;
+  private final VariantLimits limits;
+  private final Rerun rerun;
+
+  /** The command that starts the program after the moment; empty where it runs then. */
+  private final Optional<Journal.Noted> start;
+
+  private final List<CompletableFuture<Reply>> wishes = new ArrayList<>();
+  private volatile boolean cancelled;
+  private volatile double reachedS;
+  private OptionalLong startedFrame = OptionalLong.empty();
+
+  private VariantRun(
+      Journal journal,
+      ControllerOptions options,
+      Variant variant,
+      VariantLimits limits,
+      OptionalLong moment)
+      throws RerunRefused {
+    this.journal = journal;
+    this.options = options;
+    this.variant = variant;
+    this.limits = limits;
+    long frame = moment.orElse(journal.controller().state().frame());
+    Journal.Noted started =
+        journal
+            .programStart(frame)
+            .orElseThrow(() -> new RerunRefused("no program has been started yet"));
+    boolean anew = moment.isEmpty() || variant.program().isPresent();
+    start = anew ? Optional.of(started) : Optional.empty();
+    rerun = Rerun.to(anew ? Math.max(0, started.frame() - 1) : frame, journal);
+  }
+
+  /**
+   * A run from a moment on. A variant with another program goes from the start of the program that
+   * ran at that moment, as there is no middle of a program that never ran.
+   *
+   * @param frame at whose end it begins
+   * @param options those of the controller whose run it was
+   * @throws RerunRefused if no program was started before, or the run cannot be repeated so far
+   */
+  public static VariantRun from(
+      long frame, Journal journal, ControllerOptions options, Variant variant, VariantLimits limits)
+      throws RerunRefused {
+    return new VariantRun(journal, options, variant, limits, OptionalLong.of(frame));
+  }
+
+  /** As {@link #from}, from the start of the program that was started last. */
+  public static VariantRun fromStart(
+      Journal journal, ControllerOptions options, Variant variant, VariantLimits limits)
+      throws RerunRefused {
+    return new VariantRun(journal, options, variant, limits, OptionalLong.empty());
+  }
+
+  /** What it is a run of. */
+  public Variant variant() {
+    return variant;
+  }
+
+  /** Whether it goes from the start of the program, and not from a moment in it. */
+  public boolean fromStart() {
+    return start.isPresent();
+  }
+
+  /** How much of the way to the moment is repeated, 0 to 1. */
+  public double repeated() {
+    return rerun.progress();
+  }
+
+  /** How much robot time has gone by since the moment, s. */
+  public double reachedS() {
+    return reachedS;
+  }
+
+  /** Has {@link #run} end as soon as possible. */
+  public void cancel() {
+    cancelled = true;
+    rerun.cancel();
+  }
+
+  /**
+   * Runs it.
+   *
+   * @throws RerunRefused if the run came out otherwise before the moment, or no program ran then
+   * @throws CancellationException after {@link #cancel}
+   */
+  public Outcome run() throws RerunRefused {
+    Controller fresh =
+        new Controller(options.withOutside(Connectors.NONE), journal.controller().builtins());
+    rerun.run(fresh, this::noteStart);
+    ControllerState moment = fresh.state();
+    if (start.isEmpty() && moment.program().state() == ProgramState.STOPPED) {
+      throw new RerunRefused("no program runs at that moment");
+    }
+    LaterCommands later = new LaterCommands(journal.after(rerun.frame()), variant, start);
+    Measure measure = new Measure(moment, fresh.safety());
+    begin(fresh, moment);
+    long stopNs = System.nanoTime() + limits.wallTime().toNanos();
+    double mostS = limits.robotTime().toNanos() / 1e9;
+    while (measure.timeS() < mostS && System.nanoTime() < stopNs) {
+      if (cancelled) {
+        throw new CancellationException("the variant was cancelled");
+      }
+      step(fresh, later);
+      ControllerState state = fresh.state();
+      noteStart(state);
+      measure.see(state);
+      reachedS = measure.timeS();
+      Optional<Outcome> ended = ended(state, later, measure);
+      if (ended.isPresent()) {
+        return ended.get();
+      }
+    }
+    Rounds.Round round = measure.round();
+    return outcome(
+        Outcome.End.LIMIT,
+        String.format(Locale.ROOT, "still runs after %.1f s", measure.timeS()),
+        round.line() == 0
+            ? OptionalDouble.empty()
+            : OptionalDouble.of(round.frames() * FrameTime.FRAME_S),
+        round.line(),
+        measure);
+  }
+
+  private void noteStart(ControllerState state) {
+    for (ProgramEvent each : state.newProgramEvents()) {
+      if (each instanceof ProgramEvent.Started) {
+        startedFrame = OptionalLong.of(state.frame());
+      }
+    }
+  }
+
+  /** Leaves what makes the variant, and has a program continue that people had paused. */
+  private void begin(Controller fresh, ControllerState moment) {
+    variant
+        .speedFraction()
+        .ifPresent(share -> wishes.add(fresh.submit(new BoxCommand.SetSpeedFraction(share))));
+    variant
+        .loadKg()
+        .ifPresent(
+            kg ->
+                wishes.add(
+                    fresh.submit(
+                        new WorldCommand.AttachLoad(
+                            Optional.of(load(kg, moment.readings().payload()))))));
+    var _ = fresh.submit(new DebugCommand.Debug(new DebugRequest.RemoveBreakpoints()));
+    var _ = fresh.submit(new DebugCommand.Debug(new DebugRequest.StopOnErrors(false)));
+    if (moment.debug().held()) {
+      var _ = fresh.submit(new DebugCommand.Debug(new DebugRequest.Resume()));
+    }
+  }
+
+  private static Payload load(double kg, Payload declared) {
+    return Payload.of(kg, declared.cogXM(), declared.cogYM(), declared.cogZM());
+  }
+
+  private void step(Controller fresh, LaterCommands later) {
+    ControllerState before = fresh.state();
+    for (Popup each : before.openPopups()) {
+      var _ = fresh.submit(new MessageCommand.AnswerPopup(each.number()));
+    }
+    for (Question each : before.openQuestions()) {
+      Optional<Answer> answer = later.answer(each.number());
+      answer.ifPresent(
+          said -> {
+            var _ = fresh.submit(new MessageCommand.AnswerQuestion(each.number(), said));
+          });
+    }
+    if (before.program().state() == ProgramState.PAUSED) {
+      var _ = fresh.submit(new ProgramCommand.ResumeProgram());
+    }
+    if (before.debug().held()) {
+      fresh.applyCommands();
+      return;
+    }
+    boolean awaited = later.awaitsStart();
+    for (Command each : later.of(before.frame() + 1)) {
+      CompletableFuture<Reply> reply = fresh.submit(each);
+      if (awaited && !later.awaitsStart() && starts(each)) {
+        wishes.add(reply);
+      }
+    }
+    fresh.advance();
+  }
+
+  private static boolean starts(Command command) {
+    return command instanceof ProgramCommand.StartProgram
+        || command instanceof ProgramCommand.ReplaceProgram;
+  }
+
+  private Optional<Outcome> ended(ControllerState state, LaterCommands later, Measure measure) {
+    Optional<String> complaint = complaint();
+    if (complaint.isPresent()) {
+      return Optional.of(
+          outcome(Outcome.End.REFUSED, complaint.get(), OptionalDouble.empty(), 0, measure));
+    }
+    if (later.awaitsStart()) {
+      return Optional.empty();
+    }
+    Optional<SafetyStop> stop = state.safety().stop();
+    for (ProgramEvent each : state.newProgramEvents()) {
+      if (each instanceof ProgramEvent.Ended ended && startedFrame.isPresent()) {
+        return Optional.of(ended(ended.ending(), stop, measure, state.frame()));
+      }
+    }
+    if (stop.isPresent() && state.program().state() == ProgramState.PAUSED) {
+      return Optional.of(
+          outcome(Outcome.End.STOPPED, stop.get().message(), OptionalDouble.empty(), 0, measure));
+    }
+    return state.openQuestions().stream()
+        .filter(question -> later.answer(question.number()).isEmpty())
+        .findFirst()
+        .map(
+            question ->
+                outcome(
+                    Outcome.End.QUESTION,
+                    "asks: " + question.text(),
+                    OptionalDouble.empty(),
+                    0,
+                    measure));
+  }
+
+  private Optional<String> complaint() {
+    return wishes.stream()
+        .filter(CompletableFuture::isDone)
+        .flatMap(each -> each.join().complaint().stream())
+        .findFirst();
+  }
+
+  private Outcome ended(Ending ending, Optional<SafetyStop> stop, Measure measure, long frame) {
+    OptionalDouble cycleS =
+        OptionalDouble.of((frame - startedFrame.orElse(frame)) * FrameTime.FRAME_S);
+    return switch (ending) {
+      case Ending.Finished _ -> outcome(Outcome.End.FINISHED, "finished", cycleS, 0, measure);
+      case Ending.Halted _ -> outcome(Outcome.End.FINISHED, "halted", cycleS, 0, measure);
+      case Ending.Failed(var failure) ->
+          outcome(
+              Outcome.End.FAILED,
+              "line " + failure.line() + ": " + failure.message(),
+              OptionalDouble.empty(),
+              0,
+              measure);
+      case Ending.Stopped _ ->
+          outcome(
+              Outcome.End.STOPPED,
+              stop.map(SafetyStop::message).orElse("stopped"),
+              OptionalDouble.empty(),
+              0,
+              measure);
+    };
+  }
+
+  private Outcome outcome(
+      Outcome.End end, String words, OptionalDouble cycleS, int roundOf, Measure measure) {
+    return new Outcome(
+        variant,
+        end,
+        words,
+        measure.timeS(),
+        cycleS,
+        roundOf,
+        measure.torque(),
+        measure.jointSpeed(),
+        measure.energyJ(),
+        measure.way());
+  }
+}
