@@ -11,7 +11,7 @@ import org.pendant.kit.theme.Palette;
  * why.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class CheckedField extends DefaultCellEditor {
+public class CheckedField extends DefaultCellEditor {
   private final JTextField field;
   private final JLabel why;
   private final UnaryOperator<String> refusal;
@@ -20,7 +20,7 @@ final class CheckedField extends DefaultCellEditor {
    * @param why says why something is refused
    * @param refusal why a text is; empty text if it is not
    */
-  CheckedField(String name, JLabel why, UnaryOperator<String> refusal) {
+  public CheckedField(String name, JLabel why, UnaryOperator<String> refusal) {
     super(new JTextField());
     field = (JTextField) getComponent();
     field.setName(name);

@@ -27,6 +27,7 @@ import org.pendant.models.pose.Pose;
  * @param theme colours
  * @param waypointMarkers the places that a program goes to
  * @param safety what is to be seen of the safety functions
+ * @param compared ways of the tool in variants of a run
  */
 public record SceneModel(
     ArmDescription arm,
@@ -41,7 +42,8 @@ public record SceneModel(
     TcpTrace trace,
     SceneTheme theme,
     WaypointMarkers waypointMarkers,
-    SafetySight safety) {
+    SafetySight safety,
+    ComparedWays compared) {
 
   /** Copies the collections. */
   public SceneModel {
@@ -64,7 +66,8 @@ public record SceneModel(
         TcpTrace.EMPTY,
         SceneTheme.LIGHT,
         WaypointMarkers.NONE,
-        SafetySight.NONE);
+        SafetySight.NONE,
+        ComparedWays.NONE);
   }
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
@@ -82,7 +85,8 @@ public record SceneModel(
         trace,
         theme,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
@@ -99,7 +103,8 @@ public record SceneModel(
         trace,
         theme,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withTool(Pose tcp) {
@@ -116,7 +121,8 @@ public record SceneModel(
         trace,
         theme,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
@@ -133,7 +139,8 @@ public record SceneModel(
         trace,
         theme,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withPayload(Optional<Ball> ball) {
@@ -150,7 +157,8 @@ public record SceneModel(
         trace,
         theme,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
@@ -167,7 +175,8 @@ public record SceneModel(
         trace,
         theme,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withTrace(TcpTrace way) {
@@ -184,7 +193,8 @@ public record SceneModel(
         way,
         theme,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withTheme(SceneTheme colours) {
@@ -201,7 +211,8 @@ public record SceneModel(
         trace,
         colours,
         waypointMarkers,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withWaymarks(WaypointMarkers marks) {
@@ -218,7 +229,8 @@ public record SceneModel(
         trace,
         theme,
         marks,
-        safety);
+        safety,
+        compared);
   }
 
   public SceneModel withSafety(SafetySight sight) {
@@ -235,7 +247,8 @@ public record SceneModel(
         trace,
         theme,
         waypointMarkers,
-        sight);
+        sight,
+        compared);
   }
 
   /** Pose of the tool centre point in the base frame. */

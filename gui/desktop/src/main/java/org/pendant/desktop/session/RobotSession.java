@@ -2,6 +2,7 @@ package org.pendant.desktop.session;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
@@ -27,6 +28,9 @@ import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.recording.whatif.Variant;
+import org.pendant.recording.whatif.VariantLimits;
+import org.pendant.recording.whatif.VariantRun;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 
@@ -297,6 +301,26 @@ public final class RobotSession implements AutoCloseable {
     } finally {
       switching.unlock();
     }
+  }
+
+  /**
+   * Prepares a run of a variant of the present run; nothing has run yet. Not for the dispatch
+   * thread.
+   *
+   * @param frame at whose end it begins; empty for the start of the program that was started last
+   * @throws RerunRefused if the run cannot be repeated so far, or no program was started
+   */
+  public VariantRun variant(OptionalLong frame, Variant variant, VariantLimits limits)
+      throws RerunRefused {
+    DrivenController from = driven;
+    return frame.isPresent()
+        ? VariantRun.from(frame.getAsLong(), from.journal(), from.options(), variant, limits)
+        : VariantRun.fromStart(from.journal(), from.options(), variant, limits);
+  }
+
+  /** Whether a program has been started that is still known. */
+  public boolean programKnown() {
+    return driven.journal().newestProgram().isPresent();
   }
 
   private void cancelBranch() {

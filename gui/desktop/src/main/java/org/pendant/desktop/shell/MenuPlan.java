@@ -311,6 +311,7 @@ final class MenuPlan {
         line(),
         all("past.step-back"),
         sub("In the recording", "", all("past")),
+        sub("What if", "What if", all("whatif")),
         line(),
         one("editor.breakpoint", "tree.breakpoint"),
         all("debug.conditional-breakpoint", "debug"));

@@ -162,6 +162,11 @@ final class PastViews {
     return lookBack.past();
   }
 
+  /** Whether that is of a recording of a file. */
+  boolean ofFile() {
+    return lookBack.ofFile();
+  }
+
   /** A view in which people act on the robot, which they cannot in the past. */
   View held(View view) {
     return new HeldView(view, lookBack, workbench::notify);

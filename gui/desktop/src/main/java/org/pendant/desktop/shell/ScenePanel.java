@@ -33,6 +33,7 @@ import org.pendant.controller.world.Contact;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.move.GhostArm;
+import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.JointFrames;
 import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.PayloadBall;
@@ -104,6 +105,7 @@ final class ScenePanel implements View, GhostArm {
   private Optional<Surroundings> surroundings = Optional.empty();
   private Optional<Seen> seen = Optional.empty();
   private Optional<Near> margins = Optional.empty();
+  private Supplier<ComparedWays> compared = () -> ComparedWays.NONE;
   private long changedNs;
 
   /** An arm and what is around it: people may change both at any time. */
@@ -125,7 +127,8 @@ final class ScenePanel implements View, GhostArm {
       SceneTheme theme,
       WaypointMarkers waypointMarkers,
       SafetySight safety,
-      Set<String> hit) {}
+      Set<String> hit,
+      ComparedWays compared) {}
 
   /**
    * The arm.
@@ -247,6 +250,11 @@ final class ScenePanel implements View, GhostArm {
     safety.setProposed(draft);
   }
 
+  /** Where to ask for the ways of the tool in variants of a run. */
+  void setCompared(Supplier<ComparedWays> ways) {
+    compared = ways;
+  }
+
   /** Shows the features of an installation that are finished. */
   void show(List<Feature> installed) {
     List<WaypointMarkers.Mark> marks = new ArrayList<>();
@@ -305,7 +313,8 @@ final class ScenePanel implements View, GhostArm {
             Palette.dark() ? SceneTheme.DARK : SceneTheme.LIGHT,
             marks(),
             safety.sight(state, arm.actualPositionRad()),
-            hit(state, around.scene));
+            hit(state, around.scene),
+            compared.get());
     if (seen.equals(Optional.of(now))) {
       return;
     }
@@ -368,7 +377,8 @@ final class ScenePanel implements View, GhostArm {
         now.trace,
         now.theme,
         now.waypointMarkers,
-        now.safety);
+        now.safety,
+        now.compared);
   }
 
   /** What the tool touches, and what it ran into when it was stopped. */

@@ -51,6 +51,7 @@ import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
 import org.pendant.desktop.timeline.Pin;
 import org.pendant.desktop.waveform.WaveformView;
+import org.pendant.desktop.whatif.WhatIfView;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.dock.Side;
@@ -188,6 +189,13 @@ final class Views {
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
     ClientsView clients = new ClientsView(workbench, desktopPorts, past::show);
     past.timeline().markClients(clients::marks, clients::showMessage);
+    WhatIfView whatIf =
+        new WhatIfView(
+            workbench,
+            past::past,
+            past::ofFile,
+            new EditedProgram(session, programs, runner, runs)::compile);
+    scene.setCompared(whatIf::ways);
     places =
         List.of(
             screen(past.held(run), Glyph.RUN),
@@ -210,6 +218,7 @@ final class Views {
             panel(breakpoints, Side.BOTTOM),
             panel(past.timeline(), Side.BOTTOM),
             panel(waveforms, Side.BOTTOM),
+            panel(whatIf, Side.BOTTOM),
             panel(
                 new MotionView(
                     workbench,

@@ -2,9 +2,12 @@ package org.pendant.desktop.scene.gl;
 
 import static org.lwjgl.opengl.GL33C.*;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4fc;
 import org.pendant.desktop.scene.Camera;
+import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.SafetyOutlines;
 import org.pendant.desktop.scene.SafetySight;
@@ -26,6 +29,7 @@ final class LinePainter implements AutoCloseable {
   private static final float TRACE_PX_AT_800 = 2.6f;
   private static final float EDGE_PX_AT_800 = 1.3f;
   private static final float SAFETY_PX_AT_800 = 1.7f;
+  private static final float COMPARED_PX_AT_800 = 2.2f;
   private static final float MIN_TRACE_PX = 1.5f;
   private static final float MIN_EDGE_PX = 1.1f;
   private static final float HIDDEN_TRACE_OPACITY = 0.16f;
@@ -39,6 +43,8 @@ final class LinePainter implements AutoCloseable {
   private final LineStrip scale = new LineStrip();
   private final LineStrip ways = new LineStrip();
   private final LineStrip safety = new LineStrip();
+  private final List<LineStrip> compared = new ArrayList<>();
+  private ComparedWays comparedNow = ComparedWays.NONE;
   private TcpTrace tracedNow = TcpTrace.EMPTY;
   private Optional<EdgesOf> edged = Optional.empty();
   private Optional<ScaleOf> scaled = Optional.empty();
@@ -85,9 +91,12 @@ final class LinePainter implements AutoCloseable {
     line.set("width", Math.max(MIN_TRACE_PX, TRACE_PX_AT_800 * height / 800f));
     line.set("opacity", 1);
     trace.draw();
+    drawCompared(height);
     glDepthFunc(GL_GREATER);
     line.set("opacity", HIDDEN_TRACE_OPACITY);
     trace.draw();
+    line.set("opacity", HIDDEN_WAY_OPACITY);
+    drawCompared(height);
     line.set("width", Math.max(MIN_EDGE_PX, EDGE_PX_AT_800 * height / 800f));
     line.set("opacity", HIDDEN_WAY_OPACITY);
     ways.draw();
@@ -96,11 +105,35 @@ final class LinePainter implements AutoCloseable {
     glDepthMask(true);
   }
 
+  /** The first one is the widest and drawn first, so that the others leave its edges. */
+  private void drawCompared(int height) {
+    for (int i = 0; i < compared.size(); i++) {
+      float px = COMPARED_PX_AT_800 * (compared.size() - i);
+      line.set("width", Math.max(MIN_TRACE_PX, px * height / 800f));
+      compared.get(i).draw();
+    }
+  }
+
+  private void loadCompared(ComparedWays wanted) {
+    if (wanted.equals(comparedNow)) {
+      return;
+    }
+    comparedNow = wanted;
+    compared.forEach(LineStrip::close);
+    compared.clear();
+    for (ComparedWays.Way each : wanted.ways()) {
+      LineStrip strip = new LineStrip();
+      strip.load(wanted.lines(each));
+      compared.add(strip);
+    }
+  }
+
   private void load(SceneModel model, Ground ground, Camera camera) {
     if (model.trace() != tracedNow) {
       tracedNow = model.trace();
       trace.load(LineStrip.lines(tracedNow));
     }
+    loadCompared(model.compared());
     SceneTheme theme = model.theme();
     EdgesOf newEdges = new EdgesOf(model.world(), model.touched(), theme);
     if (!edged.equals(Optional.of(newEdges))) {
@@ -152,5 +185,6 @@ final class LinePainter implements AutoCloseable {
     scale.close();
     ways.close();
     safety.close();
+    compared.forEach(LineStrip::close);
   }
 }

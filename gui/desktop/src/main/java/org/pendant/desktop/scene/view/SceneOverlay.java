@@ -14,7 +14,9 @@ import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.SafetyOutlines;
 import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
@@ -86,6 +88,39 @@ final class SceneOverlay {
     graphics.drawString(scale.least(), left, base);
     centred(scale.middle(), left + bar * SpeedColours.place(0.25), base);
     centred(scale.most(), left + bar - em / 2.0, base);
+  }
+
+  /** The names of compared ways beside their colours; nothing while there are none. */
+  void compared(SceneModel model) {
+    Optional<Rectangle2D> box = comparedBox(model);
+    if (box.isEmpty()) {
+      return;
+    }
+    plate(box.get().getX(), box.get().getY(), box.get().getWidth(), box.get().getHeight());
+    double base = box.get().getY() + em / 4.0 + metrics.getAscent();
+    for (ComparedWays.Way each : model.compared().ways()) {
+      double high = each.chosen() ? em / 2.0 : em / 4.0;
+      double middle = base - metrics.getAscent() / 2.5;
+      graphics.setColor(new Color(each.rgb()));
+      graphics.fill(
+          new Rectangle2D.Double(box.get().getX() + em / 2.0, middle - high / 2, 1.5 * em, high));
+      graphics.setColor(Palette.dark() ? Color.WHITE : Color.BLACK);
+      graphics.drawString(each.name(), (float) (box.get().getX() + 2.5 * em), (float) base);
+      base += metrics.getHeight();
+    }
+  }
+
+  /** Above the legend of the trace. */
+  private Optional<Rectangle2D> comparedBox(SceneModel model) {
+    List<ComparedWays.Way> ways = model.compared().ways();
+    if (ways.isEmpty() || width < MIN_WIDTH_FOR_LEGEND) {
+      return Optional.empty();
+    }
+    double bottom = legendBox(model).map(Rectangle2D::getY).orElse((double) height);
+    double wide =
+        3 * em + ways.stream().mapToInt(way -> metrics.stringWidth(way.name())).max().orElse(0);
+    double high = ways.size() * metrics.getHeight() + em / 2.0;
+    return Optional.of(new Rectangle2D.Double(em / 2.0, bottom - em / 2.0 - high, wide, high));
   }
 
   private int legendBar() {
@@ -164,7 +199,9 @@ final class SceneOverlay {
             chipHeight(1),
             this::chipWidth,
             new Rectangle2D.Double(0, 0, width, height),
-            legendBox(shown.model()).stream().toList());
+            Stream.of(legendBox(shown.model()), comparedBox(shown.model()))
+                .flatMap(Optional::stream)
+                .toList());
     placed.stream().filter(LabelPlaces.Placed::apart).forEach(this::line);
     for (LabelPlaces.Placed each : placed) {
       chip(each.label().text(), each.box().getX(), each.box().getY());

@@ -384,6 +384,7 @@ public final class SceneView extends JPanel {
     marks.target().ifPresent(overlay::mark);
     marks.setLabels(overlay.names(drawn.get()));
     overlay.legend(drawn.get().model());
+    overlay.compared(drawn.get().model());
     overlay.pointed(hover.pointer(), marks.target().map(MarkTarget::words).or(hover::name));
     drag.paint(own, drawn.get(), getWidth(), getHeight());
     own.dispose();

@@ -1,0 +1,48 @@
+package org.pendant.desktop.scene;
+
+import java.util.List;
+import org.pendant.desktop.scene.mesh.Lines;
+import org.pendant.recording.whatif.TcpWay;
+
+/**
+ * Compared ways: the ways of the tool in several variants of a run, each in a colour of its own.
+ *
+ * @param ways the first one is the widest, so that those that lie on it leave its edges to be seen
+ */
+public record ComparedWays(List<Way> ways) {
+  /** None. */
+  public static final ComparedWays NONE = new ComparedWays(List.of());
+
+  /** How well those are seen that are not chosen while another one is. */
+  private static final double BEHIND = 0.35;
+
+  /** Copies the list. */
+  public ComparedWays {
+    ways = List.copyOf(ways);
+  }
+
+  /**
+   * A way.
+   *
+   * @param name for people
+   * @param rgb its colour, 0xRRGGBB
+   * @param chosen whether people look at this one
+   */
+  public record Way(String name, int rgb, boolean chosen, TcpWay points) {}
+
+  /** The lines of a way. */
+  public Lines lines(Way way) {
+    boolean behind = !way.chosen() && ways.stream().anyMatch(Way::chosen);
+    double opacity = behind ? BEHIND : 1;
+    TcpWay points = way.points();
+    Lines lines = new Lines();
+    for (int i = 0; i < points.size(); i++) {
+      if (i == 0) {
+        lines.from(points.x(i), points.y(i), points.z(i), way.rgb(), opacity);
+      } else {
+        lines.to(points.x(i), points.y(i), points.z(i), way.rgb(), opacity);
+      }
+    }
+    return lines;
+  }
+}

@@ -1,0 +1,174 @@
+package org.pendant.desktop.whatif;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.pendant.recording.whatif.Outcome;
+import org.pendant.recording.whatif.Peak;
+
+/** Result words: what came of variants, as it stands in the panel. */
+final class ResultWords {
+  /** A smaller difference is none. */
+  private static final double SAME = 1e-9;
+
+  private static final double PERCENT = 100;
+
+  private ResultWords() {}
+
+  /** A number that variants are compared by; the less the better. */
+  enum Figure {
+    CYCLE("Cycle"),
+    TORQUE("Peak torque"),
+    JOINT_SPEED("Joint speed"),
+    ENERGY("Energy");
+
+    private final String title;
+
+    Figure(String title) {
+      this.title = title;
+    }
+
+    String title() {
+      return title;
+    }
+
+    OptionalDouble of(Outcome outcome) {
+      return switch (this) {
+        case CYCLE -> outcome.cycleS();
+        case TORQUE -> share(outcome.torque());
+        case JOINT_SPEED -> share(outcome.jointSpeed());
+        case ENERGY -> OptionalDouble.of(outcome.energyJ());
+      };
+    }
+
+    private static OptionalDouble share(Optional<Peak> peak) {
+      return peak.isPresent() ? OptionalDouble.of(peak.get().share()) : OptionalDouble.empty();
+    }
+  }
+
+  /** How far a variant has come, or how it ended. */
+  static String state(VariantResult result) {
+    return switch (result) {
+      case VariantResult.None _ -> "";
+      case VariantResult.Waiting _ -> "waits";
+      case VariantResult.Running(var run) ->
+          run.reachedS() > 0
+              ? format("runs, at %.1f s", run.reachedS())
+              : format("goes to the moment, %.0f %%", PERCENT * run.repeated());
+      case VariantResult.Done(var outcome) -> capital(outcome.words());
+      case VariantResult.Refused(String reason) -> reason;
+    };
+  }
+
+  private static String capital(String words) {
+    return words.isEmpty()
+        ? ""
+        : words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+  }
+
+  /** Whether something went wrong with a variant. */
+  static boolean wrong(VariantResult result) {
+    return switch (result) {
+      case VariantResult.None _, VariantResult.Waiting _, VariantResult.Running _ -> false;
+      case VariantResult.Refused _ -> true;
+      case VariantResult.Done(var outcome) -> !whole(outcome);
+    };
+  }
+
+  /** Whether it ran as far as it was to. */
+  private static boolean whole(Outcome outcome) {
+    return outcome.end() == Outcome.End.FINISHED || outcome.end() == Outcome.End.LIMIT;
+  }
+
+  /**
+   * A figure, and the difference to the first variant.
+   *
+   * @param first empty for the first variant itself, and where nothing has come of it
+   */
+  static String figure(Figure figure, Outcome outcome, Optional<Outcome> first) {
+    OptionalDouble value = figure.of(outcome);
+    if (value.isEmpty()) {
+      return "\u2013";
+    }
+    OptionalDouble than = first.map(figure::of).orElse(OptionalDouble.empty());
+    String text =
+        switch (figure) {
+          case CYCLE ->
+              format("%.3f s", value.getAsDouble()) + (outcome.roundOf() > 0 ? " a round" : "");
+          case TORQUE, JOINT_SPEED -> format("%.1f %%", PERCENT * value.getAsDouble());
+          case ENERGY -> format("%.0f J", value.getAsDouble());
+        };
+    return than.isEmpty()
+        ? text
+        : text + difference(figure, value.getAsDouble(), than.getAsDouble());
+  }
+
+  private static String difference(Figure figure, double value, double than) {
+    double by =
+        switch (figure) {
+          case CYCLE, ENERGY -> than == 0 ? 0 : PERCENT * (value / than - 1);
+          case TORQUE, JOINT_SPEED -> PERCENT * (value - than);
+        };
+    String number = format("%+.1f", by).replace('-', '\u2212');
+    boolean none = number.equals("+0.0") || number.equals("\u22120.0");
+    String unit =
+        switch (figure) {
+          case CYCLE, ENERGY -> " %";
+          case TORQUE, JOINT_SPEED -> "";
+        };
+    return none ? " (=)" : " (" + number + unit + ")";
+  }
+
+  /** Whether a variant is the best of those that ran through, and another one is worse. */
+  static boolean best(Figure figure, int row, List<VariantResult> results) {
+    Optional<Outcome> own = results.get(row).finished().filter(ResultWords::whole);
+    OptionalDouble value = own.map(figure::of).orElse(OptionalDouble.empty());
+    if (value.isEmpty()) {
+      return false;
+    }
+    double[] all =
+        results.stream()
+            .flatMap(each -> each.finished().filter(ResultWords::whole).stream())
+            .map(figure::of)
+            .filter(OptionalDouble::isPresent)
+            .mapToDouble(OptionalDouble::getAsDouble)
+            .toArray();
+    double least = value.getAsDouble();
+    boolean worse = false;
+    for (double each : all) {
+      if (each < least - SAME) {
+        return false;
+      }
+      worse |= each > least + SAME;
+    }
+    return worse;
+  }
+
+  /** All that is known of a figure. */
+  static String about(Figure figure, Outcome outcome) {
+    return switch (figure) {
+      case CYCLE ->
+          outcome.cycleS().isEmpty()
+              ? format("Not finished; stopped %.3f s after the moment", outcome.timeS())
+              : outcome.roundOf() > 0
+                  ? "From one time that line " + outcome.roundOf() + " is reached to the next"
+                  : format(
+                      "From the start of the program to its end; %.3f s of it were run here",
+                      outcome.timeS());
+      case TORQUE -> outcome.torque().map(ResultWords::peak).orElse("");
+      case JOINT_SPEED -> outcome.jointSpeed().map(ResultWords::peak).orElse("");
+      case ENERGY -> format("What the arm took from its supply in %.3f s", outcome.timeS());
+    };
+  }
+
+  private static String peak(Peak peak) {
+    return format(
+        "%s, line %d, %.3f s after the moment; in %% of what the joint can do",
+        capital(peak.joint()), peak.line(), peak.timeS());
+  }
+
+  private static String format(String text, Object... values) {
+    return String.format(Locale.ROOT, text, values);
+  }
+}

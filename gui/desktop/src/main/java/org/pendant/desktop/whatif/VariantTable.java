@@ -1,0 +1,164 @@
+package org.pendant.desktop.whatif;
+
+import java.awt.Component;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import javax.swing.DefaultCellEditor;
+import javax.swing.Icon;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import javax.swing.SwingConstants;
+import javax.swing.table.DefaultTableCellRenderer;
+import org.pendant.desktop.debug.CheckedField;
+import org.pendant.kit.theme.Palette;
+
+/** Variant table: the variants in rows, edited in place. */
+@SuppressWarnings("serial") // never written to a stream
+final class VariantTable extends JTable {
+  private static final List<Integer> WIDTHS = List.of(150, 75, 75, 115, 150, 150, 125, 125, 130);
+  private static final int LEAST_WIDTH = 60;
+  private static final int ROW_SPACE = 12;
+
+  private final transient WhatIfPresenter presenter;
+  private final VariantTableModel model;
+
+  /**
+   * The variants.
+   *
+   * @param refused says why something that is typed is refused
+   */
+  VariantTable(WhatIfPresenter presenter, VariantTableModel model, JLabel refused) {
+    super(model);
+    this.presenter = presenter;
+    this.model = model;
+    setName("whatif-table");
+    getAccessibleContext().setAccessibleName("Variants");
+    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+    setShowGrid(false);
+    setFillsViewportHeight(true);
+    getTableHeader().setReorderingAllowed(false);
+    if (getTableHeader().getDefaultRenderer() instanceof JLabel title) {
+      title.setHorizontalAlignment(SwingConstants.LEADING);
+    }
+    putClientProperty("JTable.autoStartsEdit", true);
+    putClientProperty("terminateEditOnFocusLost", true);
+    setSurrendersFocusOnKeystroke(true);
+    for (int i = 0; i < WIDTHS.size(); i++) {
+      getColumnModel().getColumn(i).setPreferredWidth(WIDTHS.get(i));
+      getColumnModel().getColumn(i).setMinWidth(LEAST_WIDTH);
+      getColumnModel().getColumn(i).setCellRenderer(new Cell());
+    }
+    edit(VariantTableModel.NAME, "whatif-name", refused, VariantRow::nameRefusal);
+    edit(VariantTableModel.SPEED, "whatif-speed", refused, VariantRow::speedRefusal);
+    edit(VariantTableModel.LOAD, "whatif-load", refused, VariantRow::loadRefusal);
+    JComboBox<String> programs =
+        new JComboBox<>(new String[] {VariantTableModel.AS_IT_RAN, VariantTableModel.AS_EDITED});
+    programs.setName("whatif-program");
+    programs.getAccessibleContext().setAccessibleName("Program of the variant");
+    getColumnModel()
+        .getColumn(VariantTableModel.PROGRAM)
+        .setCellEditor(new DefaultCellEditor(programs));
+    key("DELETE", () -> presenter.remove(getSelectedRow()));
+    key("INSERT", presenter::add);
+  }
+
+  private void edit(int column, String name, JLabel refused, UnaryOperator<String> refusal) {
+    getColumnModel().getColumn(column).setCellEditor(new Typed(name, refused, refusal));
+  }
+
+  private void key(String stroke, Runnable run) {
+    registerKeyboardAction(
+        event -> run.run(), KeyStroke.getKeyStroke(stroke), JComponent.WHEN_FOCUSED);
+  }
+
+  /** Begins with what was typed, which is nothing where something is as it was. */
+  private final class Typed extends CheckedField {
+    Typed(String name, JLabel refused, UnaryOperator<String> refusal) {
+      super(name, refused, refusal);
+    }
+
+    @Override
+    public Component getTableCellEditorComponent(
+        JTable table, Object value, boolean selected, int row, int column) {
+      JTextField field =
+          (JTextField)
+              super.getTableCellEditorComponent(
+                  table, model.typed(row, column), selected, row, column);
+      field.selectAll();
+      return field;
+    }
+  }
+
+  @Override
+  public void updateUI() {
+    super.updateUI();
+    setRowHeight(getFontMetrics(getFont()).getHeight() + ROW_SPACE);
+  }
+
+  @Override
+  public String getToolTipText(MouseEvent event) {
+    int row = rowAtPoint(event.getPoint());
+    int column = columnAtPoint(event.getPoint());
+    if (row < 0 || column < 0) {
+      return "F2 or a double click edits a cell; Ins adds a variant, Del removes one";
+    }
+    String about = model.about(row, column);
+    return about.isEmpty() ? null : about;
+  }
+
+  /** A cell; quiet where something is as it was, and bold where a variant is the best. */
+  private final class Cell extends DefaultTableCellRenderer {
+    @Override
+    public Component getTableCellRendererComponent(
+        JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+      super.getTableCellRendererComponent(table, value, selected, focused, row, column);
+      List<VariantResult> results = presenter.results();
+      boolean best =
+          VariantTableModel.figure(column)
+              .filter(figure -> ResultWords.best(figure, row, results))
+              .isPresent();
+      setFont(table.getFont().deriveFont(best ? Font.BOLD : Font.PLAIN));
+      setIcon(column == VariantTableModel.NAME ? new Swatch(row) : null);
+      if (!selected) {
+        setForeground(
+            best
+                ? Palette.ok()
+                : column == VariantTableModel.RESULT && ResultWords.wrong(results.get(row))
+                    ? Palette.error()
+                    : model.untouched(row, column) ? Palette.quiet() : table.getForeground());
+      }
+      getAccessibleContext().setAccessibleName(best ? value + ", the best" : String.valueOf(value));
+      return this;
+    }
+  }
+
+  /** The colour of a variant's way. */
+  private record Swatch(int number) implements Icon {
+    private static final int WIDTH = 14;
+    private static final int HEIGHT = 4;
+
+    @Override
+    public void paintIcon(Component on, Graphics graphics, int x, int y) {
+      graphics.setColor(Palette.series(number));
+      graphics.fillRect(x, y, WIDTH, HEIGHT);
+    }
+
+    @Override
+    public int getIconWidth() {
+      return WIDTH;
+    }
+
+    @Override
+    public int getIconHeight() {
+      return HEIGHT;
+    }
+  }
+}

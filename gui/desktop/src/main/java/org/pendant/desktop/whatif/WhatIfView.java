@@ -1,0 +1,374 @@
+package org.pendant.desktop.whatif;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+import org.pendant.recording.replay.RerunRefused;
+import org.pendant.recording.whatif.TcpWay;
+import org.pendant.recording.whatif.Variant;
+import org.pendant.recording.whatif.VariantLimits;
+import org.pendant.recording.whatif.VariantRun;
+import org.pendant.script.vm.Program;
+
+/**
+ * What-if view: the panel in which people run the last program once more in several variants and
+ * compare cycle time, torque, speed and energy.
+ */
+public final class WhatIfView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "whatif";
+
+  private static final String WAYS = "whatif.ways";
+  private static final int MOST_S = 600;
+  private static final int MOST_COLUMNS = 4;
+
+  private final Workbench workbench;
+  private final Supplier<Optional<ControllerState>> past;
+  private final WhatIfPresenter presenter;
+  private final VariantTableModel model;
+  private final VariantTable table;
+  private final JPanel content = new JPanel(new BorderLayout());
+  private final JLabel refused = new JLabel();
+  private final JLabel from = new JLabel();
+  private final JButton run = button("run", "Run variants", "");
+  private final JButton cancel = button("cancel", "Cancel", "Gives up what runs");
+  private final JButton add = button("add", "Add", "Adds a variant (Ins)");
+  private final JButton remove = button("remove", "Remove", "Removes the selected variant (Del)");
+  private final JButton clear = button("clear", "Clear results", "Forgets what came of them");
+  private final JCheckBox ways = new JCheckBox("Ways in 3D");
+  private final JTextField most = new JTextField(Integer.toString(MOST_S), MOST_COLUMNS);
+  private ComparedWays shown = ComparedWays.NONE;
+  private String ranOn = "";
+
+  /** Compiles the program as it is edited now. */
+  @FunctionalInterface
+  public interface Edited {
+    /** One of both follows, in the dispatch thread. */
+    void compile(Consumer<Program> then, Consumer<String> failed);
+  }
+
+  /**
+   * The panel.
+   *
+   * @param past the moment that people look at; empty for now
+   * @param ofFile whether that is of a file
+   */
+  public WhatIfView(
+      Workbench workbench,
+      Supplier<Optional<ControllerState>> past,
+      BooleanSupplier ofFile,
+      Edited edited) {
+    this.workbench = workbench;
+    this.past = past;
+    presenter =
+        new WhatIfPresenter(
+            new SessionSource(workbench, edited),
+            () -> start(ofFile.getAsBoolean()),
+            EventQueue::invokeLater,
+            work -> Thread.ofPlatform().daemon().name("what-if").start(work),
+            this::show);
+    model = new VariantTableModel(presenter);
+    table = new VariantTable(presenter, model, refused);
+    table.getSelectionModel().addListSelectionListener(event -> selectionChanged());
+    JScrollPane scroll = new JScrollPane(table);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    refused.setName("whatif-refusal");
+    refused.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
+    refused.setVisible(false);
+    content.setName("whatif-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    content.add(bar(), BorderLayout.NORTH);
+    content.add(scroll, BorderLayout.CENTER);
+    content.add(refused, BorderLayout.SOUTH);
+    declareActions();
+    show();
+  }
+
+  private record SessionSource(Workbench workbench, Edited edited)
+      implements WhatIfPresenter.Source {
+    @Override
+    public VariantRun begin(OptionalLong frame, Variant variant, VariantLimits limits)
+        throws RerunRefused {
+      return workbench.session().variant(frame, variant, limits);
+    }
+
+    @Override
+    public void compile(Consumer<Program> then, Consumer<String> failed) {
+      edited.compile(then, failed);
+    }
+  }
+
+  private WhatIfPresenter.Start start(boolean ofFile) {
+    Optional<ControllerState> at = past.get();
+    if (ofFile) {
+      return new WhatIfPresenter.Start(
+          OptionalLong.empty(), "", "A recording of a file cannot be run again");
+    }
+    if (at.isPresent()) {
+      long frame = at.get().frame();
+      String why =
+          at.get().program().line() > 0
+              ? workbench.session().branchRefusal(frame).orElse("")
+              : "No program ran at the moment that is looked at";
+      return new WhatIfPresenter.Start(
+          OptionalLong.of(frame),
+          String.format(Locale.ROOT, "from %.3f s on", at.get().timeS()),
+          why);
+    }
+    return new WhatIfPresenter.Start(
+        OptionalLong.empty(),
+        "from the start of the last run",
+        workbench.session().programKnown() ? "" : "No program has run yet");
+  }
+
+  private static JButton button(String name, String text, String tip) {
+    JButton button = new JButton(text);
+    button.setName("whatif-" + name);
+    button.setToolTipText(tip.isEmpty() ? text : tip);
+    button.getAccessibleContext().setAccessibleName(text);
+    return button;
+  }
+
+  private JPanel bar() {
+    JPanel bar = new JPanel(new WrappingRow(6));
+    run.addActionListener(event -> run());
+    cancel.addActionListener(event -> presenter.cancel());
+    add.addActionListener(event -> presenter.add());
+    remove.addActionListener(event -> presenter.remove(table.getSelectedRow()));
+    clear.addActionListener(event -> presenter.clear());
+    ways.setName("whatif-ways");
+    ways.setToolTipText("Shows in 3D where the tool went in each variant");
+    ways.addActionListener(event -> setWays(ways.isSelected()));
+    from.setName("whatif-from");
+    most.setName("whatif-most");
+    most.setToolTipText("A program that still runs after so many seconds is ended there");
+    most.getAccessibleContext().setAccessibleName("Longest robot time of a variant, s");
+    most.getDocument().addDocumentListener(new Typing());
+    JLabel atMost = new JLabel("at most, s:");
+    atMost.setLabelFor(most);
+    bar.add(run);
+    bar.add(cancel);
+    bar.add(from);
+    bar.add(atMost);
+    bar.add(most);
+    bar.add(add);
+    bar.add(remove);
+    bar.add(clear);
+    bar.add(ways);
+    return bar;
+  }
+
+  /** Checks how long variants may run while it is typed. */
+  private final class Typing implements DocumentListener {
+    @Override
+    public void insertUpdate(DocumentEvent event) {
+      checkMost();
+    }
+
+    @Override
+    public void removeUpdate(DocumentEvent event) {
+      checkMost();
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent event) {}
+  }
+
+  private OptionalDouble mostS() {
+    try {
+      double typed = Double.parseDouble(most.getText().strip());
+      return typed > 0 && typed <= MOST_S ? OptionalDouble.of(typed) : OptionalDouble.empty();
+    } catch (NumberFormatException _) {
+      return OptionalDouble.empty();
+    }
+  }
+
+  private void checkMost() {
+    OptionalDouble typed = mostS();
+    most.putClientProperty("JComponent.outline", typed.isPresent() ? null : "error");
+    String why =
+        typed.isPresent()
+            ? ""
+            : "At most is '" + most.getText().strip() + "', must be above 0 to " + MOST_S + " s";
+    refused.setText(why);
+    refused.setForeground(Palette.error());
+    refused.setVisible(!why.isEmpty());
+    refresh();
+  }
+
+  private void declareActions() {
+    var actions = workbench.actions();
+    actions.add(
+        new Action(
+            ID + ".run",
+            "What if: run the variants",
+            "",
+            () -> whyNot().isEmpty(),
+            () -> {
+              workbench.show(ID);
+              run();
+            }));
+    actions.add(
+        new Action(
+            ID + ".cancel",
+            "What if: give up what runs",
+            "",
+            presenter::running,
+            presenter::cancel));
+    actions.add(
+        new Action(
+            ID + ".add",
+            "What if: add a variant",
+            "",
+            presenter::canAdd,
+            () -> {
+              workbench.show(ID);
+              presenter.add();
+            }));
+    actions.add(
+        new Action(
+            ID + ".clear",
+            "What if: clear the results",
+            "",
+            () -> !presenter.running(),
+            presenter::clear));
+    actions.add(
+        Action.of(WAYS, "What if: ways in 3D", "", () -> setWays(!waysShown()))
+            .checked(this::waysShown));
+  }
+
+  private boolean waysShown() {
+    return workbench.settings().get(WAYS).map(Boolean::parseBoolean).orElse(true);
+  }
+
+  private void setWays(boolean on) {
+    workbench.settings().put(WAYS, Boolean.toString(on));
+    show();
+  }
+
+  private String whyNot() {
+    return mostS().isEmpty() ? "How long a variant may run is no number" : presenter.whyNot();
+  }
+
+  private void run() {
+    if (table.isEditing() && !table.getCellEditor().stopCellEditing()) {
+      return;
+    }
+    if (whyNot().isEmpty()) {
+      ranOn = workbench.session().options().robotId();
+      presenter.setMost(Duration.ofMillis(Math.round(1000 * mostS().orElseThrow())));
+      presenter.run();
+    }
+  }
+
+  private void show() {
+    if (table.isEditing() && table.getEditingRow() >= model.getRowCount()) {
+      table.getCellEditor().cancelCellEditing();
+    }
+    int selected = table.getSelectedRow();
+    model.show();
+    if (selected >= 0 && table.getSelectedRow() < 0 && model.getRowCount() > 0) {
+      int row = Math.min(selected, model.getRowCount() - 1);
+      table.setRowSelectionInterval(row, row);
+    }
+    refresh();
+    collect();
+  }
+
+  private void refresh() {
+    String why = whyNot();
+    run.setEnabled(why.isEmpty());
+    run.setToolTipText(
+        why.isEmpty() ? "Runs each variant beside the robot, which goes on as it does" : why);
+    cancel.setVisible(presenter.running());
+    add.setEnabled(presenter.canAdd());
+    remove.setEnabled(presenter.canRemove() && table.getSelectedRow() >= 0);
+    clear.setEnabled(
+        !presenter.running()
+            && presenter.results().stream().anyMatch(each -> each.finished().isPresent()));
+    ways.setSelected(waysShown());
+    WhatIfPresenter.Start start = presenter.start();
+    from.setText(start.refusal().isEmpty() ? start.words() : start.refusal());
+    from.setForeground(start.refusal().isEmpty() ? Palette.quiet() : Palette.warning());
+  }
+
+  private void selectionChanged() {
+    refresh();
+    collect();
+  }
+
+  /** The ways in the colours that the theme has now. */
+  private void collect() {
+    List<ComparedWays.Way> found = new ArrayList<>();
+    List<VariantResult> results = presenter.results();
+    for (int i = 0; waysShown() && i < results.size(); i++) {
+      TcpWay way = results.get(i).finished().map(each -> each.way()).orElse(TcpWay.NONE);
+      if (way.size() > 1) {
+        found.add(
+            new ComparedWays.Way(
+                presenter.rows().get(i).name(),
+                Palette.series(i).getRGB() & 0xFFFFFF,
+                i == table.getSelectedRow(),
+                way));
+      }
+    }
+    shown = new ComparedWays(found);
+  }
+
+  /** Where the tool went in each variant, as far as people want to see that in 3D. */
+  public ComparedWays ways() {
+    return workbench.session().options().robotId().equals(ranOn) ? shown : ComparedWays.NONE;
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "What if";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    refresh();
+    collect();
+    if (presenter.running()) {
+      for (int i = 0; i < model.getRowCount(); i++) {
+        model.fireTableCellUpdated(i, VariantTableModel.RESULT);
+      }
+    }
+  }
+}
