@@ -111,6 +111,28 @@ final class ProgramWindowTest {
   }
 
   @Test
+  void theLastRunIsComparedWithVariantsOfIt() {
+    sharedWindow.program("movej([0.3, -1.5, -1.5, -1.5, 1.5, 0], a=5, v=3)", "sleep(0.1)");
+    window.press("F5");
+    window.awaitWords("run-joints-Base", "17.19");
+    window.awaitWords("program-state", "stopped");
+    window.perform("Show What if");
+    window.clickCell("whatif-table", "50 %");
+    window.press("F2");
+    window.awaitFocus("whatif-speed");
+    window.press("control A");
+    window.type("500\n");
+    window.awaitWords("whatif-refusal", "must be 1 to 100 %");
+    window.press("control A");
+    window.type("20\n");
+    window.awaitHidden("whatif-refusal");
+    window.click("whatif-run");
+    window.awaitWords("whatif-table", "20 % | as it was | as it ran | Finished");
+    window.perform("What if: clear the results");
+    window.await("no results", () -> !window.words("whatif-table").contains("Finished"));
+  }
+
+  @Test
   void aLogpointWritesWhileTheProgramRunsOn() {
     sharedWindow.program("count = 0", "while count < 3:", "  count = count + 1", "end");
     window.click("rail-script");

@@ -150,8 +150,12 @@ final class VariantRunTest {
     submit(
         new ProgramCommand.StartProgram(
             program(
-                "while not get_standard_digital_in(2):\nsync()\nend\n"
-                    + "popup(\"go on\", blocking=True)\n")));
+                """
+                while not get_standard_digital_in(2):
+                  sync()
+                end
+                popup("go on", blocking=True)
+                """)));
     until(300);
     submit(new IoCommand.SetInput("digital_in[2]", true));
     until(400);

@@ -11,7 +11,7 @@ import org.pendant.kit.theme.Palette;
  * why.
  */
 @SuppressWarnings("serial") // never written to a stream
-public class CheckedField extends DefaultCellEditor {
+public final class CheckedField extends DefaultCellEditor {
   private final JTextField field;
   private final JLabel why;
   private final UnaryOperator<String> refusal;

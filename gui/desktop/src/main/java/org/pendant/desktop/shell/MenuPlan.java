@@ -23,6 +23,10 @@ final class MenuPlan {
   /** Where views may go; each view has a menu of its own for these. */
   static final String ARRANGE = "arrange.";
 
+  /** The panels of the debugger, which are in a menu of their own. */
+  private static final Set<String> DEBUGGER =
+      Set.of("variables", "watches", "call-stack", "breakpoints");
+
   private MenuPlan() {}
 
   /** What stands in a menu. */
@@ -237,7 +241,14 @@ final class MenuPlan {
   private static List<Entry> view(List<String> screens, List<String> panels) {
     return list(
         sub("Screens", "Show", list(shows(screens), line(), places("Move a screen", screens))),
-        sub("Panels", "Show", list(shows(panels), line(), places("Move a panel", panels))),
+        sub(
+            "Panels",
+            "Show",
+            list(
+                shows(panels.stream().filter(each -> !DEBUGGER.contains(each)).toList()),
+                sub("Debugger", "Show", shows(panels.stream().filter(DEBUGGER::contains).toList())),
+                line(),
+                places("Move a panel", panels))),
         line(),
         sub("Docks", "", all("dock")),
         all("view"),
@@ -293,6 +304,7 @@ final class MenuPlan {
         line(),
         sub("Speed", "", all("speed")),
         sub("Waveforms", "Waveforms", all("waveforms")),
+        sub("What if", "What if", all("whatif")),
         line(),
         all("program.ask-start"),
         one("editor.follow", "tree.follow"),
@@ -311,7 +323,6 @@ final class MenuPlan {
         line(),
         all("past.step-back"),
         sub("In the recording", "", all("past")),
-        sub("What if", "What if", all("whatif")),
         line(),
         one("editor.breakpoint", "tree.breakpoint"),
         all("debug.conditional-breakpoint", "debug"));

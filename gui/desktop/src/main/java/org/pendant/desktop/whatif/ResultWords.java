@@ -14,13 +14,16 @@ final class ResultWords {
 
   private static final double PERCENT = 100;
 
+  /** From here on no digits are shown behind the point of a difference. */
+  private static final double TENS = 9.95;
+
   private ResultWords() {}
 
   /** A number that variants are compared by; the less the better. */
   enum Figure {
     CYCLE("Cycle"),
     TORQUE("Peak torque"),
-    JOINT_SPEED("Joint speed"),
+    JOINT_SPEED("Peak speed"),
     ENERGY("Energy");
 
     private final String title;
@@ -54,8 +57,8 @@ final class ResultWords {
       case VariantResult.Waiting _ -> "waits";
       case VariantResult.Running(var run) ->
           run.reachedS() > 0
-              ? format("runs, at %.1f s", run.reachedS())
-              : format("goes to the moment, %.0f %%", PERCENT * run.repeated());
+              ? String.format(Locale.ROOT, "runs, at %.1f s", run.reachedS())
+              : String.format(Locale.ROOT, "goes to the moment, %.0f %%", PERCENT * run.repeated());
       case VariantResult.Done(var outcome) -> capital(outcome.words());
       case VariantResult.Refused(String reason) -> reason;
     };
@@ -95,9 +98,11 @@ final class ResultWords {
     String text =
         switch (figure) {
           case CYCLE ->
-              format("%.3f s", value.getAsDouble()) + (outcome.roundOf() > 0 ? " a round" : "");
-          case TORQUE, JOINT_SPEED -> format("%.1f %%", PERCENT * value.getAsDouble());
-          case ENERGY -> format("%.0f J", value.getAsDouble());
+              String.format(Locale.ROOT, "%.3f s", value.getAsDouble())
+                  + (outcome.roundOf() > 0 ? " a round" : "");
+          case TORQUE, JOINT_SPEED ->
+              String.format(Locale.ROOT, "%.1f %%", PERCENT * value.getAsDouble());
+          case ENERGY -> String.format(Locale.ROOT, "%.0f J", value.getAsDouble());
         };
     return than.isEmpty()
         ? text
@@ -110,8 +115,10 @@ final class ResultWords {
           case CYCLE, ENERGY -> than == 0 ? 0 : PERCENT * (value / than - 1);
           case TORQUE, JOINT_SPEED -> PERCENT * (value - than);
         };
-    String number = format("%+.1f", by).replace('-', '\u2212');
-    boolean none = number.equals("+0.0") || number.equals("\u22120.0");
+    String number =
+        String.format(Locale.ROOT, Math.abs(by) < TENS ? "%+.1f" : "%+.0f", by)
+            .replace('-', '\u2212');
+    boolean none = number.endsWith("0.0") && number.length() == "+0.0".length();
     String unit =
         switch (figure) {
           case CYCLE, ENERGY -> " %";
@@ -150,25 +157,28 @@ final class ResultWords {
     return switch (figure) {
       case CYCLE ->
           outcome.cycleS().isEmpty()
-              ? format("Not finished; stopped %.3f s after the moment", outcome.timeS())
+              ? String.format(
+                  Locale.ROOT, "Not finished; stopped %.3f s after the moment", outcome.timeS())
               : outcome.roundOf() > 0
                   ? "From one time that line " + outcome.roundOf() + " is reached to the next"
-                  : format(
+                  : String.format(
+                      Locale.ROOT,
                       "From the start of the program to its end; %.3f s of it were run here",
                       outcome.timeS());
       case TORQUE -> outcome.torque().map(ResultWords::peak).orElse("");
       case JOINT_SPEED -> outcome.jointSpeed().map(ResultWords::peak).orElse("");
-      case ENERGY -> format("What the arm took from its supply in %.3f s", outcome.timeS());
+      case ENERGY ->
+          String.format(
+              Locale.ROOT, "What the arm took from its supply in %.3f s", outcome.timeS());
     };
   }
 
   private static String peak(Peak peak) {
-    return format(
+    return String.format(
+        Locale.ROOT,
         "%s, line %d, %.3f s after the moment; in %% of what the joint can do",
-        capital(peak.joint()), peak.line(), peak.timeS());
-  }
-
-  private static String format(String text, Object... values) {
-    return String.format(Locale.ROOT, text, values);
+        capital(peak.joint()),
+        peak.line(),
+        peak.timeS());
   }
 }

@@ -17,15 +17,19 @@ import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableCellEditor;
 import org.pendant.desktop.debug.CheckedField;
 import org.pendant.kit.theme.Palette;
 
 /** Variant table: the variants in rows, edited in place. */
 @SuppressWarnings("serial") // never written to a stream
 final class VariantTable extends JTable {
-  private static final List<Integer> WIDTHS = List.of(150, 75, 75, 115, 150, 150, 125, 125, 130);
+  private static final List<Integer> WIDTHS = List.of(120, 66, 66, 108, 84, 120, 104, 104, 110);
   private static final int LEAST_WIDTH = 60;
   private static final int ROW_SPACE = 12;
+
+  /** Columns may take this share of what they want. */
+  private static final double SQUEEZE = 0.92;
 
   private final transient WhatIfPresenter presenter;
   private final VariantTableModel model;
@@ -71,7 +75,7 @@ final class VariantTable extends JTable {
   }
 
   private void edit(int column, String name, JLabel refused, UnaryOperator<String> refusal) {
-    getColumnModel().getColumn(column).setCellEditor(new Typed(name, refused, refusal));
+    getColumnModel().getColumn(column).setCellEditor(new CheckedField(name, refused, refusal));
   }
 
   private void key(String stroke, Runnable run) {
@@ -79,22 +83,21 @@ final class VariantTable extends JTable {
         event -> run.run(), KeyStroke.getKeyStroke(stroke), JComponent.WHEN_FOCUSED);
   }
 
-  /** Begins with what was typed, which is nothing where something is as it was. */
-  private final class Typed extends CheckedField {
-    Typed(String name, JLabel refused, UnaryOperator<String> refusal) {
-      super(name, refused, refusal);
-    }
-
-    @Override
-    public Component getTableCellEditorComponent(
-        JTable table, Object value, boolean selected, int row, int column) {
-      JTextField field =
-          (JTextField)
-              super.getTableCellEditorComponent(
-                  table, model.typed(row, column), selected, row, column);
+  /** Editing begins with what was typed, which is nothing where something is as it was. */
+  @Override
+  public Component prepareEditor(TableCellEditor editor, int row, int column) {
+    Component component = super.prepareEditor(editor, row, column);
+    if (component instanceof JTextField field) {
+      field.setText(model.typed(row, column));
       field.selectAll();
-      return field;
     }
+    return component;
+  }
+
+  /** In a narrow dock the last columns are scrolled to, rather than all cut off. */
+  @Override
+  public boolean getScrollableTracksViewportWidth() {
+    return getParent() != null && getParent().getWidth() >= SQUEEZE * getPreferredSize().width;
   }
 
   @Override

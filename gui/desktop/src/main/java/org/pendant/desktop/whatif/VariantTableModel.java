@@ -18,7 +18,7 @@ final class VariantTableModel extends AbstractTableModel {
   static final String AS_EDITED = "as edited now";
   private static final String AS_IT_WAS = "as it was";
   private static final List<String> TITLES =
-      List.of("Variant", "Speed, %", "Load, kg", "Program", "Result");
+      List.of("Variant", "Speed", "Load", "Program", "Result");
   private static final List<Figure> FIGURES = List.of(Figure.values());
 
   private final transient WhatIfPresenter presenter;
@@ -81,8 +81,8 @@ final class VariantTableModel extends AbstractTableModel {
     VariantRow at = presenter.rows().get(row);
     return switch (column) {
       case NAME -> at.name();
-      case SPEED -> at.speed().isEmpty() ? AS_IT_WAS : at.speed();
-      case LOAD -> at.load().isEmpty() ? AS_IT_WAS : at.load();
+      case SPEED -> at.speed().isEmpty() ? AS_IT_WAS : at.speed() + " %";
+      case LOAD -> at.load().isEmpty() ? AS_IT_WAS : at.load() + " kg";
       case PROGRAM -> at.edited() ? AS_EDITED : AS_IT_RAN;
       case RESULT -> ResultWords.state(presenter.results().get(row));
       default -> figure(column).map(each -> figure(each, row)).orElse("");

@@ -47,7 +47,7 @@ final class WhatIfPresenter {
    * Where variants begin.
    *
    * @param frame that is looked at; empty for the start of the last program
-   * @param words for people
+   * @param words what the button says that begins there
    * @param refusal why nothing can begin there; empty if something can
    */
   record Start(OptionalLong frame, String words, String refusal) {}

@@ -56,11 +56,13 @@ public final class WhatIfView implements View {
   private final JPanel content = new JPanel(new BorderLayout());
   private final JLabel refused = new JLabel();
   private final JLabel from = new JLabel();
-  private final JButton run = button("run", "Run variants", "");
+  private final JButton run = button("run", "Run from the start", "");
   private final JButton cancel = button("cancel", "Cancel", "Gives up what runs");
-  private final JButton add = button("add", "Add", "Adds a variant (Ins)");
-  private final JButton remove = button("remove", "Remove", "Removes the selected variant (Del)");
-  private final JButton clear = button("clear", "Clear results", "Forgets what came of them");
+  private final JButton add = button("add", "+", "Adds a variant (Ins)", "Add a variant");
+  private final JButton remove =
+      button("remove", "\u2212", "Removes the selected variant (Del)", "Remove the variant");
+  private final JButton clear =
+      button("clear", "Clear", "Forgets what came of them", "Clear the results");
   private final JCheckBox ways = new JCheckBox("Ways in 3D");
   private final JTextField most = new JTextField(Integer.toString(MOST_S), MOST_COLUMNS);
   private ComparedWays shown = ComparedWays.NONE;
@@ -128,7 +130,7 @@ public final class WhatIfView implements View {
     Optional<ControllerState> at = past.get();
     if (ofFile) {
       return new WhatIfPresenter.Start(
-          OptionalLong.empty(), "", "A recording of a file cannot be run again");
+          OptionalLong.empty(), "Run from here", "A recording of a file cannot be run again");
     }
     if (at.isPresent()) {
       long frame = at.get().frame();
@@ -138,20 +140,24 @@ public final class WhatIfView implements View {
               : "No program ran at the moment that is looked at";
       return new WhatIfPresenter.Start(
           OptionalLong.of(frame),
-          String.format(Locale.ROOT, "from %.3f s on", at.get().timeS()),
+          String.format(Locale.ROOT, "Run from %.3f s", at.get().timeS()),
           why);
     }
     return new WhatIfPresenter.Start(
         OptionalLong.empty(),
-        "from the start of the last run",
+        "Run from the start",
         workbench.session().programKnown() ? "" : "No program has run yet");
   }
 
   private static JButton button(String name, String text, String tip) {
+    return button(name, text, tip, text);
+  }
+
+  private static JButton button(String name, String text, String tip, String accessibleName) {
     JButton button = new JButton(text);
     button.setName("whatif-" + name);
     button.setToolTipText(tip.isEmpty() ? text : tip);
-    button.getAccessibleContext().setAccessibleName(text);
+    button.getAccessibleContext().setAccessibleName(accessibleName);
     return button;
   }
 
@@ -174,13 +180,13 @@ public final class WhatIfView implements View {
     atMost.setLabelFor(most);
     bar.add(run);
     bar.add(cancel);
-    bar.add(from);
     bar.add(atMost);
     bar.add(most);
     bar.add(add);
     bar.add(remove);
     bar.add(clear);
     bar.add(ways);
+    bar.add(from);
     return bar;
   }
 
@@ -305,7 +311,10 @@ public final class WhatIfView implements View {
     String why = whyNot();
     run.setEnabled(why.isEmpty());
     run.setToolTipText(
-        why.isEmpty() ? "Runs each variant beside the robot, which goes on as it does" : why);
+        why.isEmpty()
+            ? "Runs each variant beside the robot, which goes on as it does: from the moment that"
+                + " is looked at, or from the start of the last run"
+            : why);
     cancel.setVisible(presenter.running());
     add.setEnabled(presenter.canAdd());
     remove.setEnabled(presenter.canRemove() && table.getSelectedRow() >= 0);
@@ -314,8 +323,11 @@ public final class WhatIfView implements View {
             && presenter.results().stream().anyMatch(each -> each.finished().isPresent()));
     ways.setSelected(waysShown());
     WhatIfPresenter.Start start = presenter.start();
-    from.setText(start.refusal().isEmpty() ? start.words() : start.refusal());
-    from.setForeground(start.refusal().isEmpty() ? Palette.quiet() : Palette.warning());
+    run.setText(start.words());
+    run.getAccessibleContext().setAccessibleName(start.words());
+    from.setText(start.refusal());
+    from.setForeground(Palette.quiet());
+    from.setVisible(!start.refusal().isEmpty());
   }
 
   private void selectionChanged() {
