@@ -1,5 +1,6 @@
 package org.pendant.desktop.scene;
 
+import java.util.Comparator;
 import java.util.List;
 import org.pendant.desktop.scene.mesh.Lines;
 import org.pendant.recording.whatif.TcpWay;
@@ -7,7 +8,7 @@ import org.pendant.recording.whatif.TcpWay;
 /**
  * Compared ways: the ways of the tool in several variants of a run, each in a colour of its own.
  *
- * @param ways the first one is the widest, so that those that lie on it leave its edges to be seen
+ * @param ways in the order of their names
  */
 public record ComparedWays(List<Way> ways) {
   /** None. */
@@ -30,9 +31,30 @@ public record ComparedWays(List<Way> ways) {
    */
   public record Way(String name, int rgb, boolean chosen, TcpWay points) {}
 
+  /** Whether people look at one of them. */
+  public boolean anyChosen() {
+    return ways.stream().anyMatch(Way::chosen);
+  }
+
+  /** In the order in which they are drawn: the chosen one above all. */
+  public List<Way> drawn() {
+    return ways.stream().sorted(Comparator.comparing(Way::chosen)).toList();
+  }
+
+  /**
+   * How wide number {@code i} of {@link #drawn} is, as a share of a usual line: while none is
+   * chosen the first one is the widest, so that those that lie on it leave its edges to be seen.
+   */
+  public double width(int i) {
+    if (anyChosen()) {
+      return i == ways.size() - 1 ? 2 : 1;
+    }
+    return ways.size() - i;
+  }
+
   /** The lines of a way. */
   public Lines lines(Way way) {
-    boolean behind = !way.chosen() && ways.stream().anyMatch(Way::chosen);
+    boolean behind = !way.chosen() && anyChosen();
     double opacity = behind ? BEHIND : 1;
     TcpWay points = way.points();
     Lines lines = new Lines();

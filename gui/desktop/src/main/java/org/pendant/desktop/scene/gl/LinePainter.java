@@ -105,10 +105,9 @@ final class LinePainter implements AutoCloseable {
     glDepthMask(true);
   }
 
-  /** The first one is the widest and drawn first, so that the others leave its edges. */
   private void drawCompared(int height) {
     for (int i = 0; i < compared.size(); i++) {
-      float px = COMPARED_PX_AT_800 * (compared.size() - i);
+      float px = COMPARED_PX_AT_800 * (float) comparedNow.width(i);
       line.set("width", Math.max(MIN_TRACE_PX, px * height / 800f));
       compared.get(i).draw();
     }
@@ -121,7 +120,7 @@ final class LinePainter implements AutoCloseable {
     comparedNow = wanted;
     compared.forEach(LineStrip::close);
     compared.clear();
-    for (ComparedWays.Way each : wanted.ways()) {
+    for (ComparedWays.Way each : wanted.drawn()) {
       LineStrip strip = new LineStrip();
       strip.load(wanted.lines(each));
       compared.add(strip);
