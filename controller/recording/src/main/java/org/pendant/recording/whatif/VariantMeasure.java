@@ -7,19 +7,19 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.recording.lines.FrameMargins;
 import org.pendant.recording.lines.Margin;
 
-/** Measure: what a run takes from a moment on, frame by frame. Mutable. */
-final class Measure {
-  private static final int MOST_POINTS = 20_000;
+/** Variant measure: what a run takes from a moment on, frame by frame. Mutable. */
+final class VariantMeasure {
+  private static final int MAX_POINTS = 20_000;
 
   private final FrameMargins margins;
-  private final TcpWay.Builder way = new TcpWay.Builder(MOST_POINTS);
+  private final TcpWay.Builder way = new TcpWay.Builder(MAX_POINTS);
   private final Rounds rounds = new Rounds();
   private final ControllerState moment;
   private ControllerState newest;
   private Optional<Peak> torque = Optional.empty();
   private Optional<Peak> jointSpeed = Optional.empty();
 
-  Measure(ControllerState moment, SafetyConfiguration safety) {
+  VariantMeasure(ControllerState moment, SafetyConfiguration safety) {
     this.moment = moment;
     newest = moment;
     margins = new FrameMargins(moment.arm(), safety);

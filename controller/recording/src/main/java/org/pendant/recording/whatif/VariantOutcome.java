@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Outcome: what came of a variant.
+ * Variant outcome: what came of a variant.
  *
  * @param end how it ended
  * @param words the same for people, with the reason
@@ -18,7 +18,7 @@ import java.util.OptionalDouble;
  * @param energyJ what the arm took from its supply, J
  * @param way of the tool centre point
  */
-public record Outcome(
+public record VariantOutcome(
     Variant variant,
     End end,
     String words,

@@ -132,7 +132,7 @@ public final class VariantRun {
    * @throws RerunRefused if the run came out otherwise before the moment, or no program ran then
    * @throws CancellationException after {@link #cancel}
    */
-  public Outcome run() throws RerunRefused {
+  public VariantOutcome run() throws RerunRefused {
     Controller fresh =
         new Controller(options.withOutside(Connectors.NONE), journal.controller().builtins());
     rerun.run(fresh, this::noteStart);
@@ -141,7 +141,7 @@ public final class VariantRun {
       throw new RerunRefused("no program runs at that moment");
     }
     LaterCommands later = new LaterCommands(journal.after(rerun.frame()), variant, start);
-    Measure measure = new Measure(moment, fresh.safety());
+    VariantMeasure measure = new VariantMeasure(moment, fresh.safety());
     begin(fresh, moment);
     long stopNs = System.nanoTime() + limits.wallTime().toNanos();
     double mostS = limits.robotTime().toNanos() / 1e9;
@@ -154,14 +154,14 @@ public final class VariantRun {
       noteStart(state);
       measure.see(state);
       reachedS = measure.timeS();
-      Optional<Outcome> ended = ended(state, later, measure);
+      Optional<VariantOutcome> ended = ended(state, later, measure);
       if (ended.isPresent()) {
         return ended.get();
       }
     }
     Rounds.Round round = measure.round();
     return outcome(
-        Outcome.End.LIMIT,
+        VariantOutcome.End.LIMIT,
         String.format(Locale.ROOT, "still runs after %.1f s", measure.timeS()),
         round.line() == 0
             ? OptionalDouble.empty()
@@ -236,11 +236,12 @@ public final class VariantRun {
         || command instanceof ProgramCommand.ReplaceProgram;
   }
 
-  private Optional<Outcome> ended(ControllerState state, LaterCommands later, Measure measure) {
+  private Optional<VariantOutcome> ended(
+      ControllerState state, LaterCommands later, VariantMeasure measure) {
     Optional<String> complaint = complaint();
     if (complaint.isPresent()) {
       return Optional.of(
-          outcome(Outcome.End.REFUSED, complaint.get(), OptionalDouble.empty(), 0, measure));
+          outcome(VariantOutcome.End.REFUSED, complaint.get(), OptionalDouble.empty(), 0, measure));
     }
     if (later.awaitsStart()) {
       return Optional.empty();
@@ -253,7 +254,12 @@ public final class VariantRun {
     }
     if (stop.isPresent() && state.program().state() == ProgramState.PAUSED) {
       return Optional.of(
-          outcome(Outcome.End.STOPPED, stop.get().message(), OptionalDouble.empty(), 0, measure));
+          outcome(
+              VariantOutcome.End.STOPPED,
+              stop.get().message(),
+              OptionalDouble.empty(),
+              0,
+              measure));
     }
     return state.openQuestions().stream()
         .filter(question -> later.answer(question.number()).isEmpty())
@@ -261,7 +267,7 @@ public final class VariantRun {
         .map(
             question ->
                 outcome(
-                    Outcome.End.QUESTION,
+                    VariantOutcome.End.QUESTION,
                     "asks: " + question.text(),
                     OptionalDouble.empty(),
                     0,
@@ -275,22 +281,24 @@ public final class VariantRun {
         .findFirst();
   }
 
-  private Outcome ended(Ending ending, Optional<SafetyStop> stop, Measure measure, long frame) {
+  private VariantOutcome ended(
+      Ending ending, Optional<SafetyStop> stop, VariantMeasure measure, long frame) {
     OptionalDouble cycleS =
         OptionalDouble.of((frame - startedFrame.orElse(frame)) * FrameTime.FRAME_S);
     return switch (ending) {
-      case Ending.Finished _ -> outcome(Outcome.End.FINISHED, "finished", cycleS, 0, measure);
-      case Ending.Halted _ -> outcome(Outcome.End.FINISHED, "halted", cycleS, 0, measure);
+      case Ending.Finished _ ->
+          outcome(VariantOutcome.End.FINISHED, "finished", cycleS, 0, measure);
+      case Ending.Halted _ -> outcome(VariantOutcome.End.FINISHED, "halted", cycleS, 0, measure);
       case Ending.Failed(var failure) ->
           outcome(
-              Outcome.End.FAILED,
+              VariantOutcome.End.FAILED,
               "line " + failure.line() + ": " + failure.message(),
               OptionalDouble.empty(),
               0,
               measure);
       case Ending.Stopped _ ->
           outcome(
-              Outcome.End.STOPPED,
+              VariantOutcome.End.STOPPED,
               stop.map(SafetyStop::message).orElse("stopped"),
               OptionalDouble.empty(),
               0,
@@ -298,9 +306,13 @@ public final class VariantRun {
     };
   }
 
-  private Outcome outcome(
-      Outcome.End end, String words, OptionalDouble cycleS, int roundOf, Measure measure) {
-    return new Outcome(
+  private VariantOutcome outcome(
+      VariantOutcome.End end,
+      String words,
+      OptionalDouble cycleS,
+      int roundOf,
+      VariantMeasure measure) {
+    return new VariantOutcome(
         variant,
         end,
         words,

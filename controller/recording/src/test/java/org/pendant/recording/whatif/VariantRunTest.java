@@ -69,11 +69,11 @@ final class VariantRunTest {
     return (robot.state().frame() - START) * FRAME_S;
   }
 
-  private Outcome run(Variant variant) throws RerunRefused {
+  private VariantOutcome run(Variant variant) throws RerunRefused {
     return VariantRun.fromStart(journal, options, variant, VariantLimits.STANDARD).run();
   }
 
-  private Outcome run(long frame, Variant variant) throws RerunRefused {
+  private VariantOutcome run(long frame, Variant variant) throws RerunRefused {
     return VariantRun.from(frame, journal, options, variant, VariantLimits.STANDARD).run();
   }
 
@@ -90,9 +90,9 @@ final class VariantRunTest {
     ControllerState end = robot.state();
     until(end.frame() + 50);
 
-    Outcome outcome = run(Variant.asItWas("as it was"));
+    VariantOutcome outcome = run(Variant.asItWas("as it was"));
 
-    assertEquals(Outcome.End.FINISHED, outcome.end());
+    assertEquals(VariantOutcome.End.FINISHED, outcome.end());
     assertEquals((end.frame() - START) * FRAME_S, outcome.cycleS().orElseThrow());
     assertEquals(way.way(), outcome.way());
     assertTrue(outcome.way().size() > 100, outcome.way().toString());
@@ -102,7 +102,7 @@ final class VariantRunTest {
   @Test
   void theRestOfARunIsAsItWasToo() throws RerunRefused {
     double cycleS = play(SWING);
-    Outcome outcome = run(400, Variant.asItWas("as it was"));
+    VariantOutcome outcome = run(400, Variant.asItWas("as it was"));
     assertEquals(cycleS, outcome.cycleS().orElseThrow());
     assertEquals((START - 400) * FRAME_S + cycleS, outcome.timeS(), 1e-9);
   }
@@ -110,8 +110,8 @@ final class VariantRunTest {
   @Test
   void halfTheSpeedTakesLongerAndLessOfTheJoints() throws RerunRefused {
     play(SWING);
-    Outcome whole = run(Variant.asItWas("whole"));
-    Outcome half = run(Variant.asItWas("half").withSpeed(0.5));
+    VariantOutcome whole = run(Variant.asItWas("whole"));
+    VariantOutcome half = run(Variant.asItWas("half").withSpeed(0.5));
     // paths take twice as long; what starts and ends a motion does not
     assertEquals(2, half.timeS() / whole.timeS(), 0.1);
     assertEquals(
@@ -124,9 +124,9 @@ final class VariantRunTest {
   @Test
   void aHeavierLoadTakesMoreTorqueAndEnergy() throws RerunRefused {
     play("set_payload(2, [0, 0, 0.05])\n" + SWING);
-    Outcome light = run(Variant.asItWas("as it was"));
-    Outcome heavy = run(Variant.asItWas("heavy").withLoad(3));
-    assertEquals(Outcome.End.FINISHED, heavy.end(), heavy.words());
+    VariantOutcome light = run(Variant.asItWas("as it was"));
+    VariantOutcome heavy = run(Variant.asItWas("heavy").withLoad(3));
+    assertEquals(VariantOutcome.End.FINISHED, heavy.end(), heavy.words());
     assertTrue(heavy.torque().orElseThrow().share() > light.torque().orElseThrow().share());
     assertTrue(heavy.energyJ() > light.energyJ(), heavy.energyJ() + " J, " + light.energyJ());
     assertEquals("shoulder", light.torque().orElseThrow().joint());
@@ -137,9 +137,9 @@ final class VariantRunTest {
   void anotherProgramStartsWhereTheOldOneDid() throws RerunRefused {
     play(SWING);
     Program faster = program(SWING.replace("v=1", "v=2").replace("a=2", "a=5"));
-    Outcome old = run(300, Variant.asItWas("old"));
-    Outcome other = run(300, Variant.asItWas("faster").withProgram(faster));
-    assertEquals(Outcome.End.FINISHED, other.end());
+    VariantOutcome old = run(300, Variant.asItWas("old"));
+    VariantOutcome other = run(300, Variant.asItWas("faster").withProgram(faster));
+    assertEquals(VariantOutcome.End.FINISHED, other.end());
     assertTrue(other.cycleS().orElseThrow() < old.cycleS().orElseThrow());
     assertEquals(other.cycleS().orElseThrow(), other.timeS(), 2 * FRAME_S);
   }
@@ -159,8 +159,8 @@ final class VariantRunTest {
     until(300);
     submit(new IoCommand.SetInput("digital_in[2]", true));
     until(400);
-    Outcome outcome = run(Variant.asItWas("as it was"));
-    assertEquals(Outcome.End.FINISHED, outcome.end(), outcome.words());
+    VariantOutcome outcome = run(Variant.asItWas("as it was"));
+    assertEquals(VariantOutcome.End.FINISHED, outcome.end(), outcome.words());
     assertEquals((301 - START) * FRAME_S, outcome.cycleS().orElseThrow(), 0.05);
   }
 
@@ -173,8 +173,8 @@ final class VariantRunTest {
       robot.advance();
     }
     assertTrue(robot.state().debug().held());
-    Outcome outcome = run(robot.state().frame(), Variant.asItWas("as it was"));
-    assertEquals(Outcome.End.FINISHED, outcome.end(), outcome.words());
+    VariantOutcome outcome = run(robot.state().frame(), Variant.asItWas("as it was"));
+    assertEquals(VariantOutcome.End.FINISHED, outcome.end(), outcome.words());
     assertEquals(outcome.cycleS(), run(Variant.asItWas("from the start")).cycleS());
   }
 
@@ -186,14 +186,14 @@ final class VariantRunTest {
             program(
                 "while True:\nsleep(0.5)\ni = 0\nwhile i < 3:\ni = i + 1\nsync()\nend\nend\n")));
     until(START);
-    Outcome outcome =
+    VariantOutcome outcome =
         VariantRun.fromStart(
                 journal,
                 options,
                 Variant.asItWas("as it was"),
                 new VariantLimits(Duration.ofSeconds(5), Duration.ofMinutes(1)))
             .run();
-    assertEquals(Outcome.End.LIMIT, outcome.end());
+    assertEquals(VariantOutcome.End.LIMIT, outcome.end());
     assertEquals(5, outcome.timeS(), 1e-9);
     assertEquals(0.506, outcome.cycleS().orElseThrow(), 0.005);
     assertTrue(outcome.roundOf() >= 3, "line " + outcome.roundOf());
@@ -202,11 +202,11 @@ final class VariantRunTest {
   @Test
   void whatStopsTheArmIsTold() throws RerunRefused {
     play(SWING);
-    Outcome failed = run(Variant.asItWas("bad").withProgram(program("movej([1])\n")));
-    assertEquals(Outcome.End.FAILED, failed.end());
+    VariantOutcome failed = run(Variant.asItWas("bad").withProgram(program("movej([1])\n")));
+    assertEquals(VariantOutcome.End.FAILED, failed.end());
     assertTrue(failed.words().startsWith("line 2: "), failed.words());
-    Outcome heavy = run(Variant.asItWas("heavy").withLoad(30));
-    assertEquals(Outcome.End.STOPPED, heavy.end());
+    VariantOutcome heavy = run(Variant.asItWas("heavy").withLoad(30));
+    assertEquals(VariantOutcome.End.STOPPED, heavy.end());
     assertFalse(heavy.words().isEmpty());
   }
 

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.pendant.recording.whatif.Outcome;
 import org.pendant.recording.whatif.Peak;
+import org.pendant.recording.whatif.VariantOutcome;
 
 /** Result words: what came of variants, as it stands in the panel. */
 final class ResultWords {
@@ -36,7 +36,7 @@ final class ResultWords {
       return title;
     }
 
-    OptionalDouble of(Outcome outcome) {
+    OptionalDouble of(VariantOutcome outcome) {
       return switch (this) {
         case CYCLE -> outcome.cycleS();
         case TORQUE -> share(outcome.torque());
@@ -80,8 +80,9 @@ final class ResultWords {
   }
 
   /** Whether it ran as far as it was to. */
-  private static boolean whole(Outcome outcome) {
-    return outcome.end() == Outcome.End.FINISHED || outcome.end() == Outcome.End.LIMIT;
+  private static boolean whole(VariantOutcome outcome) {
+    return outcome.end() == VariantOutcome.End.FINISHED
+        || outcome.end() == VariantOutcome.End.LIMIT;
   }
 
   /**
@@ -89,7 +90,7 @@ final class ResultWords {
    *
    * @param first empty for the first variant itself, and where nothing has come of it
    */
-  static String figure(Figure figure, Outcome outcome, Optional<Outcome> first) {
+  static String figure(Figure figure, VariantOutcome outcome, Optional<VariantOutcome> first) {
     OptionalDouble value = figure.of(outcome);
     if (value.isEmpty()) {
       return "\u2013";
@@ -129,7 +130,7 @@ final class ResultWords {
 
   /** Whether a variant is the best of those that ran through, and another one is worse. */
   static boolean best(Figure figure, int row, List<VariantResult> results) {
-    Optional<Outcome> own = results.get(row).finished().filter(ResultWords::whole);
+    Optional<VariantOutcome> own = results.get(row).finished().filter(ResultWords::whole);
     OptionalDouble value = own.map(figure::of).orElse(OptionalDouble.empty());
     if (value.isEmpty()) {
       return false;
@@ -153,7 +154,7 @@ final class ResultWords {
   }
 
   /** All that is known of a figure. */
-  static String about(Figure figure, Outcome outcome) {
+  static String about(Figure figure, VariantOutcome outcome) {
     return switch (figure) {
       case CYCLE ->
           outcome.cycleS().isEmpty()

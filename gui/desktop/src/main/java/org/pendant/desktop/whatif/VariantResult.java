@@ -1,7 +1,7 @@
 package org.pendant.desktop.whatif;
 
 import java.util.Optional;
-import org.pendant.recording.whatif.Outcome;
+import org.pendant.recording.whatif.VariantOutcome;
 import org.pendant.recording.whatif.VariantRun;
 
 /** Variant result: how far a row of the panel has come. */
@@ -16,14 +16,14 @@ sealed interface VariantResult {
   record Running(VariantRun run) implements VariantResult {}
 
   /** It has run. */
-  record Done(Outcome outcome) implements VariantResult {}
+  record Done(VariantOutcome outcome) implements VariantResult {}
 
   /** It could not run; the reason is for people. */
   record Refused(String reason) implements VariantResult {}
 
   /** What came of it; empty where nothing has yet. */
-  default Optional<Outcome> finished() {
-    return this instanceof Done(Outcome outcome) ? Optional.of(outcome) : Optional.empty();
+  default Optional<VariantOutcome> finished() {
+    return this instanceof Done(VariantOutcome outcome) ? Optional.of(outcome) : Optional.empty();
   }
 
   /** Whether it is still to come. */

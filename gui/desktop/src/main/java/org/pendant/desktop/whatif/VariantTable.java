@@ -25,7 +25,7 @@ import org.pendant.kit.theme.Palette;
 @SuppressWarnings("serial") // never written to a stream
 final class VariantTable extends JTable {
   private static final List<Integer> WIDTHS = List.of(120, 66, 66, 108, 84, 120, 104, 104, 110);
-  private static final int LEAST_WIDTH = 60;
+  private static final int MIN_WIDTH = 60;
   private static final int ROW_SPACE = 12;
 
   /** Columns may take this share of what they want. */
@@ -57,7 +57,7 @@ final class VariantTable extends JTable {
     setSurrendersFocusOnKeystroke(true);
     for (int i = 0; i < WIDTHS.size(); i++) {
       getColumnModel().getColumn(i).setPreferredWidth(WIDTHS.get(i));
-      getColumnModel().getColumn(i).setMinWidth(LEAST_WIDTH);
+      getColumnModel().getColumn(i).setMinWidth(MIN_WIDTH);
       getColumnModel().getColumn(i).setCellRenderer(new Cell());
     }
     edit(VariantTableModel.NAME, "whatif-name", refused, VariantRow::nameRefusal);

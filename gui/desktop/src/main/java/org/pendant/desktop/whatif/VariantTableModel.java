@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.table.AbstractTableModel;
 import org.pendant.desktop.whatif.ResultWords.Figure;
-import org.pendant.recording.whatif.Outcome;
+import org.pendant.recording.whatif.VariantOutcome;
 
 /** Variant table model: the variants, and what came of them beside each. */
 @SuppressWarnings("serial") // never written to a stream
@@ -96,7 +96,7 @@ final class VariantTableModel extends AbstractTableModel {
 
   private String figure(Figure figure, int row) {
     List<VariantResult> results = presenter.results();
-    Optional<Outcome> first = row == 0 ? Optional.empty() : results.getFirst().finished();
+    Optional<VariantOutcome> first = row == 0 ? Optional.empty() : results.getFirst().finished();
     return results
         .get(row)
         .finished()

@@ -45,8 +45,8 @@ public final class WhatIfView implements View {
   public static final String ID = "whatif";
 
   private static final String WAYS = "whatif.ways";
-  private static final int MOST_S = 600;
-  private static final int MOST_COLUMNS = 4;
+  private static final int MAX_S = 600;
+  private static final int FIELD_COLUMNS = 4;
 
   private final Workbench workbench;
   private final Supplier<Optional<ControllerState>> past;
@@ -64,7 +64,7 @@ public final class WhatIfView implements View {
   private final JButton clear =
       button("clear", "Clear", "Forgets what came of them", "Clear the results");
   private final JCheckBox ways = new JCheckBox("Ways in 3D");
-  private final JTextField most = new JTextField(Integer.toString(MOST_S), MOST_COLUMNS);
+  private final JTextField most = new JTextField(Integer.toString(MAX_S), FIELD_COLUMNS);
   private ComparedWays shown = ComparedWays.NONE;
   private String ranOn = "";
 
@@ -209,7 +209,7 @@ public final class WhatIfView implements View {
   private OptionalDouble mostS() {
     try {
       double typed = Double.parseDouble(most.getText().strip());
-      return typed > 0 && typed <= MOST_S ? OptionalDouble.of(typed) : OptionalDouble.empty();
+      return typed > 0 && typed <= MAX_S ? OptionalDouble.of(typed) : OptionalDouble.empty();
     } catch (NumberFormatException _) {
       return OptionalDouble.empty();
     }
@@ -221,7 +221,7 @@ public final class WhatIfView implements View {
     String why =
         typed.isPresent()
             ? ""
-            : "At most is '" + most.getText().strip() + "', must be above 0 to " + MOST_S + " s";
+            : "At most is '" + most.getText().strip() + "', must be above 0 to " + MAX_S + " s";
     refused.setText(why);
     refused.setForeground(Palette.error());
     refused.setVisible(!why.isEmpty());

@@ -9,17 +9,18 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.pendant.desktop.whatif.ResultWords.Figure;
-import org.pendant.recording.whatif.Outcome;
 import org.pendant.recording.whatif.Peak;
 import org.pendant.recording.whatif.TcpWay;
 import org.pendant.recording.whatif.Variant;
+import org.pendant.recording.whatif.VariantOutcome;
 
 final class ResultWordsTest {
-  private static Outcome outcome(Outcome.End end, double cycleS, double torque, double energyJ) {
-    return new Outcome(
+  private static VariantOutcome outcome(
+      VariantOutcome.End end, double cycleS, double torque, double energyJ) {
+    return new VariantOutcome(
         Variant.asItWas("some"),
         end,
-        end == Outcome.End.FINISHED ? "finished" : "wrong",
+        end == VariantOutcome.End.FINISHED ? "finished" : "wrong",
         cycleS,
         OptionalDouble.of(cycleS),
         0,
@@ -29,8 +30,8 @@ final class ResultWordsTest {
         TcpWay.NONE);
   }
 
-  private static final Outcome FIRST = outcome(Outcome.End.FINISHED, 4, 0.4, 200);
-  private static final Outcome OTHER = outcome(Outcome.End.FINISHED, 3, 0.65, 200);
+  private static final VariantOutcome FIRST = outcome(VariantOutcome.End.FINISHED, 4, 0.4, 200);
+  private static final VariantOutcome OTHER = outcome(VariantOutcome.End.FINISHED, 3, 0.65, 200);
 
   @Test
   void theFirstVariantStandsAlone() {
@@ -62,7 +63,7 @@ final class ResultWordsTest {
     List<VariantResult> results =
         List.of(
             new VariantResult.Done(FIRST),
-            new VariantResult.Done(outcome(Outcome.End.STOPPED, 1, 0.1, 10)),
+            new VariantResult.Done(outcome(VariantOutcome.End.STOPPED, 1, 0.1, 10)),
             new VariantResult.Done(OTHER),
             new VariantResult.Refused("no"));
     assertFalse(ResultWords.best(Figure.CYCLE, 1, results));
