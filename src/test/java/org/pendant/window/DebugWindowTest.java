@@ -34,7 +34,7 @@ final class DebugWindowTest {
     sharedWindow.program(
         "def twice(n):", "  return 2 * n", "end", "a = 1", "a = twice(a)", "sleep(0.5)", "a = 3");
     toScript();
-    assertFalse(window.shows("debug-bar"));
+    assertFalse(window.shows("debug-bar-step"));
     for (int i = 0; i < 4; i++) {
       window.press("DOWN");
     }
@@ -60,7 +60,11 @@ final class DebugWindowTest {
     window.tabTo("debug-bar-stop");
     window.press("SPACE");
     window.awaitWords("program-state", "stopped");
-    window.awaitHidden("debug-bar");
+    window.awaitHidden("debug-bar-step");
+    window.click("debug-bar-step-back");
+    window.awaitShown("past-banner");
+    window.press("ESCAPE");
+    window.awaitHidden("past-banner");
   }
 
   @Test

@@ -17,7 +17,8 @@ import org.pendant.script.vm.ProgramState;
 /**
  * Debug bar: how a program that is paused continues, and how people go back and on through what it
  * did. It is there only then, while they look at the past, and as long as keys go to it while the
- * program runs: what is typed must not fall into the text. It stands in the head of what shows the
+ * program runs: what is typed must not fall into the text. Where it takes no room from anything it
+ * stays when a program has ended, with what leads back. It stands in the head of what shows the
  * program.
  */
 @SuppressWarnings("serial") // never written to a stream
@@ -28,6 +29,7 @@ public final class DebugBar extends JPanel {
   private final transient DebugPresenter debug;
   private final transient PastSteps past;
   private final transient List<Tool> tools;
+  private boolean staying;
 
   /** When a button is there. */
   private enum When {
@@ -111,6 +113,11 @@ public final class DebugBar extends JPanel {
     return new Tool(button, enabled, when);
   }
 
+  /** Has it stay when a program has ended, for what leads back. */
+  public void stayAfterRuns() {
+    staying = true;
+  }
+
   private boolean wanted() {
     return past.back() || debug.held() || debug.steps().canStep();
   }
@@ -128,16 +135,18 @@ public final class DebugBar extends JPanel {
   /** Shows what can be done now. */
   public void refresh() {
     boolean runs = workbench.session().state().program().state() != ProgramState.STOPPED;
-    boolean wanted = wanted() || (runs && tools.stream().anyMatch(Tool::focused));
+    boolean over = staying && !runs && !wanted() && workbench.session().runTime().known();
+    boolean wanted = wanted() || over || (runs && tools.stream().anyMatch(Tool::focused));
     When other = past.back() ? When.NOW : When.PAST;
     for (Tool each : tools) {
       // A button that goes or becomes disabled hands its focus on, and keys would write in the
       // text.
       boolean focused = each.focused();
-      each.button().setVisible(each.when() != other || focused);
+      boolean there = each.when() != other && !(over && each.when() == When.NOW);
+      each.button().setVisible(there || focused);
       each.button().setEnabled(each.enabled().getAsBoolean() || focused);
     }
-    keepFocus(other);
+    keepFocus(over ? When.NOW : other);
     if (wanted != isVisible()) {
       setVisible(wanted);
       revalidate();

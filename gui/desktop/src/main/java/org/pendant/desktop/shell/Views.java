@@ -120,6 +120,7 @@ final class Views {
     past.timeline().setPins(strip::profile, this::pins);
     debug.steps().inThePast(past.steps()::back, past.steps()::stepOn);
     DebugBar scriptBar = new DebugBar("debug-bar", workbench, debug, past.steps());
+    scriptBar.stayAfterRuns();
     editor.addToHead(scriptBar);
     DebugBar treeBar = new DebugBar("debug-bar-tree", workbench, debug, past.steps());
     debugBars = List.of(scriptBar, treeBar);
