@@ -60,7 +60,11 @@ final class MemoryTable extends JTable {
   }
 
   private void fit(int column, int digits) {
-    int width = digits * getFontMetrics(getFont()).charWidth('0');
+    String title = "  " + getColumnName(column) + "  00";
+    int width =
+        Math.max(
+            digits * getFontMetrics(getFont()).charWidth('0'),
+            getTableHeader().getFontMetrics(getTableHeader().getFont()).stringWidth(title));
     getColumnModel().getColumn(column).setPreferredWidth(width);
     getColumnModel().getColumn(column).setMinWidth(width);
     getColumnModel().getColumn(column).setMaxWidth(2 * width);

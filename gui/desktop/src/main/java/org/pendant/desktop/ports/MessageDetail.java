@@ -78,8 +78,6 @@ final class MessageDetail {
     return client.peers().port()
         + " client "
         + client.peers().client()
-        + ", connected for "
-        + client.connected()
         + "\n"
         + (client.data().isEmpty() ? "" : "\nGets " + client.data() + ":\n" + lines(client.reads()))
         + (client.writes().isEmpty() ? "" : "\nOnly it may write:\n" + lines(client.writes()));
