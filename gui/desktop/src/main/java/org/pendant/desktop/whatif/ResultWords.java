@@ -41,8 +41,15 @@ final class ResultWords {
         case CYCLE -> outcome.cycleS();
         case TORQUE -> share(outcome.torque());
         case JOINT_SPEED -> share(outcome.jointSpeed());
-        case ENERGY -> OptionalDouble.of(outcome.energyJ());
+        case ENERGY -> OptionalDouble.of(outcome.energyJ() * part(outcome));
       };
+    }
+
+    /** How much of the energy is meant: that of one round of a program that never ends. */
+    private static double part(VariantOutcome outcome) {
+      return outcome.roundOf() > 0 && outcome.timeS() > 0
+          ? outcome.cycleS().orElse(0) / outcome.timeS()
+          : 1;
     }
 
     private static OptionalDouble share(Optional<Peak> peak) {
@@ -103,7 +110,9 @@ final class ResultWords {
                   + (outcome.roundOf() > 0 ? " a round" : "");
           case TORQUE, JOINT_SPEED ->
               String.format(Locale.ROOT, "%.1f %%", PERCENT * value.getAsDouble());
-          case ENERGY -> String.format(Locale.ROOT, "%.0f J", value.getAsDouble());
+          case ENERGY ->
+              String.format(Locale.ROOT, "%.0f J", value.getAsDouble())
+                  + (outcome.roundOf() > 0 ? " a round" : "");
         };
     return than.isEmpty()
         ? text

@@ -81,4 +81,23 @@ final class ResultWordsTest {
         "Elbow, line 4, 1.500 s after the moment; in % of what the joint can do",
         ResultWords.about(Figure.TORQUE, FIRST));
   }
+
+  @Test
+  void ofAProgramThatNeverEndsTheEnergyIsThatOfARound() {
+    VariantOutcome loop =
+        new VariantOutcome(
+            Variant.asItWas("loop"),
+            VariantOutcome.End.LIMIT,
+            "still runs after 600.0 s",
+            600,
+            OptionalDouble.of(2),
+            3,
+            Optional.empty(),
+            Optional.empty(),
+            24_000,
+            TcpWay.NONE);
+    assertEquals("80 J a round", ResultWords.figure(Figure.ENERGY, loop, Optional.empty()));
+    assertEquals("2.000 s a round", ResultWords.figure(Figure.CYCLE, loop, Optional.empty()));
+    assertEquals("\u2013", ResultWords.figure(Figure.TORQUE, loop, Optional.empty()));
+  }
 }
