@@ -64,8 +64,8 @@ final class ResultWords {
       case VariantResult.Waiting _ -> "waits";
       case VariantResult.Running(var run) ->
           run.reachedS() > 0
-              ? String.format(Locale.ROOT, "runs, at %.1f s", run.reachedS())
-              : String.format(Locale.ROOT, "goes to the moment, %.0f %%", PERCENT * run.repeated());
+              ? String.format(Locale.ROOT, "at %.0f s", run.reachedS())
+              : String.format(Locale.ROOT, "repeats, %.0f %%", PERCENT * run.repeated());
       case VariantResult.Done(var outcome) -> capital(outcome.words());
       case VariantResult.Refused(String reason) -> reason;
     };
