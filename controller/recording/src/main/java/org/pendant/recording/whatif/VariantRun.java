@@ -162,7 +162,7 @@ public final class VariantRun {
     Rounds.Round round = measure.round();
     return outcome(
         VariantOutcome.End.LIMIT,
-        String.format(Locale.ROOT, "still runs after %.1f s", measure.timeS()),
+        String.format(Locale.ROOT, "runs on at %.0f s", measure.timeS()),
         round.line() == 0
             ? OptionalDouble.empty()
             : OptionalDouble.of(round.frames() * FrameTime.FRAME_S),

@@ -107,12 +107,12 @@ final class ResultWords {
         switch (figure) {
           case CYCLE ->
               String.format(Locale.ROOT, "%.3f s", value.getAsDouble())
-                  + (outcome.roundOf() > 0 ? " a round" : "");
+                  + (outcome.roundOf() > 0 ? "/round" : "");
           case TORQUE, JOINT_SPEED ->
               String.format(Locale.ROOT, "%.1f %%", PERCENT * value.getAsDouble());
           case ENERGY ->
               String.format(Locale.ROOT, "%.0f J", value.getAsDouble())
-                  + (outcome.roundOf() > 0 ? " a round" : "");
+                  + (outcome.roundOf() > 0 ? "/round" : "");
         };
     return than.isEmpty()
         ? text

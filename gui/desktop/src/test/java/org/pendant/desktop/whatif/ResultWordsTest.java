@@ -96,8 +96,8 @@ final class ResultWordsTest {
             Optional.empty(),
             24_000,
             TcpWay.NONE);
-    assertEquals("80 J a round", ResultWords.figure(Figure.ENERGY, loop, Optional.empty()));
-    assertEquals("2.000 s a round", ResultWords.figure(Figure.CYCLE, loop, Optional.empty()));
+    assertEquals("80 J/round", ResultWords.figure(Figure.ENERGY, loop, Optional.empty()));
+    assertEquals("2.000 s/round", ResultWords.figure(Figure.CYCLE, loop, Optional.empty()));
     assertEquals("\u2013", ResultWords.figure(Figure.TORQUE, loop, Optional.empty()));
   }
 }
