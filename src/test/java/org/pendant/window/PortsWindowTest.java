@@ -41,6 +41,8 @@ final class PortsWindowTest {
     window.awaitWords("ports-summary", "Open,");
     window.click("ports-clients");
     window.awaitWords("clients-summary", "Nobody is connected");
+    window.tabTo("clients-table");
+    window.tabTo("clients-detail");
     try (Socket socket = new Socket(address, port)) {
       window.awaitWords("clients-table", "Primary");
       String text = "def visitor():\n  while True:\n    sync()\n  end\nend\n";

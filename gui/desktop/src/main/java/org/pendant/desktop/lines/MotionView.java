@@ -1,6 +1,7 @@
 package org.pendant.desktop.lines;
 
 import java.awt.BorderLayout;
+import java.awt.KeyboardFocusManager;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -117,6 +118,10 @@ public final class MotionView implements View {
     JScrollPane words = new JScrollPane(text);
     words.setBorder(BorderFactory.createEmptyBorder());
     numbers.setBorder(BorderFactory.createEmptyBorder());
+    numbers.setVisible(false);
+    // Tab leaves the table: nothing in its cells can be changed.
+    table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+    table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     JPanel both =
         new JPanel(
             new MigLayout(

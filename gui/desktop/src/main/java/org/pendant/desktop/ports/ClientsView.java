@@ -5,6 +5,7 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
@@ -272,6 +273,9 @@ public final class ClientsView implements View {
     table.setName(name);
     table.getAccessibleContext().setAccessibleName(meaning);
     table.setFillsViewportHeight(true);
+    // Tab leaves the table: nothing in its cells can be changed.
+    table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+    table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     table.setShowGrid(false);
     TableColumnModel columns = table.getColumnModel();
     for (int i = 0; i < widths.length; i++) {
