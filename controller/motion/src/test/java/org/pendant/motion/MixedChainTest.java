@@ -14,7 +14,7 @@ import org.pendant.models.kinematics.InverseKinematics;
 /** Random chains of every kind of move, blended as it comes. */
 @Tag("slow")
 final class MixedChainTest {
-  private static final int CHAINS = 100;
+  private static final int CHAINS = 40 * Integer.getInteger("test.cases", 1);
 
   /** Changes of speed within a frame; a corner that comes unexpected takes the most. */
   private static final double MAX_RAD_PER_S2 = 150;

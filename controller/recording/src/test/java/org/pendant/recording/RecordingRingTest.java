@@ -107,7 +107,7 @@ final class RecordingRingTest {
     ControllerState first = random.next();
     RecordingRing ring = new RecordingRing(first, Optional::empty);
     ControllerState before = first;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 1200; i++) {
       ControllerState state = random.next();
       if (state.frame() > before.frame()) {
         SameState.assertSameButAmbient(before, ring.recording().atFrame(before.frame()));

@@ -18,7 +18,7 @@ import org.pendant.script.value.ScriptError;
 /** Being held changes nothing: a program does the same with and without stops. */
 @Tag("slow")
 class HeldRunsTest {
-  private static final int PROGRAMS = 100;
+  private static final int PROGRAMS = 40 * Integer.getInteger("test.cases", 1);
   private static final int MAX_FRAMES = 60;
   private static final int MAX_STOPS = 400;
 
