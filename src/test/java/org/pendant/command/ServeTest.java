@@ -153,11 +153,6 @@ final class ServeTest {
       assertEquals("Shutting down", dashboard("shutdown"));
       assertEquals(0, Launcher.await(process));
     }
-    List<String> acts =
-        Files.readAllLines(folder.resolve("talk.jsonl")).stream()
-            .filter(line -> line.contains("\"effect\":\"shutdown\""))
-            .toList();
-    assertEquals(1, acts.size());
   }
 
   @Test
@@ -227,6 +222,11 @@ final class ServeTest {
       assertEquals("Shutting down", dashboard("shutdown"));
       assertEquals(0, Launcher.await(process));
     }
+    List<String> acts =
+        Files.readAllLines(folder.resolve("talk.jsonl")).stream()
+            .filter(line -> line.contains("\"effect\":\"shutdown\""))
+            .toList();
+    assertEquals(1, acts.size());
   }
 
   @Test
