@@ -2,6 +2,7 @@ package org.pendant.controller;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.eip.AssemblyWatchdog;
 import org.pendant.controller.io.InputWatchdogs;
@@ -49,6 +50,9 @@ final class Frame {
   private final VariableTracer tracer;
   private final InstallationHandler installed;
 
+  /** Made once, since every frame hands it on. */
+  private final Consumer<String> warn;
+
   private final StopSnapshot witness = new StopSnapshot();
   private final RuntimeStateTracker runtime = new RuntimeStateTracker();
   private ProgramState followed = ProgramState.STOPPED;
@@ -84,6 +88,7 @@ final class Frame {
     this.hand = hand;
     this.tracer = tracer;
     this.installed = installed;
+    warn = box.log()::warning;
     sampler = new VariableSampler(machine);
     state = snapshot();
     feed.publish(state);
@@ -159,7 +164,7 @@ final class Frame {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
     commandQueue.drain(this::followProgram);
-    box.signals().player().step(box.log()::warning);
+    box.signals().player().step(warn);
     installed.step();
     followWatchdogs();
     followAssemblies();

@@ -36,11 +36,6 @@ public final class InputPlayer {
     }
   }
 
-  /** What is played. */
-  public InputWaveforms waveforms() {
-    return waveforms;
-  }
-
   /** A program begins with the frame that has begun. */
   public void programStarted() {
     playing = true;
