@@ -14,6 +14,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
+import org.pendant.desktop.unit.TimeStep;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.ColumnTrace;
 import org.pendant.recording.RecordingMark;
@@ -156,7 +157,8 @@ final class TimelinePainter {
   private static double axis(Sheet sheet, int height, LookBack at) {
     Graphics2D pen = sheet.pen;
     double unit =
-        unit(sheet.range.widthS() * sheet.metrics.stringWidth("0000.000 s  ") / sheet.width);
+        TimeStep.atLeast(
+            sheet.range.widthS() * sheet.metrics.stringWidth("0000.000 s  ") / sheet.width);
     double bottom = AXIS * sheet.metrics.getHeight();
     // What is not held any more, or has not come yet, is dimmer.
     double fromX = Math.max(sheet.left, sheet.x(at.recording().firstS()));
@@ -183,17 +185,6 @@ final class TimelinePainter {
       }
     }
     return bottom + gap();
-  }
-
-  /** The next of 1, 2, 5 times a power of ten. */
-  private static double unit(double least) {
-    double power = Math.pow(10, Math.floor(Math.log10(least)));
-    for (double each : new double[] {1, 2, 5}) {
-      if (each * power >= least) {
-        return Math.max(0.002, each * power);
-      }
-    }
-    return Math.max(0.002, 10 * power);
   }
 
   private static void row(Sheet sheet, int row, Tracks tracks, double y, double height) {

@@ -20,6 +20,7 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.ToolTipManager;
+import org.pendant.desktop.unit.TimeStep;
 
 /** Waveform canvas: the rows over time; the mouse and keys draw in it. */
 @SuppressWarnings("serial") // never written to a stream
@@ -272,7 +273,7 @@ final class WaveformCanvas extends JComponent {
 
   /** To what times snap, s: about four pixels, whole frames. */
   private double snapS() {
-    return WaveformPainter.unit(timeAt(UIScale.scale(4)));
+    return TimeStep.atLeast(timeAt(UIScale.scale(4)));
   }
 
   double snapped(double timeS) {

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.UnaryOperator;
 import org.pendant.controller.io.InputChange;
+import org.pendant.desktop.unit.TimeStep;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.time.FrameTime;
 
@@ -53,17 +54,6 @@ final class WaveformPainter {
     return (int) Math.round(1.6 * canvas.getFontMetrics(canvas.getFont()).getHeight());
   }
 
-  /** The next of 1, 2, 5 times a power of ten, at least a frame. */
-  static double unit(double least) {
-    double power = Math.pow(10, Math.floor(Math.log10(least)));
-    for (double each : new double[] {1, 2, 5}) {
-      if (each * power >= least) {
-        return Math.max(FRAME_S, each * power);
-      }
-    }
-    return Math.max(FRAME_S, 10 * power);
-  }
-
   void paint(Graphics2D pen, WaveformCanvas canvas) {
     Rectangle clip = pen.getClipBounds();
     pen.setColor(Palette.card());
@@ -101,7 +91,7 @@ final class WaveformPainter {
   /** How far times that are written stand apart, s. */
   static double gridS(WaveformCanvas canvas) {
     FontMetrics metrics = canvas.getFontMetrics(canvas.getFont());
-    return unit(canvas.timeAt(metrics.stringWidth("0000.000 s   ")));
+    return TimeStep.atLeast(canvas.timeAt(metrics.stringWidth("0000.000 s   ")));
   }
 
   private static void input(Graphics2D pen, WaveformCanvas canvas, WaveRow row, int y, int height) {
