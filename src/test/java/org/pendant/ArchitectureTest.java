@@ -74,6 +74,8 @@ final class ArchitectureTest {
           .definedBy("org.pendant.recording..")
           .layer("project")
           .definedBy("org.pendant.project..")
+          .layer("testing")
+          .definedBy("org.pendant.testing..")
           .layer("protocols")
           .definedBy("org.pendant.protocols..")
           .layer("kit")
@@ -92,23 +94,40 @@ final class ArchitectureTest {
           .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("recording")
           .mayOnlyBeAccessedByLayers("command", "desktop")
+          .whereLayer("testing")
+          .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("project")
-          .mayOnlyBeAccessedByLayers("protocols", "command", "desktop")
+          .mayOnlyBeAccessedByLayers("testing", "protocols", "command", "desktop")
           .whereLayer("core")
           .mayOnlyBeAccessedByLayers(
-              "recording", "project", "protocols", "command", "kit", "desktop")
+              "recording", "project", "testing", "protocols", "command", "kit", "desktop")
           .whereLayer("script")
           .mayOnlyBeAccessedByLayers(
-              "core", "recording", "project", "protocols", "command", "desktop")
+              "core", "recording", "project", "testing", "protocols", "command", "desktop")
           .whereLayer("motion")
           .mayOnlyBeAccessedByLayers(
-              "core", "recording", "project", "protocols", "command", "desktop")
+              "core", "recording", "project", "testing", "protocols", "command", "desktop")
           .whereLayer("language")
           .mayOnlyBeAccessedByLayers(
-              "script", "core", "recording", "project", "protocols", "command", "desktop")
+              "script",
+              "core",
+              "recording",
+              "project",
+              "testing",
+              "protocols",
+              "command",
+              "desktop")
           .whereLayer("models")
           .mayOnlyBeAccessedByLayers(
-              "script", "motion", "core", "recording", "project", "protocols", "command", "desktop")
+              "script",
+              "motion",
+              "core",
+              "recording",
+              "project",
+              "testing",
+              "protocols",
+              "command",
+              "desktop")
           .ensureAllClassesAreContainedInArchitecture();
 
   /** What docs/glossary.md has better words for. */
@@ -231,6 +250,7 @@ final class ArchitectureTest {
               "org.pendant.controller..",
               "org.pendant.recording..",
               "org.pendant.project..",
+              "org.pendant.testing..",
               "org.pendant.kit..")
           .should()
           .dependOnClassesThat(

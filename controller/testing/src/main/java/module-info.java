@@ -1,0 +1,10 @@
+/** Tests of robot programs: found, run in virtual time, and reported. */
+module org.pendant.testing {
+  requires transitive org.pendant.controller;
+  requires transitive org.pendant.language;
+  requires transitive org.pendant.project;
+  requires transitive org.pendant.script;
+
+  exports org.pendant.testing;
+  exports org.pendant.testing.report;
+}
