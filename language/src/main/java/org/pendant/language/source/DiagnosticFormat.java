@@ -1,5 +1,7 @@
 package org.pendant.language.source;
 
+import java.util.List;
+
 /**
  * The form of a {@link Diagnostic} for people: {@code file:line:column: error: message}, the source
  * line below it and a caret under the fault.
@@ -21,14 +23,7 @@ public final class DiagnosticFormat {
     int start = Math.min(diagnostic.range().start(), source.text().length());
     int line = source.line(start);
     int column = source.column(start);
-    String text = source.lineText(line);
-    int from = Math.min(column - 1, text.length());
-    int to = Math.clamp((long) from + diagnostic.range().end() - start, from, text.length());
-    int shownFrom = text.length() > MAX_LINE ? Math.max(0, from - LEAD) : 0;
-    int shownTo = Math.min(text.length(), shownFrom + MAX_LINE);
-    String before = decoded(text.substring(shownFrom, from));
-    String fault = decoded(text.substring(from, Math.max(from, Math.min(to, shownTo))));
-    String after = decoded(text.substring(Math.max(from, Math.min(to, shownTo)), shownTo));
+    List<String> excerpt = excerpt(source, line, column, diagnostic.range().end() - start);
     return String.format(
         "%s:%d:%d: %s: %s%n%s%n%s",
         printable(source.name()),
@@ -36,8 +31,29 @@ public final class DiagnosticFormat {
         column,
         diagnostic.isError() ? "error" : "warning",
         decoded(diagnostic.message()),
-        before + fault + after,
-        blanks(before) + "^" + "~".repeat(Math.max(0, width(fault) - 1)));
+        excerpt.getFirst(),
+        excerpt.getLast());
+  }
+
+  /**
+   * Two lines for a terminal: a line of a source, or what is around the fault of a long one, and
+   * the caret under it.
+   *
+   * @param line 1-based, one that there is
+   * @param column 1-based, in bytes
+   * @param length of the fault in bytes
+   */
+  public static List<String> excerpt(Source source, int line, int column, int length) {
+    String text = source.lineText(line);
+    int from = Math.min(column - 1, text.length());
+    int to = Math.clamp((long) from + length, from, text.length());
+    int shownFrom = text.length() > MAX_LINE ? Math.max(0, from - LEAD) : 0;
+    int shownTo = Math.min(text.length(), shownFrom + MAX_LINE);
+    String before = decoded(text.substring(shownFrom, from));
+    String fault = decoded(text.substring(from, Math.max(from, Math.min(to, shownTo))));
+    String after = decoded(text.substring(Math.max(from, Math.min(to, shownTo)), shownTo));
+    return List.of(
+        before + fault + after, blanks(before) + "^" + "~".repeat(Math.max(0, width(fault) - 1)));
   }
 
   /** As many blanks as {@code text} is wide, with its tabs kept so that the caret lines up. */
