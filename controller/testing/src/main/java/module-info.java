@@ -1,5 +1,6 @@
 /** Tests of robot programs: found, run in virtual time, and reported. */
 module org.pendant.testing {
+  requires java.xml;
   requires transitive org.pendant.controller;
   requires transitive org.pendant.language;
   requires transitive org.pendant.project;
