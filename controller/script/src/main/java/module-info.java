@@ -3,6 +3,7 @@ module org.pendant.script {
   requires transitive org.pendant.language;
   requires transitive org.pendant.models;
 
+  exports org.pendant.script.coverage;
   exports org.pendant.script.debug;
   exports org.pendant.script.function;
   exports org.pendant.script.value;

@@ -20,6 +20,7 @@ import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.Source;
+import org.pendant.script.coverage.Coverage;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.value.Value;
@@ -207,5 +208,10 @@ public final class Controller implements Robot, Drive {
   @Override
   public SortedMap<String, Value> globals() {
     return machine.globals();
+  }
+
+  @Override
+  public Optional<Coverage> coverage() {
+    return machine.coverage();
   }
 }

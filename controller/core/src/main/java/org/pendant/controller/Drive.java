@@ -5,6 +5,7 @@ import java.util.SortedMap;
 import java.util.function.BooleanSupplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
+import org.pendant.script.coverage.Coverage;
 import org.pendant.script.value.Value;
 
 /** Drive of a robot: lets its time pass; used by one thread alone. */
@@ -58,4 +59,10 @@ public interface Drive {
 
   /** Copies of the global variables of the running or last program, by name. */
   SortedMap<String, Value> globals();
+
+  /**
+   * What the running or last program has reached so far; empty before the first and for one that
+   * was loaded without coverage.
+   */
+  Optional<Coverage> coverage();
 }

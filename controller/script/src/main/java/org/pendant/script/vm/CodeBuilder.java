@@ -1,6 +1,7 @@
 package org.pendant.script.vm;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import org.pendant.language.source.SourceRange;
 
 /** Code builder: collects the instructions of one function, with the source range of each. */
@@ -10,6 +11,9 @@ final class CodeBuilder {
   private int[] ends = new int[32];
   private final StatementTable statements = new StatementTable();
   private int size;
+
+  /** The instructions that are there for coverage alone, and cost nothing. */
+  private final BitSet unpaid = new BitSet();
 
   /** Where the instructions begin that no {@link Op#STRETCH} counts yet. */
   private int stretch;
@@ -23,11 +27,20 @@ final class CodeBuilder {
 
   /** A statement begins here; {@code head} is it without its blocks. */
   void beginStatement(SourceRange head) {
-    if (size - stretch >= Cost.MAX_STRETCH) {
+    if (paid(stretch) >= Cost.MAX_STRETCH) {
       emit(Op.STRETCH, 0, 0, 0);
       stretch = size;
     }
-    statements.add(size, head);
+    statements.add(unpaid.previousClearBit(size - 1) + 1, size, head);
+  }
+
+  /** How many instructions from {@code first} on are not free. */
+  int paid(int first) {
+    return size - first - unpaid(first);
+  }
+
+  private int unpaid(int first) {
+    return unpaid.isEmpty() ? 0 : unpaid.get(first, size).cardinality();
   }
 
   StatementTable statements() {
@@ -51,6 +64,12 @@ final class CodeBuilder {
     return add(Instruction.jump(operation, a, 0));
   }
 
+  /** An instruction that coverage needs: it counts for nothing and has the range of the next. */
+  int emitUnpaid(long word) {
+    unpaid.set(size);
+    return add(word);
+  }
+
   private int add(long word) {
     if (size == code.length) {
       code = Arrays.copyOf(code, size * 2);
@@ -60,6 +79,12 @@ final class CodeBuilder {
     code[size] = word;
     starts[size] = range.start();
     ends[size] = range.end();
+    if (!unpaid.get(size)) {
+      for (int i = unpaid.previousClearBit(size - 1) + 1; i < size; i++) {
+        starts[i] = range.start();
+        ends[i] = range.end();
+      }
+    }
     return size++;
   }
 
@@ -74,7 +99,9 @@ final class CodeBuilder {
       }
       code[pc] = Instruction.of(operation, Instruction.a(word), Instruction.b(word), distance);
     } else {
-      code[pc] = Instruction.jump(operation, Instruction.a(word), distance);
+      boolean loop = operation == Op.LOOP;
+      int a = loop ? Math.min(unpaid(target), Instruction.MAX_OPERAND) : Instruction.a(word);
+      code[pc] = Instruction.jump(operation, a, distance);
     }
   }
 

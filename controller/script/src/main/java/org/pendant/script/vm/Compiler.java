@@ -20,13 +20,19 @@ final class Compiler {
   private final ProgramForm form;
   private final Scopes scopes;
   private final Builtins<?> builtins;
-  private final Linkage linkage = new Linkage();
+  private final Optional<CoverageSlots> coverage;
+  private final Linkage linkage;
 
-  Compiler(Source source, ProgramForm form, Scopes scopes, Builtins<?> builtins) {
+  /**
+   * @param covered whether runs mark what they reach
+   */
+  Compiler(Source source, ProgramForm form, Scopes scopes, Builtins<?> builtins, boolean covered) {
     this.source = source;
     this.form = form;
     this.scopes = scopes;
     this.builtins = builtins;
+    coverage = covered ? Optional.of(new CoverageSlots()) : Optional.empty();
+    linkage = new Linkage(coverage);
   }
 
   Program compile() {
@@ -50,7 +56,8 @@ final class Compiler {
         linkage.definitions(),
         mainFunction(),
         linkage.tables(),
-        linkage.labels());
+        linkage.labels(),
+        coverage.map(slots -> slots.map(source)));
   }
 
   /** The function that the last statement of a fragment calls. */
@@ -79,14 +86,14 @@ final class Compiler {
               }
             });
     compiler.statements(form.body());
-    return compiler.finish(form.name(), 0);
+    return compiler.finish(form.name(), form.entry().map(Definition::nameRange), 0);
   }
 
   private ScriptFunction compileFunction(Definition definition) {
     StatementCompiler compiler = compiler(scopes.scope(definition));
     compiler.defaults(definition.parameters());
     compiler.statements(definition.body());
-    return compiler.finish(definition.name(), definition.parameters().size());
+    return compiler.finish(definition);
   }
 
   private StatementCompiler compiler(FunctionScope scope) {
@@ -135,9 +142,7 @@ final class Compiler {
             new FunctionContext(source, scope, linkage, scope.locals()), builtins);
     compiler.defaults(definition.parameters());
     compiler.statements(definition.body());
-    linkage.define(
-        linkage.function(definition),
-        compiler.finish(definition.name(), definition.parameters().size()));
+    linkage.define(linkage.function(definition), compiler.finish(definition));
     nested(definition.body())
         .forEach(inner -> compileNested(source, inner, scope, builtins, linkage));
   }

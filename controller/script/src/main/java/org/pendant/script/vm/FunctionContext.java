@@ -22,6 +22,7 @@ import org.pendant.script.value.Value;
  */
 final class FunctionContext {
   private final CodeBuilder code = new CodeBuilder();
+  private final CoveragePoints coverage;
   private final Source source;
   private final FunctionScope scope;
   private final Linkage linkage;
@@ -53,6 +54,7 @@ final class FunctionContext {
     this.scope = scope;
     this.linkage = linkage;
     this.variables = variables;
+    coverage = new CoveragePoints(code, linkage.coverage());
     for (int i = 0; i < variables.size(); i++) {
       variableSlots.putIfAbsent(variables.get(i), i);
     }
@@ -64,6 +66,10 @@ final class FunctionContext {
     return code;
   }
 
+  CoveragePoints coverage() {
+    return coverage;
+  }
+
   ScriptFunction function(String name, int parameterCount) {
     return new ScriptFunction(
         name,
@@ -72,6 +78,7 @@ final class FunctionContext {
         code.starts(),
         code.ends(),
         code.statements(),
+        code.paid(0),
         parameterCount,
         variables,
         slotCount,

@@ -41,6 +41,7 @@ final class InstructionLoop {
     double[] num = registers.numbers();
     byte[] tag = registers.tags();
     Value[] ref = registers.objects();
+    byte[] marks = run.marks();
     ScriptFunction[] functions = run.functions();
     ScriptFunction function = thread.functions[thread.depth - 1];
     long[] code = function.code();
@@ -227,7 +228,7 @@ final class InstructionLoop {
         case Op.JUMP -> pc += Instruction.distance(w);
         case Op.LOOP -> {
           pc += Instruction.distance(w);
-          thread.budget -= Cost.turn(-Instruction.distance(w));
+          thread.budget -= Cost.turn(-Instruction.distance(w) - a);
           if (thread.budget < 0) {
             return Processor.stop(thread, pc, Stop.EXHAUSTED);
           }
@@ -453,6 +454,7 @@ final class InstructionLoop {
             return Processor.stop(thread, pc, Stop.EXHAUSTED);
           }
         }
+        case Op.MARK -> marks[Instruction.distance(w)] = 1;
         case Op.TRAP -> {
           thread.trapped = true;
           return Processor.stop(thread, pc - 1, Stop.TRAPPED);

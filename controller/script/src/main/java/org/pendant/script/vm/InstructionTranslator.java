@@ -96,7 +96,8 @@ final class InstructionTranslator {
       case Op.NOT -> not(pc, a, b);
       case Op.JUMP_IF_GIVEN -> jumpIfGiven(a, pc + 1 + Instruction.distance(w));
       case Op.JUMP -> code.goto_(label(pc + 1 + Instruction.distance(w)));
-      case Op.LOOP -> turn(pc, pc + 1 + Instruction.distance(w));
+      case Op.LOOP -> turn(pc, pc + 1 + Instruction.distance(w), a);
+      case Op.MARK -> registers.mark(Instruction.distance(w));
       case Op.JUMP_IF_FALSE -> jumpIf(pc, a, Opcode.IFEQ, pc + 1 + Instruction.distance(w));
       case Op.JUMP_IF_TRUE -> jumpIf(pc, a, Opcode.IFNE, pc + 1 + Instruction.distance(w));
       // a comparison with NaN counts as greater
@@ -383,13 +384,17 @@ final class InstructionTranslator {
 
   private void loopOrder(int pc, int x, int y, Opcode unless, int target) {
     jumpOrder(pc, x, y, unless, label(pc + 1));
-    turn(pc, target);
+    turn(pc, target, 0);
   }
 
-  /** Jumps back from instruction {@code pc}. */
-  private void turn(int pc, int target) {
+  /**
+   * Jumps back from instruction {@code pc}.
+   *
+   * @param free how many instructions in between cost nothing
+   */
+  private void turn(int pc, int target, int free) {
     Label exhausted = code.newLabel();
-    registers.count(Cost.turn(pc + 1 - target), exhausted);
+    registers.count(Cost.turn(pc + 1 - target - free), exhausted);
     code.goto_(label(target));
     tail.add(
         () -> {

@@ -63,6 +63,7 @@ final class JvmCode {
   static final int CALLEE = 12;
   private static final int BUDGET = 13;
   private static final int FIRST_KEPT = 14;
+  private static final int MARKS = FIRST_KEPT + 3 * MAX_KEPT;
 
   private final CodeBuilder code;
   private final ScriptFunction function;
@@ -74,6 +75,9 @@ final class JvmCode {
   /** Whether the function itself counts what it costs. */
   private final boolean counts;
 
+  /** Whether the function marks what it reaches. */
+  private final boolean marks;
+
   /**
    * @param uses how often each local slot is read as a number
    */
@@ -82,6 +86,8 @@ final class JvmCode {
     this.function = function;
     this.tables = tables;
     counts = Arrays.stream(function.instructions()).anyMatch(JvmCode::isCounted);
+    marks =
+        Arrays.stream(function.instructions()).anyMatch(w -> Instruction.operation(w) == Op.MARK);
     kept = new int[uses.length];
     int[] busiest = uses.clone();
     Arrays.sort(busiest);
@@ -265,6 +271,11 @@ final class JvmCode {
   void prologue(Label start) {
     reloadArrays();
     loadBudget();
+    if (marks) {
+      code.aload(THE_PROCESSOR)
+          .invokevirtual(PROCESSOR, "marks", MethodTypeDesc.of(ConstantDescs.CD_byte.arrayType()))
+          .astore(MARKS);
+    }
     for (int i = 0; i < function.variableCount(); i++) {
       reload(Instruction.local(i));
     }
@@ -277,6 +288,11 @@ final class JvmCode {
     for (int i = function.variableCount(); i < kept.length; i++) {
       reload(Instruction.local(i));
     }
+  }
+
+  /** Marks coverage {@code slot} as reached. */
+  void mark(int slot) {
+    code.aload(MARKS).loadConstant(slot).iconst_1().bastore();
   }
 
   // --- what is not done here

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.script.function.Builtin;
 
@@ -22,14 +23,21 @@ final class Linkage {
   private final Map<String, Integer> nameNumbers = new HashMap<>();
   private final List<List<String>> nameLists;
   private final List<ProgramLabel> labels = new ArrayList<>();
+  private final Optional<CoverageSlots> coverage;
 
-  Linkage() {
+  /**
+   * Nothing yet.
+   *
+   * @param coverage what gives marks; empty without coverage
+   */
+  Linkage(Optional<CoverageSlots> coverage) {
     this(
         new StaticSlots(),
         new ArrayList<>(),
         new ArrayList<>(),
         new ArrayList<>(),
-        new ArrayList<>());
+        new ArrayList<>(),
+        coverage);
   }
 
   private Linkage(
@@ -37,12 +45,14 @@ final class Linkage {
       List<ScriptFunction> functions,
       List<Builtin<?>> builtins,
       List<String> names,
-      List<List<String>> nameLists) {
+      List<List<String>> nameLists,
+      Optional<CoverageSlots> coverage) {
     this.statics = statics;
     this.functions = functions;
     this.builtins = builtins;
     this.names = names;
     this.nameLists = nameLists;
+    this.coverage = coverage;
     for (int i = 0; i < builtins.size(); i++) {
       builtinNumbers.put(builtins.get(i).name(), i);
     }
@@ -62,9 +72,15 @@ final class Linkage {
             new ArrayList<>(tables.functions()),
             new ArrayList<>(tables.builtins()),
             new ArrayList<>(tables.names()),
-            new ArrayList<>(tables.nameLists()));
+            new ArrayList<>(tables.nameLists()),
+            Optional.empty());
     linkage.definitions.putAll(definitions);
     return linkage;
+  }
+
+  /** What gives the places of functions their marks; empty without coverage. */
+  Optional<CoverageSlots> coverage() {
+    return coverage;
   }
 
   StaticSlots statics() {

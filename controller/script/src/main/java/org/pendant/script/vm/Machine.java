@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import org.pendant.language.source.Source;
+import org.pendant.script.coverage.Coverage;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Foreseen;
 import org.pendant.script.function.Host;
@@ -385,6 +386,14 @@ public final class Machine {
   /** Copies of the global variables of the running or last program, by name. */
   public SortedMap<String, Value> globals() {
     return run.map(ProgramRun::globals).orElse(Collections.emptySortedMap());
+  }
+
+  /**
+   * What the running or last program has reached so far; empty before the first and for one that
+   * was loaded without coverage.
+   */
+  public Optional<Coverage> coverage() {
+    return run.flatMap(ProgramRun::coverage);
   }
 
   /**

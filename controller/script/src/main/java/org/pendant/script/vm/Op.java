@@ -44,7 +44,10 @@ final class Op {
   /** Jumps by the distance. */
   static final int JUMP = 18;
 
-  /** Jumps back by the distance and counts one turn, see {@link Cost#turn}. */
+  /**
+   * Jumps back by the distance and counts one turn, see {@link Cost#turn}; a of the instructions
+   * are free.
+   */
   static final int LOOP = 19;
 
   /** Jumps when a is false or true. */
@@ -136,6 +139,9 @@ final class Op {
 
   /** Fails: name b tells which arguments a call lacks. */
   static final int MISSING = 57;
+
+  /** Marks coverage slot, which stands in place of the distance of a jump, as reached; is free. */
+  static final int MARK = 58;
 
   /** As {@link #CALL_METHOD}, of a part that was opened before: no thread comes in between. */
   static final int CALL_PART_METHOD = 56;

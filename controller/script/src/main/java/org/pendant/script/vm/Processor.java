@@ -83,6 +83,11 @@ final class Processor {
     return registers;
   }
 
+  /** Where coverage is marked. */
+  byte[] marks() {
+    return run.marks();
+  }
+
   SlowPath slow() {
     return slow;
   }

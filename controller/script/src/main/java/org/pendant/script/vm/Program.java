@@ -9,6 +9,7 @@ import java.util.Set;
 import org.pendant.language.check.Scopes;
 import org.pendant.language.source.Source;
 import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.script.coverage.CoverageMap;
 import org.pendant.script.function.Builtin;
 import org.pendant.script.value.Value;
 
@@ -26,6 +27,7 @@ public final class Program {
   private final OptionalInt mainFunction;
   private final Tables tables;
   private final List<ProgramLabel> labels;
+  private final Optional<CoverageMap> coverageMap;
 
   /**
    * What instructions refer to by number.
@@ -68,7 +70,8 @@ public final class Program {
       IdentityHashMap<Definition, Integer> functionNumbers,
       OptionalInt mainFunction,
       Tables tables,
-      List<ProgramLabel> labels) {
+      List<ProgramLabel> labels,
+      Optional<CoverageMap> coverageMap) {
     this.name = name;
     this.source = source;
     this.secondary = secondary;
@@ -77,6 +80,7 @@ public final class Program {
     this.mainFunction = mainFunction;
     this.tables = tables;
     this.labels = List.copyOf(labels);
+    this.coverageMap = coverageMap;
   }
 
   /** The name on its {@code def} or {@code sec} line, or the file's for a fragment. */
@@ -96,6 +100,11 @@ public final class Program {
   /** The labels in it that have a number, by their lines. */
   public List<ProgramLabel> labels() {
     return labels;
+  }
+
+  /** The places that its runs mark when they reach them; empty without coverage. */
+  public Optional<CoverageMap> coverageMap() {
+    return coverageMap;
   }
 
   /**

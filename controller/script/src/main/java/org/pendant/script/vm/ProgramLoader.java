@@ -43,6 +43,18 @@ public final class ProgramLoader {
 
   /** Loads a program file or a program received over a socket. */
   public static LoadResult load(Source source, Builtins<?> builtins) {
+    return load(source, builtins, false);
+  }
+
+  /**
+   * As {@link #load}, for runs that mark what they reach. They compute the same and take the same
+   * robot time as those of the program without marks.
+   */
+  public static LoadResult loadCovered(Source source, Builtins<?> builtins) {
+    return load(source, builtins, true);
+  }
+
+  private static LoadResult load(Source source, Builtins<?> builtins, boolean covered) {
     ParseResult parsed = ScriptParser.parseProgram(source);
     List<Diagnostic> diagnostics = new ArrayList<>(parsed.diagnostics());
     if (diagnostics.stream().anyMatch(Diagnostic::isError)) {
@@ -58,7 +70,7 @@ public final class ProgramLoader {
       return new LoadResult(Optional.empty(), diagnostics);
     }
     try {
-      Program program = new Compiler(source, form, scopes, builtins).compile();
+      Program program = new Compiler(source, form, scopes, builtins, covered).compile();
       return new LoadResult(Optional.of(program), diagnostics);
     } catch (ProgramTooLarge e) {
       diagnostics.add(

@@ -10,6 +10,8 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import org.pendant.script.coverage.Coverage;
+import org.pendant.script.coverage.CoverageMap;
 import org.pendant.script.function.Builtin;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
@@ -46,6 +48,10 @@ final class ProgramRun {
   private final Scheduler scheduler;
   private final DebugHook debugHook;
   private final BreakpointPatches breakpointPatches;
+
+  /** Not 0 for each coverage slot that was reached; empty without coverage. */
+  private final byte[] marks;
+
   private final List<ScriptThread> threads = new ArrayList<>();
   private final BitSet killed = new BitSet();
   private Program.Tables tables;
@@ -66,6 +72,7 @@ final class ProgramRun {
       DebugHook debugHook,
       RunLimits limits) {
     this.program = program;
+    marks = new byte[program.coverageMap().map(CoverageMap::slots).orElse(0)];
     memory = new ProgramMemory(limits.memoryBytes());
     this.debugHook = debugHook;
     breakpointPatches = new BreakpointPatches(program.source());
@@ -85,6 +92,7 @@ final class ProgramRun {
   private ProgramRun(
       ProgramRun original, Program.Tables linked, Host host, ProgramControl control) {
     program = original.program;
+    marks = new byte[original.marks.length];
     memory = original.memory.fresh();
     debugHook = DebugHook.NONE;
     breakpointPatches = new BreakpointPatches(program.source());
@@ -207,6 +215,16 @@ final class ProgramRun {
   String staticName(int slot) {
     List<String> names = program.tables().staticNames();
     return slot < names.size() ? names.get(slot) : "";
+  }
+
+  /** Where its code marks what it reaches. */
+  byte[] marks() {
+    return marks;
+  }
+
+  /** What it has reached so far; empty for a program without coverage. */
+  Optional<Coverage> coverage() {
+    return program.coverageMap().map(map -> new Coverage(map, marks));
   }
 
   /** Copies of the global variables that have a value. */

@@ -22,6 +22,7 @@ final class ScriptFunction {
   private final int[] rangeStarts;
   private final int[] rangeEnds;
   private final StatementTable statements;
+  private final int paid;
   private final int parameterCount;
   private final List<String> variables;
   private final int slotCount;
@@ -41,6 +42,9 @@ final class ScriptFunction {
   // reader could see too early, and one who reads the old value interprets a little longer.
   private TranslatedCode translated;
 
+  /**
+   * @param paid how many of the instructions are not free
+   */
   ScriptFunction(
       String name,
       Source source,
@@ -48,6 +52,7 @@ final class ScriptFunction {
       int[] rangeStarts,
       int[] rangeEnds,
       StatementTable statements,
+      int paid,
       int parameterCount,
       List<String> variables,
       int slotCount,
@@ -59,10 +64,11 @@ final class ScriptFunction {
     this.rangeStarts = rangeStarts;
     this.rangeEnds = rangeEnds;
     this.statements = statements;
+    this.paid = paid;
     this.parameterCount = parameterCount;
     this.variables = List.copyOf(variables);
     this.slotCount = slotCount;
-    callNs = Cost.call(code.length);
+    callNs = Cost.call(paid);
     this.scope = scope;
     original = this;
   }
@@ -75,6 +81,7 @@ final class ScriptFunction {
     rangeStarts = original.rangeStarts;
     rangeEnds = original.rangeEnds;
     statements = original.statements;
+    paid = original.paid;
     parameterCount = original.parameterCount;
     variables = original.variables;
     slotCount = original.slotCount;
@@ -135,6 +142,11 @@ final class ScriptFunction {
     return instructions;
   }
 
+  /** How many of the instructions are not free. */
+  int paid() {
+    return paid;
+  }
+
   int parameterCount() {
     return parameterCount;
   }
@@ -166,7 +178,7 @@ final class ScriptFunction {
   /** Leads on to another instruction, and does nothing else. */
   private static boolean passes(long instruction) {
     return switch (Instruction.operation(instruction)) {
-      case Op.STRETCH -> true;
+      case Op.STRETCH, Op.MARK -> true;
       case Op.JUMP -> Instruction.distance(instruction) >= 0;
       default -> false;
     };

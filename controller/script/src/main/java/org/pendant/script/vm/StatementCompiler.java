@@ -10,6 +10,7 @@ import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Node;
 import org.pendant.language.syntax.ParameterDeclaration;
 import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.script.function.Builtins;
 
 /** Statement compiler: compiles the statements of one function. */
@@ -22,17 +23,30 @@ final class StatementCompiler {
   private final ConditionCompiler conditions;
   private final AssignmentCompiler assignments;
   private final CodeBuilder code;
+  private final CoveragePoints coverage;
   private final Deque<Loop> loops = new ArrayDeque<>();
 
   StatementCompiler(FunctionContext context, Builtins<?> builtins) {
     this.context = context;
     code = context.code();
+    coverage = context.coverage();
     expressions = new ExpressionCompiler(context, builtins);
     conditions = expressions.conditions();
     assignments = new AssignmentCompiler(context, expressions);
   }
 
-  ScriptFunction finish(String name, int parameterCount) {
+  ScriptFunction finish(Definition definition) {
+    return finish(
+        definition.name(), Optional.of(definition.nameRange()), definition.parameters().size());
+  }
+
+  /**
+   * Ends a function, thread or main level.
+   *
+   * @param nameRange where its name stands; empty for a main level without one
+   */
+  ScriptFunction finish(String name, Optional<SourceRange> nameRange, int parameterCount) {
+    coverage.end(context.source(), name, nameRange);
     code.emit(Op.RETURN_NONE, 0, 0, 0);
     return context.function(name, parameterCount);
   }
@@ -72,6 +86,7 @@ final class StatementCompiler {
     code.at(statement.range());
     if (isSimple(statement)) {
       code.beginStatement(statement.range());
+      coverage.statement(statement.range());
     }
     switch (statement) {
       case Statement.Assign assign -> assignments.assign(assign);
@@ -88,7 +103,7 @@ final class StatementCompiler {
       case Statement.EnterCritical enter -> code.emit(Op.ENTER_CRITICAL, 0, 0, 0);
       case Statement.ExitCritical exit -> code.emit(Op.EXIT_CRITICAL, 0, 0, 0);
       case Statement.Label label -> context.label(label);
-      case Statement.Definition definition -> {}
+      case Definition definition -> {}
     }
   }
 
@@ -97,7 +112,7 @@ final class StatementCompiler {
     return !(statement instanceof Statement.If
         || statement instanceof Statement.While
         || statement instanceof Statement.Label
-        || statement instanceof Statement.Definition);
+        || statement instanceof Definition);
   }
 
   private void giveBack(Statement.Return leave) {
@@ -110,34 +125,75 @@ final class StatementCompiler {
 
   private void choice(Statement.If choice) {
     List<Integer> ends = new ArrayList<>();
+    int before = CoveragePoints.NONE;
     for (Statement.Branch branch : choice.branches()) {
       List<Integer> otherwise = new ArrayList<>();
-      code.beginStatement(head(branch, branch.condition()));
+      SourceRange head = head(branch, branch.condition());
+      code.beginStatement(head);
+      if (before != CoveragePoints.NONE) {
+        coverage.enter(before, false);
+      }
+      coverage.statement(head);
+      int decision = decision(branch.condition());
       conditions.condition(branch.condition(), false, otherwise);
-      statements(branch.body());
+      coverage.decided(decision, true);
+      block(branch.body(), decision, true);
       ends.add(code.emitJump(Op.JUMP, 0));
       otherwise.forEach(jump -> code.land(jump, code.size()));
+      coverage.decided(decision, false);
+      before = decision;
     }
-    choice.otherwise().ifPresent(this::statements);
+    if (choice.otherwise().isPresent()) {
+      block(choice.otherwise().get(), before, false);
+    }
     ends.forEach(jump -> code.land(jump, code.size()));
   }
 
+  /** The statements that only {@code truth} of {@code decision} leads to. */
+  private void block(List<Statement> body, int decision, boolean truth) {
+    coverage.enter(decision, truth);
+    statements(body);
+    coverage.leave();
+  }
+
   private void loop(Statement.While loop) {
+    Expression condition = loop.condition();
+    SourceRange head = head(loop, condition);
+    boolean decides = !ConditionCompiler.isConstant(condition);
+    if (!decides) {
+      // once is enough, and turns begin with the first statement in the loop as without coverage
+      coverage.statement(head);
+    }
     int top = code.size();
-    code.beginStatement(head(loop, loop.condition()));
+    code.beginStatement(head);
+    if (decides) {
+      coverage.statement(head);
+    }
+    int decision = decision(condition);
     Loop ways = new Loop(new ArrayList<>(), new ArrayList<>());
-    conditions.condition(loop.condition(), false, ways.breaks());
+    List<Integer> otherwise = new ArrayList<>();
+    conditions.condition(condition, false, otherwise);
+    coverage.decided(decision, true);
     int body = code.size();
     loops.push(ways);
-    statements(loop.body());
+    block(loop.body(), decision, true);
     loops.pop();
     ways.continues().forEach(jump -> code.land(jump, code.size()));
-    code.at(loop.condition().range());
-    if (ConditionCompiler.repeatsInPlace(loop.condition())) {
-      code.beginStatement(head(loop, loop.condition()));
+    code.at(condition.range());
+    if (ConditionCompiler.repeatsInPlace(condition)) {
+      code.beginStatement(head);
     }
-    conditions.repeat(loop.condition(), top, body);
+    conditions.repeat(condition, decision, top, body).ifPresent(otherwise::add);
+    otherwise.forEach(jump -> code.land(jump, code.size()));
+    coverage.decided(decision, false);
     ways.breaks().forEach(jump -> code.land(jump, code.size()));
+  }
+
+  /** The coverage of what decides; constants do not. */
+  private int decision(Expression condition) {
+    return ConditionCompiler.isConstant(condition)
+        ? CoveragePoints.NONE
+        : coverage.branch(condition.range());
   }
 
   private static SourceRange head(Node whole, Expression condition) {

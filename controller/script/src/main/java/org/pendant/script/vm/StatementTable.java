@@ -17,10 +17,12 @@ final class StatementTable {
    * Adds the statement that begins with instruction {@code pc}, not before the last one added. One
    * without instructions of its own gives way to the next.
    *
+   * @param free the first of the instructions before {@code pc} that belong to no statement; {@code
+   *     pc} if none
    * @param head the statement, without the blocks in it
    */
-  void add(int pc, SourceRange head) {
-    if (size > 0 && pcs[size - 1] == pc) {
+  void add(int free, int pc, SourceRange head) {
+    if (size > 0 && pcs[size - 1] >= free) {
       size--;
     }
     if (size == pcs.length) {

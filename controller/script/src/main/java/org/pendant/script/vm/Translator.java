@@ -47,7 +47,7 @@ final class Translator {
    * @param tables what the static slots of its program hold
    */
   static Optional<TranslatedCode> translate(ScriptFunction function, Program.Tables tables) {
-    if (function.instructions().length > MAX_INSTRUCTIONS) {
+    if (function.paid() > MAX_INSTRUCTIONS) {
       return Optional.empty();
     }
     byte[] bytes =

@@ -85,8 +85,16 @@ final class MachineFixture {
 
   /** Compiles the lines as one program; fails the test when they do not compile. */
   Program compile(String... lines) {
-    LoadResult loadResult =
-        ProgramLoader.load(Source.of("test", String.join("\n", lines)), builtins);
+    return compiled(ProgramLoader.load(Source.of("test", String.join("\n", lines)), builtins));
+  }
+
+  /** As {@link #compile}, for coverage. */
+  Program compileCovered(String... lines) {
+    return compiled(
+        ProgramLoader.loadCovered(Source.of("test", String.join("\n", lines)), builtins));
+  }
+
+  private static Program compiled(LoadResult loadResult) {
     return loadResult
         .program()
         .orElseThrow(

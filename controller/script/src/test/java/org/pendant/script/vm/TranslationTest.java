@@ -531,6 +531,16 @@ class TranslationTest {
 
   @ParameterizedTest
   @MethodSource("scripts")
+  void aProgramCompiledForCoverageDoesTheSame(String script) {
+    TranslationRuns runs = new TranslationRuns(script, LINES);
+    TranslationRuns.Shown covered = runs.covered().interpreted();
+    assertEquals(runs.interpreted(), covered.unmarked());
+    assertEquals(covered, runs.covered().translated());
+    assertEquals(covered, runs.covered().mixed(new Random(1)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("scripts")
   void bothFormsTakeOverFromEachOther(String script) {
     TranslationRuns runs = new TranslationRuns(script, LINES);
     TranslationRuns.Shown expected = runs.interpreted();
@@ -552,6 +562,10 @@ class TranslationTest {
       TranslationRuns.Shown expected = runs.interpreted();
       assertEquals(expected, runs.translated(), () -> script);
       assertEquals(expected, runs.mixed(new Random(seed)), () -> script);
+      TranslationRuns.Shown covered = runs.covered().interpreted();
+      assertEquals(expected, covered.unmarked(), () -> script);
+      assertEquals(covered, runs.covered().translated(), () -> script);
+      assertEquals(covered, runs.covered().mixed(new Random(seed)), () -> script);
     }
   }
 

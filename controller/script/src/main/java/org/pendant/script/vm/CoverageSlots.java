@@ -1,0 +1,33 @@
+package org.pendant.script.vm;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.pendant.language.source.Source;
+import org.pendant.script.coverage.CoverageMap;
+import org.pendant.script.coverage.CoverageSite;
+
+/** Coverage slots: gives each place of a program its marks while that is compiled. */
+final class CoverageSlots {
+  private final List<CoverageSite> sites = new ArrayList<>();
+  private int next;
+
+  /** The first of {@code count} marks that are not taken yet. */
+  int take(int count) {
+    int first = next;
+    next += count;
+    return first;
+  }
+
+  void add(CoverageSite site) {
+    sites.add(site);
+  }
+
+  CoverageMap map(Source source) {
+    sites.sort(
+        Comparator.comparingInt((CoverageSite site) -> site.range().start())
+            .thenComparing(CoverageSite::kind)
+            .thenComparing(site -> site.range().end(), Comparator.reverseOrder()));
+    return new CoverageMap(source, sites, next);
+  }
+}
