@@ -10,7 +10,9 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.script.value.Value;
 import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramLoader;
 import org.pendant.script.vm.ProgramState;
 
 /**
@@ -52,9 +54,18 @@ final class BenchmarkScript {
   /** Loads a program on a new controller. */
   static BenchmarkScript load(Source source) {
     Controller controller = new Controller(ControllerOptions.headless());
+    return of(controller, source, controller.load(source));
+  }
+
+  /** As {@link #load(Source)}, compiled for coverage. */
+  static BenchmarkScript loadCovered(Source source) {
+    Controller controller = new Controller(ControllerOptions.headless());
+    return of(controller, source, ProgramLoader.loadCovered(source, controller.builtins()));
+  }
+
+  private static BenchmarkScript of(Controller controller, Source source, LoadResult loaded) {
     Program program =
-        controller
-            .load(source)
+        loaded
             .program()
             .orElseThrow(() -> new IllegalStateException(source.name() + " has errors"));
     return new BenchmarkScript(controller, program);

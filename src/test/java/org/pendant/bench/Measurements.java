@@ -40,8 +40,8 @@ final class Measurements {
   /**
    * Without arguments all benchmarks run; {@code quick} makes them short, to see whether they work.
    * {@code typing} types in a window instead, {@code tree} opens and scrolls a program tree there,
-   * {@code rate} works with one, {@code ports} measures what clients of the ports see. Any other
-   * arguments are those of JMH.
+   * {@code rate} works with one, {@code ports} measures what clients of the ports see, {@code
+   * coverage} what coverage costs. Any other arguments are those of JMH.
    */
   public static void main(String[] arguments) throws Exception {
     if (arguments.length > 0 && arguments[0].equals("typing")) {
@@ -50,6 +50,10 @@ final class Measurements {
     }
     if (arguments.length > 0 && arguments[0].equals("tree")) {
       TreeLatency.main(Arrays.copyOfRange(arguments, 1, arguments.length));
+      return;
+    }
+    if (arguments.length > 0 && arguments[0].equals("coverage")) {
+      CoverageCost.main(Arrays.copyOfRange(arguments, 1, arguments.length));
       return;
     }
     if (arguments.length > 0 && arguments[0].equals("ports")) {
