@@ -7,5 +7,6 @@ module org.pendant.testing {
   requires transitive org.pendant.script;
 
   exports org.pendant.testing;
+  exports org.pendant.testing.coverage;
   exports org.pendant.testing.report;
 }

@@ -220,6 +220,16 @@ public final class TreeFile {
     return name;
   }
 
+  /** The line of each node, from 1, by key; empty where lines mean nothing to people. */
+  public Map<Long, Integer> nodeLines() {
+    return lines;
+  }
+
+  /** Its text; empty where lines mean nothing to people. */
+  public String content() {
+    return lines.isEmpty() ? "" : new String(bytes, StandardCharsets.UTF_8);
+  }
+
   /** The program. */
   public ProgramTree tree() {
     return tree;
