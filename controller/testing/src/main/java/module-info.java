@@ -8,5 +8,6 @@ module org.pendant.testing {
 
   exports org.pendant.testing;
   exports org.pendant.testing.coverage;
+  exports org.pendant.testing.coverage.report;
   exports org.pendant.testing.report;
 }
