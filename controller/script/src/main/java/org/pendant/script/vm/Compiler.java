@@ -57,7 +57,7 @@ final class Compiler {
         mainFunction(),
         linkage.tables(),
         linkage.labels(),
-        coverage.map(slots -> slots.map(source)));
+        coverage);
   }
 
   /** The function that the last statement of a fragment calls. */

@@ -25,6 +25,13 @@ final class CoveragePoints {
   /** The mark that the next statement has already, because only that way leads to it. */
   private int entered = NONE;
 
+  private final UnmarkedStatements unmarked = new UnmarkedStatements();
+
+  /** The statement before, if the next one stands for it. */
+  private int open = NONE;
+
+  private int openPc;
+
   CoveragePoints(CodeBuilder code, Optional<CoverageSlots> slots) {
     this.code = code;
     this.slots = slots;
@@ -35,14 +42,37 @@ final class CoveragePoints {
     return slots.isPresent();
   }
 
-  /** A statement begins here. */
-  void statement(SourceRange head) {
-    if (entered == NONE) {
-      mark(add(Kind.STATEMENT, head));
-    } else {
+  /**
+   * A statement begins here.
+   *
+   * @param implied whether another one follows, which is always come to by this one and marks both
+   */
+  void statement(SourceRange head, boolean implied) {
+    if (slots.isEmpty()) {
+      return;
+    }
+    boolean shared = entered != NONE;
+    int slot = shared ? entered : add(Kind.STATEMENT, head);
+    if (shared) {
       points.add(new Point(Kind.STATEMENT, head, entered));
       entered = NONE;
     }
+    if (open != NONE) {
+      unmarked.add(openPc, code.size(), open);
+      slots.get().imply(open, slot);
+      open = NONE;
+    }
+    if (implied) {
+      open = slot;
+      openPc = code.size();
+    } else if (!shared) {
+      mark(slot);
+    }
+  }
+
+  /** The statements that leave no mark of their own. */
+  UnmarkedStatements unmarked() {
+    return unmarked;
   }
 
   /** What comes next begins a block that only {@code truth} of {@code decision} leads to. */

@@ -79,6 +79,7 @@ final class FunctionContext {
         code.ends(),
         code.statements(),
         code.paid(0),
+        coverage.unmarked(),
         parameterCount,
         variables,
         slotCount,

@@ -9,6 +9,7 @@ import java.util.Set;
 import org.pendant.language.check.Scopes;
 import org.pendant.language.source.Source;
 import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.script.coverage.Coverage;
 import org.pendant.script.coverage.CoverageMap;
 import org.pendant.script.function.Builtin;
 import org.pendant.script.value.Value;
@@ -27,6 +28,7 @@ public final class Program {
   private final OptionalInt mainFunction;
   private final Tables tables;
   private final List<ProgramLabel> labels;
+  private final Optional<CoverageSlots> coverage;
   private final Optional<CoverageMap> coverageMap;
 
   /**
@@ -71,7 +73,7 @@ public final class Program {
       OptionalInt mainFunction,
       Tables tables,
       List<ProgramLabel> labels,
-      Optional<CoverageMap> coverageMap) {
+      Optional<CoverageSlots> coverage) {
     this.name = name;
     this.source = source;
     this.secondary = secondary;
@@ -80,7 +82,8 @@ public final class Program {
     this.mainFunction = mainFunction;
     this.tables = tables;
     this.labels = List.copyOf(labels);
-    this.coverageMap = coverageMap;
+    this.coverage = coverage;
+    coverageMap = coverage.map(slots -> slots.map(source));
   }
 
   /** The name on its {@code def} or {@code sec} line, or the file's for a fragment. */
@@ -105,6 +108,16 @@ public final class Program {
   /** The places that its runs mark when they reach them; empty without coverage. */
   public Optional<CoverageMap> coverageMap() {
     return coverageMap;
+  }
+
+  /** The coverage that the marks of a run tell; empty without coverage. */
+  Optional<Coverage> coverage(byte[] marks) {
+    return coverage.map(
+        slots -> {
+          byte[] all = marks.clone();
+          slots.complete(all);
+          return new Coverage(coverageMap.orElseThrow(), all);
+        });
   }
 
   /**

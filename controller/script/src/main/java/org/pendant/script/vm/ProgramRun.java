@@ -224,7 +224,19 @@ final class ProgramRun {
 
   /** What it has reached so far; empty for a program without coverage. */
   Optional<Coverage> coverage() {
-    return program.coverageMap().map(map -> new Coverage(map, marks));
+    byte[] all = marks.clone();
+    threads.forEach(thread -> markWhereItStands(thread, all));
+    return program.coverage(all);
+  }
+
+  /** Marks the statements that a thread is in which leave no marks of their own. */
+  private static void markWhereItStands(ScriptThread thread, byte[] marks) {
+    for (int i = 0; marks.length > 0 && i < thread.depth; i++) {
+      int slot = thread.functions[i].unmarked().reachedAt(thread.pcs[i]);
+      if (slot != UnmarkedStatements.NONE) {
+        marks[slot] = 1;
+      }
+    }
   }
 
   /** Copies of the global variables that have a value. */
@@ -401,6 +413,7 @@ final class ProgramRun {
     if (thread.state == ScriptThread.State.WAITING) {
       thread.wait.cancel();
     }
+    markWhereItStands(thread, marks);
     thread.state = ScriptThread.State.ENDED;
     thread.critical = false;
     if (threads.size() > 1 && thread != main()) {

@@ -23,6 +23,7 @@ final class ScriptFunction {
   private final int[] rangeEnds;
   private final StatementTable statements;
   private final int paid;
+  private final UnmarkedStatements unmarked;
   private final int parameterCount;
   private final List<String> variables;
   private final int slotCount;
@@ -44,6 +45,7 @@ final class ScriptFunction {
 
   /**
    * @param paid how many of the instructions are not free
+   * @param unmarked statements that leave no mark of coverage
    */
   ScriptFunction(
       String name,
@@ -53,6 +55,7 @@ final class ScriptFunction {
       int[] rangeEnds,
       StatementTable statements,
       int paid,
+      UnmarkedStatements unmarked,
       int parameterCount,
       List<String> variables,
       int slotCount,
@@ -65,6 +68,7 @@ final class ScriptFunction {
     this.rangeEnds = rangeEnds;
     this.statements = statements;
     this.paid = paid;
+    this.unmarked = unmarked;
     this.parameterCount = parameterCount;
     this.variables = List.copyOf(variables);
     this.slotCount = slotCount;
@@ -82,6 +86,7 @@ final class ScriptFunction {
     rangeEnds = original.rangeEnds;
     statements = original.statements;
     paid = original.paid;
+    unmarked = original.unmarked;
     parameterCount = original.parameterCount;
     variables = original.variables;
     slotCount = original.slotCount;
@@ -145,6 +150,11 @@ final class ScriptFunction {
   /** How many of the instructions are not free. */
   int paid() {
     return paid;
+  }
+
+  /** Statements that leave no mark of coverage. */
+  UnmarkedStatements unmarked() {
+    return unmarked;
   }
 
   int parameterCount() {

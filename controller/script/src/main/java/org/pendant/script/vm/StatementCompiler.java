@@ -77,16 +77,38 @@ final class StatementCompiler {
   }
 
   void statements(List<Statement> statements) {
-    for (Statement statement : statements) {
-      statement(statement);
+    for (int i = 0; i < statements.size(); i++) {
+      statement(statements.get(i), isImplied(statements, i));
     }
   }
 
-  private void statement(Statement statement) {
+  /** Whether statement {@code index} of a block is over when another one begins, and only then. */
+  private static boolean isImplied(List<Statement> block, int index) {
+    return switch (block.get(index)) {
+      case Statement.Assign assign -> hasCode(block, index + 1);
+      case Statement.Evaluate evaluate -> hasCode(block, index + 1);
+      case Statement.Join join -> hasCode(block, index + 1);
+      case Statement.Kill kill -> hasCode(block, index + 1);
+      case Statement.Pause pause -> hasCode(block, index + 1);
+      case Statement.EnterCritical enter -> hasCode(block, index + 1);
+      case Statement.ExitCritical exit -> hasCode(block, index + 1);
+      default -> false;
+    };
+  }
+
+  private static boolean hasCode(List<Statement> block, int from) {
+    return block.subList(from, block.size()).stream().anyMatch(StatementCompiler::isCode);
+  }
+
+  private static boolean isCode(Statement statement) {
+    return !(statement instanceof Statement.Label || statement instanceof Definition);
+  }
+
+  private void statement(Statement statement, boolean implied) {
     code.at(statement.range());
     if (isSimple(statement)) {
       code.beginStatement(statement.range());
-      coverage.statement(statement.range());
+      coverage.statement(statement.range(), implied);
     }
     switch (statement) {
       case Statement.Assign assign -> assignments.assign(assign);
@@ -109,10 +131,8 @@ final class StatementCompiler {
 
   /** Whether it is one step, which has no blocks and does something. */
   private static boolean isSimple(Statement statement) {
-    return !(statement instanceof Statement.If
-        || statement instanceof Statement.While
-        || statement instanceof Statement.Label
-        || statement instanceof Definition);
+    return isCode(statement)
+        && !(statement instanceof Statement.If || statement instanceof Statement.While);
   }
 
   private void giveBack(Statement.Return leave) {
@@ -126,21 +146,23 @@ final class StatementCompiler {
   private void choice(Statement.If choice) {
     List<Integer> ends = new ArrayList<>();
     int before = CoveragePoints.NONE;
+    int left = choice.branches().size();
     for (Statement.Branch branch : choice.branches()) {
+      left--;
       List<Integer> otherwise = new ArrayList<>();
       SourceRange head = head(branch, branch.condition());
       code.beginStatement(head);
       if (before != CoveragePoints.NONE) {
         coverage.enter(before, false);
       }
-      coverage.statement(head);
+      coverage.statement(head, false);
       int decision = decision(branch.condition());
       conditions.condition(branch.condition(), false, otherwise);
-      coverage.decided(decision, true);
+      decided(decision, true, branch.body());
       block(branch.body(), decision, true);
       ends.add(code.emitJump(Op.JUMP, 0));
       otherwise.forEach(jump -> code.land(jump, code.size()));
-      coverage.decided(decision, false);
+      decided(decision, false, left == 0 ? choice.otherwise().orElse(List.of()) : List.of());
       before = decision;
     }
     if (choice.otherwise().isPresent()) {
@@ -162,18 +184,18 @@ final class StatementCompiler {
     boolean decides = !ConditionCompiler.isConstant(condition);
     if (!decides) {
       // once is enough, and turns begin with the first statement in the loop as without coverage
-      coverage.statement(head);
+      coverage.statement(head, false);
     }
     int top = code.size();
     code.beginStatement(head);
     if (decides) {
-      coverage.statement(head);
+      coverage.statement(head, false);
     }
     int decision = decision(condition);
     Loop ways = new Loop(new ArrayList<>(), new ArrayList<>());
     List<Integer> otherwise = new ArrayList<>();
     conditions.condition(condition, false, otherwise);
-    coverage.decided(decision, true);
+    decided(decision, true, loop.body());
     int body = code.size();
     loops.push(ways);
     block(loop.body(), decision, true);
@@ -183,10 +205,28 @@ final class StatementCompiler {
     if (ConditionCompiler.repeatsInPlace(condition)) {
       code.beginStatement(head);
     }
-    conditions.repeat(condition, decision, top, body).ifPresent(otherwise::add);
+    int again = marksItself(loop.body()) ? decision : CoveragePoints.NONE;
+    conditions.repeat(condition, again, top, body).ifPresent(otherwise::add);
     otherwise.forEach(jump -> code.land(jump, code.size()));
     coverage.decided(decision, false);
     ways.breaks().forEach(jump -> code.land(jump, code.size()));
+  }
+
+  /** A decision leads to {@code block}, which may tell of it by its own marks. */
+  private void decided(int decision, boolean truth, List<Statement> block) {
+    if (marksItself(block)) {
+      coverage.decided(decision, truth);
+    }
+  }
+
+  /** Whether the way into {@code block} is marked before its first statement. */
+  private static boolean marksItself(List<Statement> block) {
+    for (int i = 0; i < block.size(); i++) {
+      if (isCode(block.get(i))) {
+        return !isImplied(block, i);
+      }
+    }
+    return true;
   }
 
   /** The coverage of what decides; constants do not. */

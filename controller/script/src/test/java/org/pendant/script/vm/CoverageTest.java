@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.pendant.script.coverage.Coverage;
 import org.pendant.script.coverage.CoverageSite;
@@ -103,6 +106,66 @@ class CoverageTest {
             "11 statement sign(-1): yes",
             "12 statement sign(5): yes"),
         told(run(text)));
+  }
+
+  @Test
+  void statementsThatAreNeverLeftAreReached() {
+    String text =
+        """
+        def prog():
+          thread t():
+            a = 1
+            frames(100)
+            a = 2
+          end
+          def inner():
+            b = 1
+            frames(200)
+            b = 2
+          end
+          h = run t()
+          if h > 0:
+            frames(2)
+            kill h
+            inner()
+            c = 3
+          end
+        end
+        """;
+    assertEquals(
+        List.of(
+            "3 statement a = 1: yes",
+            "4 statement frames(100): yes",
+            "5 statement a = 2: no",
+            "8 statement b = 1: yes",
+            "9 statement frames(200): yes",
+            "10 statement b = 2: no",
+            "12 statement h = run t(): yes",
+            "13 statement if h > 0: yes",
+            "14 statement frames(2): yes",
+            "15 statement kill h: yes",
+            "16 statement inner(): yes",
+            "17 statement c = 3: no"),
+        told(run(text), Kind.STATEMENT));
+    assertEquals(List.of("13 branch h > 0: -T"), told(run(text), Kind.BRANCH));
+  }
+
+  @Test
+  void aBlockWhoseFirstStatementFailsIsEntered() {
+    String text =
+        """
+        def prog():
+          a = 1
+          if a == 1:
+            b = 1 / (a - 1)
+            textmsg(b)
+          end
+        end
+        """;
+    assertEquals(List.of("3 branch a == 1: -T"), told(run(text), Kind.BRANCH));
+    assertEquals(
+        List.of("4 statement b = 1 / (a - 1): yes", "5 statement textmsg(b): no"),
+        told(run(text), Kind.STATEMENT).subList(2, 4));
   }
 
   @Test
@@ -323,6 +386,47 @@ class CoverageTest {
 
   private static long count(long[] instructions, int operation) {
     return Arrays.stream(instructions).filter(w -> Instruction.operation(w) == operation).count();
+  }
+
+  @Test
+  void statementsAreReachedThatADebuggerSeesBegin() {
+    int valid = 0;
+    for (int seed = 0; valid < 60; seed++) {
+      String text = new RandomScript(new Random(seed)).text();
+      if (!new TranslationRuns(text, List.of()).valid()) {
+        continue;
+      }
+      valid++;
+      Set<Integer> begun = new HashSet<>();
+      Coverage coverage = runTelling(text, begun);
+      Set<Integer> reached =
+          coverage.map().sites().stream()
+              .filter(site -> site.kind() == Kind.STATEMENT && coverage.reached(site))
+              .map(site -> site.range().start())
+              .collect(Collectors.toSet());
+      assertEquals(begun, reached, text);
+    }
+  }
+
+  /** Adds the first offsets of the statements before which a debugger could stop in this run. */
+  private static Coverage runTelling(String text, Set<Integer> begun) {
+    MachineFixture fixture = new MachineFixture();
+    fixture.machine.attach(
+        new DebugHook() {
+          @Override
+          public void programStarted() {
+            fixture.machine.probe().trapEverything();
+          }
+
+          @Override
+          public boolean stopsAt(int thread) {
+            begun.add(fixture.machine.probe().statementStart(thread).orElseThrow());
+            return false;
+          }
+        });
+    fixture.machine.start(fixture.compileCovered(text));
+    fixture.advance(50);
+    return fixture.machine.coverage().orElseThrow();
   }
 
   @Test
