@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.bench.TestBench;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -25,9 +26,11 @@ import org.pendant.script.debug.Debugger;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.value.Value;
 import org.pendant.script.variables.VariableTracer;
+import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.InterpreterJournal;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Machine;
+import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramLoader;
 import org.pendant.script.vm.ProgramState;
 
@@ -148,6 +151,26 @@ public final class Controller implements Robot, Drive {
   @Override
   public PendingCommand post(Command command) {
     return commandQueue.post(command);
+  }
+
+  /** Puts this controller under test, before its first frame: {@code bench} is what a test asks. */
+  public void attach(TestBench bench) {
+    box.environment().attach(bench);
+  }
+
+  /**
+   * Starts a program beside the primary one, frame by frame after it; the thread that drives calls
+   * this, between two frames.
+   *
+   * @throws IllegalStateException while another one runs there
+   */
+  public void startCompanion(Program program) {
+    machine.companion().start(program);
+  }
+
+  /** How the program beside the primary one ended; empty while it runs, and before the first. */
+  public Optional<Ending> companionEnding() {
+    return machine.companion().ending();
   }
 
   @Override

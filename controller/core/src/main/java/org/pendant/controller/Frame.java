@@ -238,7 +238,18 @@ final class Frame {
     }
     commandQueue.runSecondaries();
     followProgram();
+    advanceCompanion();
     return false;
+  }
+
+  /** A test sees the program under test as it is in this frame. */
+  private void advanceCompanion() {
+    if (machine.companion().running()) {
+      box.environment()
+          .testBench()
+          .ifPresent(bench -> bench.see(machine.state(), machine.ending()));
+      machine.companion().advance();
+    }
   }
 
   private void stepMotion() {

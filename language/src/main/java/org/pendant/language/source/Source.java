@@ -63,6 +63,11 @@ public final class Source {
     return offset - lineStarts[line(offset) - 1] + 1;
   }
 
+  /** The offset at which line {@code line} (1-based) begins. */
+  public int lineStart(int line) {
+    return lineStarts[line - 1];
+  }
+
   /** Line {@code line} (1-based) without its line end. */
   public String lineText(int line) {
     int start = lineStarts[line - 1];

@@ -1,7 +1,9 @@
 package org.pendant.controller.box;
 
+import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import org.pendant.controller.bench.TestBench;
 import org.pendant.controller.file.ProgramsFolder;
 
 /** Environment of the program that runs, or ran last: its files and its random numbers. */
@@ -9,6 +11,7 @@ public final class ProgramEnvironment {
   // not the service-loaded generators: looking one up costs more than a short program's run
   private final RandomGenerator random;
   private ProgramsFolder programsFolder;
+  private Optional<TestBench> testBench = Optional.empty();
 
   /**
    * An environment.
@@ -28,6 +31,16 @@ public final class ProgramEnvironment {
   /** A program that may read files there is about to run. */
   public void setProgramsFolder(ProgramsFolder folder) {
     programsFolder = folder;
+  }
+
+  /** The bench of the test that runs on this box; empty where it is not under test. */
+  public Optional<TestBench> testBench() {
+    return testBench;
+  }
+
+  /** Puts the box under test. */
+  public void attach(TestBench bench) {
+    testBench = Optional.of(bench);
   }
 
   /** Random numbers. */

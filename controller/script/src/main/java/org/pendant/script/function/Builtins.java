@@ -40,6 +40,22 @@ public final class Builtins<H extends Host> implements Catalogue {
     anyMethods.put(receiver, code);
   }
 
+  /**
+   * The same catalogue in which some functions do something else.
+   *
+   * @param others what they do, by their names; names of no function are left aside
+   */
+  public Builtins<H> replacing(Map<String, BuiltinCode<H>> others) {
+    Builtins<H> replaced = new Builtins<>();
+    functions.forEach(
+        (name, builtin) ->
+            replaced.functions.put(
+                name, others.containsKey(name) ? builtin.doing(others.get(name)) : builtin));
+    replaced.methods.putAll(methods);
+    replaced.anyMethods.putAll(anyMethods);
+    return replaced;
+  }
+
   void add(Builtin<H> builtin) {
     Map<String, Builtin<H>> table =
         builtin

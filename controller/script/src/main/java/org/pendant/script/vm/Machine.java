@@ -27,6 +27,7 @@ public final class Machine {
   private final Translation translation;
   private final long memoryBytes;
   private final Interpreter interpreter;
+  private final Companion companion;
   private Optional<ProgramRun> run = Optional.empty();
   private Optional<VariableSlots> variableSlots = Optional.empty();
   private ProgramState state = ProgramState.STOPPED;
@@ -69,6 +70,7 @@ public final class Machine {
     lookAhead = new LookAhead(host);
     this.translation = translation;
     this.interpreter = new Interpreter(builtins, host::warn);
+    companion = new Companion(builtins, host, translation, memoryBytes);
     host.placeMessagesBy(this::place);
   }
 
@@ -370,7 +372,7 @@ public final class Machine {
 
   /** What the script that runs just now is at; between turns the main thread of the program. */
   private Optional<ScriptPlace> place() {
-    return underWayBeside.or(this::run).map(ProgramRun::place);
+    return companion.place().or(() -> underWayBeside.or(this::run).map(ProgramRun::place));
   }
 
   /** Where the last program that failed did so. */
@@ -422,6 +424,11 @@ public final class Machine {
   /** Ends the running movej or movel of the main thread early (manual 13.5); false if none. */
   public boolean abortMove() {
     return state == ProgramState.RUNNING && run.orElseThrow().main().abortWait();
+  }
+
+  /** What runs beside the primary program, frame by frame. */
+  public Companion companion() {
+    return companion;
   }
 
   /** Interpreter mode (manual 13). */

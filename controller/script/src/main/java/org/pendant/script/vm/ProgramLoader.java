@@ -3,6 +3,7 @@ package org.pendant.script.vm;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.pendant.language.check.Checker;
 import org.pendant.language.check.MissingNames;
 import org.pendant.language.check.ProgramForm;
@@ -12,6 +13,7 @@ import org.pendant.language.parse.ScriptParser;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.script.function.Builtins;
@@ -43,7 +45,7 @@ public final class ProgramLoader {
 
   /** Loads a program file or a program received over a socket. */
   public static LoadResult load(Source source, Builtins<?> builtins) {
-    return load(source, builtins, false);
+    return load(source, UnaryOperator.identity(), builtins, false);
   }
 
   /**
@@ -51,16 +53,24 @@ public final class ProgramLoader {
    * robot time as those of the program without marks.
    */
   public static LoadResult loadCovered(Source source, Builtins<?> builtins) {
-    return load(source, builtins, true);
+    return load(source, UnaryOperator.identity(), builtins, true);
   }
 
-  private static LoadResult load(Source source, Builtins<?> builtins, boolean covered) {
+  /**
+   * Loads a program that is not quite what its text says.
+   *
+   * @param change what is made of the text's statements before they are checked; their ranges are
+   *     those of what they came from
+   * @param covered whether its runs mark what they reach
+   */
+  public static LoadResult load(
+      Source source, UnaryOperator<Script> change, Builtins<?> builtins, boolean covered) {
     ParseResult parsed = ScriptParser.parseProgram(source);
     List<Diagnostic> diagnostics = new ArrayList<>(parsed.diagnostics());
     if (diagnostics.stream().anyMatch(Diagnostic::isError)) {
       return new LoadResult(Optional.empty(), diagnostics);
     }
-    ProgramForm form = ProgramForm.of(parsed.script());
+    ProgramForm form = ProgramForm.of(change.apply(parsed.script()));
     Scopes scopes = Scopes.of(form);
     diagnostics.addAll(MissingNames.together(source, Checker.check(form, scopes, builtins)));
     if (form.kind() == ProgramForm.Kind.LIBRARY) {

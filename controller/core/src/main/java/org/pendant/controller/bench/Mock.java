@@ -1,0 +1,92 @@
+package org.pendant.controller.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.ObjectList;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+
+/**
+ * Mock: stands in for one function of the programs under test, answers in its place and keeps what
+ * it was called with.
+ */
+public final class Mock {
+  /** Most calls whose arguments are kept; more are only counted. */
+  public static final int MAX_KEPT = 10_000;
+
+  private final String function;
+  private final List<Value> answers;
+  private final List<List<Value>> calls = new ArrayList<>();
+  private long count;
+
+  /**
+   * A mock.
+   *
+   * @param answers of the first call, the second and so on; the last one stays
+   */
+  Mock(String function, List<Value> answers) {
+    this.function = function;
+    this.answers = List.copyOf(answers);
+  }
+
+  /**
+   * Answers a call.
+   *
+   * @param arguments copies of them
+   */
+  public Value answer(List<Value> arguments) {
+    int number = (int) Math.min(count, answers.size() - 1L);
+    count++;
+    if (calls.size() < MAX_KEPT) {
+      calls.add(List.copyOf(arguments));
+    }
+    return answers.get(number).copy();
+  }
+
+  /** How often it was called. */
+  public long count() {
+    return count;
+  }
+
+  /**
+   * The argument that a call had.
+   *
+   * @param call counted from 0
+   * @param argument counted from 0
+   * @throws ScriptError if there was no such call or it had no such argument
+   */
+  public Value argument(int call, int argument) throws ScriptError {
+    if (call < 0 || call >= calls.size()) {
+      throw new ScriptError(
+          "no-such-call",
+          function + " was called " + count + " times; there is no call " + call + " to look at");
+    }
+    List<Value> given = calls.get(call);
+    if (argument < 0 || argument >= given.size()) {
+      throw new ScriptError(
+          "no-such-call",
+          function + " had " + given.size() + " arguments; there is no argument " + argument);
+    }
+    return given.get(argument).copy();
+  }
+
+  /** The answers that a list of them stands for; any other value is the only one. */
+  static List<Value> answersOf(Value value) throws ScriptError {
+    List<Value> answers = new ArrayList<>();
+    switch (value) {
+      case NumberList list when list.length() > 0 -> {
+        for (int i = 0; i < list.length(); i++) {
+          answers.add(list.get(i));
+        }
+      }
+      case ObjectList list when list.length() > 0 -> {
+        for (int i = 0; i < list.length(); i++) {
+          answers.add(list.get(i).copy());
+        }
+      }
+      default -> answers.add(value.copy());
+    }
+    return answers;
+  }
+}

@@ -1,0 +1,45 @@
+package org.pendant.controller.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Prepared answers: what the operator of a test says when a program asks. */
+public final class PreparedAnswers {
+  private record Prepared(String question, String value) {}
+
+  private final List<Prepared> prepared = new ArrayList<>();
+  private boolean popupsStay;
+
+  PreparedAnswers() {}
+
+  /**
+   * Prepares an answer, to be used once.
+   *
+   * @param question part of the text that is asked; empty for whatever is asked next
+   * @param value as an operator types it
+   */
+  public void add(String question, String value) {
+    prepared.add(new Prepared(question, value));
+  }
+
+  /** The first answer that is prepared for a question, which is used up by that. */
+  public Optional<String> take(String question) {
+    for (int i = 0; i < prepared.size(); i++) {
+      if (question.contains(prepared.get(i).question())) {
+        return Optional.of(prepared.remove(i).value());
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Whether popups stay on the screen until the test closes them, instead of closing at once. */
+  public boolean popupsStay() {
+    return popupsStay;
+  }
+
+  /** Has popups stay until the test closes them, or close at once as at first. */
+  public void setPopupsStay(boolean stay) {
+    popupsStay = stay;
+  }
+}
