@@ -9,5 +9,8 @@ module org.pendant.testing {
   exports org.pendant.testing;
   exports org.pendant.testing.coverage;
   exports org.pendant.testing.coverage.report;
+  exports org.pendant.testing.builtin;
   exports org.pendant.testing.report;
+  exports org.pendant.testing.run;
+  exports org.pendant.testing.source;
 }

@@ -1,0 +1,80 @@
+package org.pendant.testing.run;
+
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.bench.PreparedAnswers;
+import org.pendant.controller.box.MessageCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.message.Question;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.script.vm.ProgramState;
+
+/** Operator of a test: closes popups and gives the answers that the test has prepared. */
+final class TestOperator {
+  private final PreparedAnswers answers;
+  private final boolean watched;
+  private final Set<Long> answered = new HashSet<>();
+
+  /**
+   * An operator.
+   *
+   * @param watched whether a test watches the program, and so continues it itself after a pause
+   */
+  TestOperator(PreparedAnswers answers, boolean watched) {
+    this.answers = answers;
+    this.watched = watched;
+  }
+
+  /**
+   * Does what is to be done after a frame.
+   *
+   * @param post takes commands
+   * @return why it is at a loss
+   */
+  Optional<String> look(ControllerState state, Consumer<Command> post) {
+    boolean blocked = false;
+    for (Popup each : state.openPopups()) {
+      blocked |= each.blocking();
+      if (!answers.popupsStay() && answered.add(each.number())) {
+        post.accept(new MessageCommand.AnswerPopup(each.number()));
+      }
+    }
+    if (!watched
+        && !blocked
+        && state.program().state() == ProgramState.PAUSED
+        && state.safety().stop().isEmpty()) {
+      // nobody is here to continue a test that pauses itself
+      post.accept(new ProgramCommand.ResumeProgram());
+    }
+    for (Question each : state.openQuestions()) {
+      if (answered.add(each.number())) {
+        Optional<String> refusal = answer(each, post);
+        if (refusal.isPresent()) {
+          return refusal;
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Optional<String> answer(Question question, Consumer<Command> post) {
+    Optional<String> value = answers.take(question.text());
+    if (value.isEmpty()) {
+      return Optional.of(
+          "the program asks \""
+              + question.text()
+              + "\", and no answer is prepared; answer(\"TEXT\", VALUE) does so");
+    }
+    try {
+      post.accept(
+          new MessageCommand.AnswerQuestion(question.number(), question.kind().read(value.get())));
+      return Optional.empty();
+    } catch (IllegalArgumentException e) {
+      return Optional.of("answer to \"" + question.text() + "\": " + e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,184 @@
+package org.pendant.testing.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.bench.TestBench;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.message.Operator;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.models.time.FrameTime;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.Ending;
+import org.pendant.script.vm.Program;
+import org.pendant.script.vm.ProgramState;
+import org.pendant.testing.TestResult;
+import org.pendant.testing.source.TestCase;
+import org.pendant.testing.source.TestFile;
+
+/**
+ * Test run: one test in a controller of its own, in virtual time, from power-on to its end.
+ *
+ * <p>A test that starts no program is the program of that controller itself. One that does runs
+ * beside it, in each frame after it, and what it asks of the box takes effect before the next
+ * frame.
+ */
+final class TestRun {
+  /** Frames between two looks at the computer's clock. */
+  private static final int FRAMES_PER_LOOK = 64;
+
+  private final TestFile file;
+  private final TestCase test;
+  private final TestPrograms programs;
+  private final TestSettings settings;
+  private final Controller controller;
+  private final TestBench bench;
+  private final TestOperator operator;
+  private final Wires wires;
+  private final TestOutput output = new TestOutput();
+  private final List<CompletableFuture<Reply>> replies = new ArrayList<>();
+  private Optional<String> loss = Optional.empty();
+
+  TestRun(
+      TestFile file,
+      TestCase test,
+      TestPrograms programs,
+      Builtins<ControlBox> builtins,
+      TestSettings settings) {
+    this.file = file;
+    this.test = test;
+    this.programs = programs;
+    this.settings = settings;
+    ControllerOptions options = settings.controller().withOperator(Operator.present());
+    controller = new Controller(options, builtins);
+    bench = new TestBench(test.number(), programs, controller::globals);
+    controller.attach(bench);
+    operator = new TestOperator(bench.answers(), test.watches());
+    wires = new Wires(bench.followers());
+  }
+
+  /** Runs it. */
+  TestResult run() {
+    long beganNs = System.nanoTime();
+    long wallNs = settings.wallTimeout().toNanos();
+    long mostFrames = FrameTime.framesFor(test.timeoutS().orElse(settings.timeoutS()));
+    begin();
+    Verdict verdict = new Verdict(file, test, programs, bench);
+    ControllerState state;
+    do {
+      state = step();
+      Optional<TestOutcome> outcome = outcome(state, verdict);
+      if (outcome.isPresent()) {
+        return result(outcome.get(), state, beganNs);
+      }
+      if (state.frame() >= mostFrames) {
+        return result(
+            verdict.late(place(state), "ran longer than " + FrameTime.FRAME_S * mostFrames + " s"),
+            state,
+            beganNs);
+      }
+    } while (state.frame() % FRAMES_PER_LOOK != 0 || System.nanoTime() - beganNs < wallNs);
+    return result(
+        verdict.late(
+            place(state),
+            "took longer than " + settings.wallTimeout().toMillis() / 1e3 + " s on this computer"),
+        state,
+        beganNs);
+  }
+
+  /** The line that the program is at: the test itself, or what it watches. */
+  private int place(ControllerState state) {
+    return test.watches() ? 0 : state.program().line();
+  }
+
+  private void begin() {
+    Program program = file.program();
+    if (test.watches()) {
+      controller.startCompanion(program);
+    } else {
+      post(new ProgramCommand.StartProgram(program, Optional.of(programs.ownFolder())));
+    }
+  }
+
+  private void post(Command command) {
+    replies.add(controller.submit(command));
+  }
+
+  private ControllerState step() {
+    bench
+        .takeStart()
+        .ifPresent(
+            program ->
+                post(
+                    new ProgramCommand.StartProgram(
+                        program, Optional.of(programs.folder(program)))));
+    bench.takeCommands().forEach(this::post);
+    controller.advance();
+    ControllerState state = controller.state();
+    output.take(state);
+    wires.step(state, this::post);
+    loss = operator.look(state, this::post);
+    return state;
+  }
+
+  private Optional<TestOutcome> outcome(ControllerState state, Verdict verdict) {
+    if (loss.isPresent()) {
+      return Optional.of(verdict.error("no-answer", loss.get(), place(state)));
+    }
+    Optional<String> refusal = refusal();
+    if (refusal.isPresent()) {
+      return Optional.of(verdict.error("refused", refusal.get(), place(state)));
+    }
+    Optional<Ending> ending =
+        test.watches()
+            ? controller.companionEnding()
+            : state.program().ending().filter(_ -> over(state));
+    if (ending.isPresent()) {
+      return Optional.of(verdict.of(ending.get(), state));
+    }
+    if (!test.watches()
+        && state.program().state() == ProgramState.PAUSED
+        && state.safety().stop().isPresent()) {
+      // it waits for itself to unlock the stop
+      return Optional.of(verdict.stopped(state));
+    }
+    return Optional.empty();
+  }
+
+  private static boolean over(ControllerState state) {
+    return state.program().state() == ProgramState.STOPPED;
+  }
+
+  private Optional<String> refusal() {
+    if (replies.isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<String> complaint = Optional.empty();
+    for (CompletableFuture<Reply> each : replies) {
+      if (each.isDone() && complaint.isEmpty()) {
+        complaint = each.join().complaint();
+      }
+    }
+    replies.removeIf(CompletableFuture::isDone);
+    return complaint;
+  }
+
+  private TestResult result(TestOutcome outcome, ControllerState state, long beganNs) {
+    return new TestResult(
+        test.id(),
+        test.place(),
+        test.tags(),
+        outcome.status(),
+        outcome.skipped(),
+        outcome.failure(),
+        state.timeS(),
+        (System.nanoTime() - beganNs) * 1e-9,
+        output.lines());
+  }
+}

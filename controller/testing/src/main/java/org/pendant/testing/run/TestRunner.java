@@ -1,0 +1,179 @@
+package org.pendant.testing.run;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.function.Predicate;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.script.function.Builtins;
+import org.pendant.testing.BrokenTestFile;
+import org.pendant.testing.SuiteResult;
+import org.pendant.testing.TestFailure;
+import org.pendant.testing.TestResult;
+import org.pendant.testing.TestStatus;
+import org.pendant.testing.builtin.TestBuiltins;
+import org.pendant.testing.run.TestPlan.Chosen;
+import org.pendant.testing.source.TestCase;
+import org.pendant.testing.source.TestFile;
+import org.pendant.testing.source.TestFileReader;
+import org.pendant.testing.source.TestSources;
+
+/**
+ * Test runner: reads test files and runs the tests in them, several at once and in a random order
+ * that its seed repeats. What a test does cannot depend on the others.
+ */
+public final class TestRunner {
+  private final TestSources files;
+  private final TestSettings settings;
+  private final Predicate<TestCase> wanted;
+  private final TestListener listener;
+  private final Builtins<ControlBox> ofPrograms = StandardBuiltins.create();
+  private final Builtins<ControlBox> ofTests = TestBuiltins.create();
+  private final AtomicBoolean cancelled = new AtomicBoolean();
+
+  /**
+   * A runner.
+   *
+   * @param files that tests are in
+   * @param wanted which of the tests are run
+   * @param listener is told what has come of each, by any thread but by one at a time
+   */
+  public TestRunner(
+      TestSources files, TestSettings settings, Predicate<TestCase> wanted, TestListener listener) {
+    this.files = files;
+    this.settings = settings;
+    this.wanted = wanted;
+    this.listener = listener;
+  }
+
+  /** Is told about tests while they run. */
+  @FunctionalInterface
+  public interface TestListener {
+    /** A test has ended. */
+    void ended(TestResult result);
+  }
+
+  /** Ends the suite as soon as possible: no more test begins. */
+  public void cancel() {
+    cancelled.set(true);
+  }
+
+  /**
+   * Reads test files, and chooses from their tests those that are wanted.
+   *
+   * @param names of the files, in the order of the report
+   */
+  public TestPlan plan(List<String> names) {
+    TestFileReader reader = new TestFileReader(files, ofTests);
+    List<Chosen> chosen = new ArrayList<>();
+    List<BrokenTestFile> broken = new ArrayList<>();
+    for (String name : names) {
+      try {
+        TestFile file = reader.read(name);
+        TestPrograms programs = new TestPrograms(file, files, ofPrograms, ofTests);
+        for (TestCase each : file.tests()) {
+          if (wanted.test(each)) {
+            chosen.add(new Chosen(file, programs, each));
+          }
+        }
+      } catch (TestFileReader.Broken e) {
+        broken.add(e.file());
+      }
+    }
+    return new TestPlan(chosen, broken);
+  }
+
+  /** Runs what is planned. */
+  public SuiteResult run(TestPlan plan) {
+    long beganNs = System.nanoTime();
+    List<Chosen> chosen = plan.chosen();
+    AtomicReferenceArray<TestResult> results = new AtomicReferenceArray<>(chosen.size());
+    List<Integer> order = new ArrayList<>();
+    for (int i = 0; i < chosen.size(); i++) {
+      order.add(i);
+    }
+    Collections.shuffle(order, new Random(settings.seed()));
+    runAll(chosen, order, results);
+    List<TestResult> done = new ArrayList<>();
+    for (int i = 0; i < results.length(); i++) {
+      if (results.get(i) != null) {
+        done.add(results.get(i));
+      }
+    }
+    return new SuiteResult(
+        done,
+        plan.broken(),
+        settings.seed(),
+        chosen.size() - done.size(),
+        (System.nanoTime() - beganNs) * 1e-9);
+  }
+
+  private void runAll(
+      List<Chosen> chosen, List<Integer> order, AtomicReferenceArray<TestResult> results) {
+    int jobs = settings.failFast() ? 1 : Math.max(1, Math.min(settings.jobs(), order.size()));
+    AtomicInteger next = new AtomicInteger();
+    Runnable worker =
+        () -> {
+          for (int i = next.getAndIncrement(); i < order.size(); i = next.getAndIncrement()) {
+            if (cancelled.get()) {
+              return;
+            }
+            int which = order.get(i);
+            TestResult result = run(chosen.get(which));
+            results.set(which, result);
+            tell(result);
+          }
+        };
+    try (ExecutorService workers = Executors.newFixedThreadPool(jobs)) {
+      for (int i = 0; i < jobs; i++) {
+        workers.execute(worker);
+      }
+    }
+  }
+
+  private synchronized void tell(TestResult result) {
+    if (settings.failFast() && result.status().red()) {
+      cancel();
+    }
+    listener.ended(result);
+  }
+
+  private TestResult run(Chosen one) {
+    TestCase test = one.test();
+    if (test.skip().isPresent()) {
+      return result(test, TestOutcome.skipped(test.skip().get()));
+    }
+    try {
+      return new TestRun(one.file(), test, one.programs(), ofTests, settings).run();
+    } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
+      // our own mistake, or a test that takes all memory: the other tests still count
+      return result(
+          test,
+          TestOutcome.red(
+              TestStatus.ERROR,
+              new TestFailure(
+                  "internal-error", "internal error: " + e, Optional.of(test.place()), List.of())));
+    }
+  }
+
+  private static TestResult result(TestCase test, TestOutcome outcome) {
+    return new TestResult(
+        test.id(),
+        test.place(),
+        test.tags(),
+        outcome.status(),
+        outcome.skipped(),
+        outcome.failure(),
+        0,
+        0,
+        List.of());
+  }
+}

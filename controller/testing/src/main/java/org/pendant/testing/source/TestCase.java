@@ -1,0 +1,27 @@
+package org.pendant.testing.source;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.SortedSet;
+import org.pendant.testing.TestId;
+import org.pendant.testing.TestPlace;
+
+/**
+ * Test case: one test as it stands in a file, before it runs.
+ *
+ * @param id which it is
+ * @param number its number in the file, from 0
+ * @param place where its definition begins
+ * @param tags what it is marked with, sorted
+ * @param skip why it does not run
+ * @param timeoutS how much robot time it may take, where it says so itself
+ * @param watches whether it starts programs, and so runs beside them; else it is the program
+ */
+public record TestCase(
+    TestId id,
+    int number,
+    TestPlace place,
+    SortedSet<String> tags,
+    Optional<String> skip,
+    OptionalDouble timeoutS,
+    boolean watches) {}

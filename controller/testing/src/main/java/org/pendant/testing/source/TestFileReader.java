@@ -1,0 +1,337 @@
+package org.pendant.testing.source;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.language.check.ProgramForm;
+import org.pendant.language.parse.ParseResult;
+import org.pendant.language.parse.ScriptParser;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.syntax.Expression;
+import org.pendant.language.syntax.Expression.Call;
+import org.pendant.language.syntax.Expression.StringLiteral;
+import org.pendant.language.syntax.Script;
+import org.pendant.language.syntax.Statement;
+import org.pendant.language.syntax.Statement.Definition;
+import org.pendant.language.syntax.Statement.Evaluate;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.function.Effect;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramLoader;
+import org.pendant.testing.BrokenTestFile;
+import org.pendant.testing.TestPlace;
+import org.pendant.testing.builtin.ExpectationBuiltins;
+import org.pendant.testing.builtin.MockBuiltins;
+import org.pendant.testing.builtin.TestBuiltins;
+
+/**
+ * Reader of test files: parses one, finds its tests, and makes one program of it, of the scripts
+ * that it imports, and of lines that choose the test by its number.
+ */
+public final class TestFileReader {
+  private static final String BEFORE = "before_each";
+  private static final String AFTER = "after_each";
+
+  private final TestSources files;
+  private final Builtins<ControlBox> builtins;
+
+  /**
+   * A reader.
+   *
+   * @param builtins those of {@link TestBuiltins}
+   */
+  public TestFileReader(TestSources files, Builtins<ControlBox> builtins) {
+    this.files = files;
+    this.builtins = builtins;
+  }
+
+  /** A file of which no test can run, and why. */
+  public static final class Broken extends Exception {
+    private static final long serialVersionUID = 1L;
+    private final transient BrokenTestFile file;
+
+    Broken(BrokenTestFile file) {
+      super(String.join("\n", file.problems()), null, false, false);
+      this.file = file;
+    }
+
+    /** What is wrong. */
+    public BrokenTestFile file() {
+      return file;
+    }
+  }
+
+  /**
+   * Reads a test file.
+   *
+   * @throws Broken if none of its tests can run
+   */
+  public TestFile read(String name) throws Broken {
+    Source source;
+    try {
+      source = Source.of(name, files.read(name));
+    } catch (IOException e) {
+      throw new Broken(new BrokenTestFile(name, List.of(name + ": error: " + e.getMessage())));
+    }
+    return new Reading(source).file();
+  }
+
+  /** One file while it is read. */
+  private final class Reading {
+    private final Source source;
+    private final Composition composition = new Composition();
+    private final List<String> problems = new ArrayList<>();
+
+    Reading(Source source) {
+      this.source = source;
+    }
+
+    private TestFile file() throws Broken {
+      composition.add(source);
+      ParseResult parsed = ScriptParser.parseProgram(source);
+      report(parsed.diagnostics());
+      List<Statement> own = parsed.script().statements();
+      List<SourceRange> imported = imports(own);
+      Set<String> mocked = mocked(own);
+      List<TestCase> tests = tests(own);
+      stopIfBroken();
+      Source composed = composition.source();
+      Set<String> functions = new HashSet<>(mocked);
+      functions.removeIf(each -> builtins.find(each).isEmpty());
+      LoadResult loaded =
+          ProgramLoader.load(
+              composed,
+              script -> {
+                Script whole = arranged(script, imported);
+                Definitions.each(whole.statements(), each -> functions.add(each.name()));
+                return Definitions.mockable(whole, mocked);
+              },
+              TestBuiltins.mockable(builtins, mocked),
+              false);
+      report(loaded.diagnostics());
+      stopIfBroken();
+      return new TestFile(
+          source.name(), loaded.program().orElseThrow(), composition, tests, mocked, functions);
+    }
+
+    private void stopIfBroken() throws Broken {
+      if (!problems.isEmpty()) {
+        throw new Broken(new BrokenTestFile(source.name(), problems));
+      }
+    }
+
+    private void report(List<Diagnostic> diagnostics) {
+      for (Diagnostic each : diagnostics) {
+        if (each.isError()) {
+          TestPlace place = composition.place(each.range().start(), "");
+          problems.add(place.text() + ": error: " + ByteText.decoded(each.message()));
+        }
+      }
+    }
+
+    private void report(SourceRange range, String message) {
+      report(List.of(Diagnostic.error("test-file", range, message, "")));
+    }
+
+    /** Adds the files that are imported, and answers where they stand. */
+    private List<SourceRange> imports(List<Statement> own) {
+      List<SourceRange> ranges = new ArrayList<>();
+      for (Statement each : own) {
+        Optional<Call> call = importing(each);
+        if (call.isEmpty()) {
+          continue;
+        }
+        Optional<String> file = literal(call.get());
+        if (file.isEmpty()) {
+          report(each.range(), "import_script needs the name of a script in quotes");
+          continue;
+        }
+        String beside = TestSources.beside(source.name(), ByteText.decoded(file.get()));
+        try {
+          ranges.add(composition.add(Source.of(beside, files.read(beside))));
+        } catch (IOException e) {
+          report(call.get().range(), "import_script: " + beside + ": " + e.getMessage());
+        }
+      }
+      return ranges;
+    }
+
+    private Set<String> mocked(List<Statement> own) {
+      Set<String> names = new TreeSet<>();
+      SyntaxWalk.all(
+          own,
+          each -> {
+            if (each instanceof Call call
+                && (call.function().equals(MockBuiltins.MOCK)
+                    || call.function().equals("mock_list"))) {
+              Optional<String> name = literal(call);
+              name.ifPresent(names::add);
+              if (name.isEmpty()) {
+                report(call.range(), call.function() + " needs the name of a function in quotes");
+              }
+            }
+          });
+      return names;
+    }
+
+    /** Finds the tests, and adds the lines that choose one of them. */
+    private List<TestCase> tests(List<Statement> own) {
+      TestReach reach = new TestReach(own, builtins);
+      List<Definition> found = new ArrayList<>();
+      boolean before = false;
+      boolean after = false;
+      Set<String> names = new HashSet<>();
+      for (Statement each : own) {
+        if (each instanceof Definition definition) {
+          before |= definition.name().equals(BEFORE);
+          after |= definition.name().equals(AFTER);
+          if (definition.name().startsWith("test_")
+              && definition.kind() == Statement.DefinitionKind.FUNCTION
+              && names.add(definition.name())) {
+            found.add(definition);
+          }
+        }
+      }
+      TestNumbering numbering = new TestNumbering(source, composition, before, after);
+      for (Definition each : found) {
+        List<Diagnostic> wrong = new ArrayList<>();
+        TestMarks marks = TestMarks.above(source, source.line(each.range().start()), wrong);
+        report(wrong);
+        boolean watches = reach.starts(each.name());
+        if (watches) {
+          reach
+              .move(each.name())
+              .ifPresent(
+                  move ->
+                      report(
+                          move.range(),
+                          move.function()
+                              + ": "
+                              + each.name()
+                              + " starts a program, and a test that does only watches: it moves"
+                              + " nothing itself"));
+        }
+        numbering.add(each, marks, watches).ifPresent(problem -> report(each.nameRange(), problem));
+      }
+      numbering.end();
+      if (found.isEmpty() && problems.isEmpty()) {
+        problems.add(
+            source.name() + ": error: it holds no test; a test is a function test_...() in it");
+      }
+      return numbering.tests();
+    }
+
+    /** The whole text as one program: imported values, own statements, and the choice of a test. */
+    private Script arranged(Script script, List<SourceRange> imported) {
+      List<Statement> constants = new ArrayList<>();
+      List<Statement> functions = new ArrayList<>();
+      List<Statement> rest = new ArrayList<>();
+      int end = source.text().length();
+      for (SourceRange each : imported) {
+        new Imported(within(script, each), builtins).into(constants, functions);
+        end = each.end();
+      }
+      for (Statement each : script.statements()) {
+        boolean own = each.range().start() < source.text().length();
+        boolean choice = each.range().start() >= end && !own;
+        if (own ? importing(each).isEmpty() : choice) {
+          rest.add(each);
+        }
+      }
+      List<Statement> all = new ArrayList<>(constants);
+      all.addAll(functions);
+      all.addAll(rest);
+      return new Script(
+          script.source(), new Expectations(script.source()).asLoops(all), script.range());
+    }
+
+    private static Script within(Script script, SourceRange range) {
+      List<Statement> inside =
+          script.statements().stream()
+              .filter(
+                  each ->
+                      each.range().start() >= range.start() && each.range().start() < range.end())
+              .toList();
+      return new Script(script.source(), inside, range);
+    }
+  }
+
+  /** The call of {@code import_script} that a statement is. */
+  private static Optional<Call> importing(Statement statement) {
+    return statement instanceof Evaluate evaluate
+            && evaluate.expression() instanceof Call call
+            && call.function().equals(ExpectationBuiltins.IMPORT)
+        ? Optional.of(call)
+        : Optional.empty();
+  }
+
+  /** The text of the first argument, where that is one. */
+  private static Optional<String> literal(Call call) {
+    if (!call.arguments().isEmpty()) {
+      Expression first = call.arguments().getFirst().value();
+      if (first instanceof StringLiteral text) {
+        return Optional.of(text.value());
+      }
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * What another script brings in.
+   *
+   * @param script its statements alone
+   */
+  private record Imported(Script script, Builtins<ControlBox> builtins) {
+    void into(List<Statement> constants, List<Statement> functions) {
+      ProgramForm form = ProgramForm.of(script);
+      functions.addAll(form.siblings());
+      // a program with functions inside lends those; one without may as well be a function itself
+      form.entry()
+          .filter(entry -> entry.body().stream().noneMatch(Definition.class::isInstance))
+          .ifPresent(functions::add);
+      boolean leading = true;
+      for (Statement each : form.body()) {
+        switch (each) {
+          case Definition definition -> functions.add(definition);
+          case Statement.Assign assign -> {
+            if (leading && isValue(assign)) {
+              constants.add(
+                  new Statement.Assign(
+                      Statement.Qualifier.FREE, assign.target(), assign.value(), assign.range()));
+            }
+          }
+          case Statement.Label _ -> {}
+          default -> leading = false;
+        }
+      }
+    }
+
+    /** Whether it only gives a value a name, which running it anywhere does as well. */
+    private boolean isValue(Statement statement) {
+      boolean[] acts = new boolean[1];
+      SyntaxWalk.ownOf(List.of(statement), each -> acts[0] |= acts(each));
+      return !acts[0];
+    }
+
+    private boolean acts(Expression expression) {
+      return switch (expression) {
+        case Call call ->
+            !call.function().equals("struct")
+                && builtins
+                    .find(call.function())
+                    .filter(each -> each.effect() == Effect.COMPUTES)
+                    .isEmpty();
+        case Expression.MethodCall _, Expression.Run _ -> true;
+        default -> false;
+      };
+    }
+  }
+}

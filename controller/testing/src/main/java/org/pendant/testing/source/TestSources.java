@@ -1,0 +1,36 @@
+package org.pendant.testing.source;
+
+import java.io.IOException;
+import org.pendant.controller.file.ProgramsFolder;
+
+/** Files that tests are in, and those that they name. */
+@FunctionalInterface
+public interface TestSources {
+  /**
+   * The content of a file.
+   *
+   * @param name as the command line gives it, or beside such a one
+   * @throws IOException if it is not there or cannot be read; its message says why, for people
+   */
+  byte[] read(String name) throws IOException;
+
+  /**
+   * The folder from which a program may read files.
+   *
+   * @param name of the program's file
+   */
+  default ProgramsFolder folder(String name) {
+    return ProgramsFolder.NONE;
+  }
+
+  /**
+   * The name of a file that another one names.
+   *
+   * @param base the file that names it
+   * @param name that counts from the folder of {@code base}
+   */
+  static String beside(String base, String name) {
+    int slash = base.lastIndexOf('/');
+    return name.startsWith("/") || slash < 0 ? name : base.substring(0, slash + 1) + name;
+  }
+}

@@ -1,0 +1,89 @@
+package org.pendant.testing.run;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.box.ArmChoice;
+import org.pendant.testing.SuiteResult;
+import org.pendant.testing.TestResult;
+import org.pendant.testing.source.TestSources;
+
+/** A suite of tests in memory. */
+final class Suite {
+  private final Map<String, String> files = new HashMap<>();
+  private TestSettings settings =
+      new TestSettings(
+          ControllerOptions.headless().withArm(ArmChoice.IDEAL),
+          1,
+          1,
+          60,
+          Duration.ofSeconds(60),
+          false);
+
+  /** A suite with a file of tests, {@code cell/pick_test.script}. */
+  static Suite of(String... lines) {
+    return new Suite().with("cell/pick_test.script", lines);
+  }
+
+  /** With one more file. */
+  Suite with(String name, String... lines) {
+    files.put(name, String.join("\n", lines) + "\n");
+    return this;
+  }
+
+  /** With other settings. */
+  Suite with(TestSettings other) {
+    settings = other;
+    return this;
+  }
+
+  /** The settings that it has. */
+  TestSettings settings() {
+    return settings;
+  }
+
+  private TestRunner runner() {
+    TestSources source =
+        name -> {
+          String text = files.get(name);
+          if (text == null) {
+            throw new IOException("no such file");
+          }
+          return text.getBytes(StandardCharsets.UTF_8);
+        };
+    return new TestRunner(source, settings, test -> true, result -> {});
+  }
+
+  private List<String> names() {
+    return files.keySet().stream().filter(each -> each.endsWith("_test.script")).sorted().toList();
+  }
+
+  /** What would be run. */
+  TestPlan plan() {
+    return runner().plan(names());
+  }
+
+  /** What comes of it. */
+  SuiteResult run() {
+    TestRunner runner = runner();
+    return runner.run(runner.plan(names()));
+  }
+
+  /** What comes of its only test. */
+  TestResult only() {
+    SuiteResult result = run();
+    if (!result.broken().isEmpty()) {
+      throw new AssertionError(result.broken().getFirst().problems());
+    }
+    return result.results().getFirst();
+  }
+
+  /** What is wrong with its only file. */
+  List<String> problems() {
+    return run().broken().getFirst().problems();
+  }
+}

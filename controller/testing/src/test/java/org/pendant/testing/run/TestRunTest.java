@@ -1,0 +1,310 @@
+package org.pendant.testing.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.pendant.testing.TestFailure;
+import org.pendant.testing.TestPlace;
+import org.pendant.testing.TestResult;
+import org.pendant.testing.TestStatus;
+
+class TestRunTest {
+  private static TestFailure failure(TestResult result) {
+    return result.failure().orElseThrow();
+  }
+
+  @Test
+  void aTestWhoseAssertionsHoldPasses() {
+    TestResult result =
+        Suite.of(
+                "def test_sum():",
+                "  assert_equal(1 + 2, 3)",
+                "  assert_near(0.1 + 0.2, 0.3)",
+                "end")
+            .only();
+
+    assertEquals(TestStatus.PASSED, result.status());
+    assertEquals("test_sum", result.id().name());
+  }
+
+  @Test
+  void anAssertionThatDoesNotHoldTellsItsPlaceAndBothValues() {
+    TestResult result =
+        Suite.of("def test_sum():", "  a = 1 + 1", "  assert_equal(a, 3, \"sum\")", "end").only();
+
+    assertEquals(TestStatus.FAILED, result.status());
+    assertEquals("sum: is 2, must be 3", failure(result).message());
+    assertEquals(
+        new TestPlace("cell/pick_test.script", 3, 3, "test_sum"),
+        failure(result).place().orElseThrow());
+  }
+
+  @Test
+  void aTestCallsTheFunctionsInsideOfAnImportedProgram() {
+    TestResult result =
+        Suite.of(
+                "import_script(\"pick.script\")",
+                "def test_height():",
+                "  assert_near(height_of(3), 0.15)",
+                "end")
+            .with(
+                "cell/pick.script",
+                "def pick():",
+                "  part = 0.05",
+                "  def height_of(n):",
+                "    return n * part",
+                "  end",
+                "  movej([0, -1.57, 0, -1.57, 0, 0])",
+                "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+    assertEquals(TestStatus.PASSED, result.status());
+  }
+
+  @Test
+  void aFailureInAnImportedFunctionIsToldWithItsPlaceThereAndTheCallInTheTest() {
+    TestResult result =
+        Suite.of(
+                "import_script(\"pick.script\")", "def test_height():", "  x = height_of(0)", "end")
+            .with(
+                "cell/pick.script",
+                "def height_of(n):",
+                "  return 1 / n",
+                "end",
+                "def pick():",
+                "  sync()",
+                "end")
+            .only();
+
+    assertEquals(TestStatus.ERROR, result.status());
+    assertTrue(
+        failure(result).place().orElseThrow().text().startsWith("cell/pick.script:2:"),
+        failure(result).place().orElseThrow().text());
+    assertTrue(
+        failure(result)
+            .stack()
+            .contains(new TestPlace("cell/pick_test.script", 3, 0, "test_height")));
+  }
+
+  @Test
+  void aTestWatchesTheProgramThatItStarts() {
+    TestResult result =
+        Suite.of(
+                "def test_grips():",
+                "  wire(0, 1, delay=0.4)",
+                "  start(\"pick.script\")",
+                "  eventually(get_standard_digital_out(0), within=1)",
+                "  before = robot_time()",
+                "  eventually(get_standard_digital_out(7), within=1)",
+                "  assert_near(robot_time() - before, 0.4, 0.01)",
+                "  wait_for_end(within=5)",
+                "  assert_equal(program_variable(\"parts\"), 1)",
+                "end")
+            .with(
+                "cell/pick.script",
+                "def pick():",
+                "  global parts = 0",
+                "  sleep(0.1)",
+                "  set_standard_digital_out(0, True)",
+                "  while not get_standard_digital_in(1):",
+                "    sync()",
+                "  end",
+                "  parts = parts + 1",
+                "  set_standard_digital_out(7, True)",
+                "  sleep(0.1)",
+                "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+    assertEquals(TestStatus.PASSED, result.status());
+  }
+
+  @Test
+  void whatDoesNotBecomeTrueInTimeFailsTheTest() {
+    TestResult result =
+        Suite.of(
+                "def test_never():", "  eventually(get_standard_digital_out(3), within=0.5)", "end")
+            .only();
+
+    assertEquals(TestStatus.FAILED, result.status());
+    assertEquals(
+        "eventually: get_standard_digital_out(3) did not become True in time",
+        failure(result).message());
+    assertEquals((0.5 + 0.51) / 2, result.robotTimeS(), (0.51 - 0.5) / 2);
+  }
+
+  @Test
+  void whatMustAlwaysHoldFailsTheTestInTheFrameInWhichItDoesNot() {
+    TestResult result =
+        Suite.of(
+                "def test_stays():",
+                "  start(\"blink.script\")",
+                "  never(get_standard_digital_out(2), message=\"lamp\")",
+                "end")
+            .with(
+                "cell/blink.script",
+                "def blink():",
+                "  sleep(0.2)",
+                "  set_standard_digital_out(2, True)",
+                "  sleep(0.2)",
+                "end")
+            .only();
+
+    assertEquals("lamp: get_standard_digital_out(2) became True", failure(result).message());
+    assertEquals((0.2 + 0.22) / 2, result.robotTimeS(), (0.22 - 0.2) / 2);
+  }
+
+  @Test
+  void aProgramThatFailsUnwatchedMakesTheTestRed() {
+    TestResult result =
+        Suite.of("def test_runs():", "  start(\"bad.script\")", "  sleep(0.5)", "end")
+            .with("cell/bad.script", "def bad():", "  x = [1]", "  y = x[3]", "end")
+            .only();
+
+    assertEquals(TestStatus.ERROR, result.status());
+    assertTrue(
+        failure(result).message().startsWith("the program failed: "), failure(result).message());
+    assertTrue(
+        failure(result).place().orElseThrow().text().startsWith("cell/bad.script:3:"),
+        failure(result).place().orElseThrow().text());
+  }
+
+  @Test
+  void aProgramMayFailWhereTheTestWantsThat() {
+    TestResult result =
+        Suite.of(
+                "def test_fails():",
+                "  start(\"bad.script\")",
+                "  assert_program_fails(\"index\")",
+                "end")
+            .with("cell/bad.script", "def bad():", "  x = [1]", "  y = x[3]", "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+  }
+
+  @Test
+  void aMockAnswersInPlaceOfABuiltinAndOfAFunctionOfTheProgram() {
+    TestResult result =
+        Suite.of(
+                "def test_mocks():",
+                "  mock(\"get_standard_analog_in\", [0.2, 0.9])",
+                "  mock(\"grip\", True)",
+                "  start(\"pick.script\")",
+                "  wait_for_end()",
+                "  assert_equal(program_variable(\"first\"), 0.2)",
+                "  assert_equal(program_variable(\"second\"), 0.9)",
+                "  assert_equal(program_variable(\"held\"), True)",
+                "  assert_equal(mock_calls(\"grip\"), 1)",
+                "  assert_equal(mock_argument(\"grip\", 0), 40)",
+                "end")
+            .with(
+                "cell/pick.script",
+                "def pick():",
+                "  def grip(force):",
+                "    sleep(100)",
+                "    return False",
+                "  end",
+                "  global first = get_standard_analog_in(0)",
+                "  global second = get_standard_analog_in(0)",
+                "  global held = grip(40)",
+                "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+    assertEquals(TestStatus.PASSED, result.status());
+  }
+
+  @Test
+  void aMockOfAFunctionThatThereIsNotMakesTheTestRed() {
+    TestResult result = Suite.of("def test_mocks():", "  mock(\"gripp\", True)", "end").only();
+
+    assertEquals(TestStatus.FAILED, result.status());
+    assertTrue(
+        failure(result).message().startsWith("mock: there is no function gripp"),
+        failure(result).message());
+  }
+
+  @Test
+  void aTestThatNeverEndsIsStoppedWhenItsRobotTimeIsUp() {
+    TestResult result =
+        Suite.of("# @timeout 2", "def test_hangs():", "  while True:", "    sync()", "  end", "end")
+            .only();
+
+    assertEquals(TestStatus.TIMED_OUT, result.status());
+    assertEquals((1.99 + 2.01) / 2, result.robotTimeS(), (2.01 - 1.99) / 2);
+  }
+
+  @Test
+  void aTableOfCasesIsATestForEachRow() {
+    var result =
+        Suite.of(
+                "# @case 1, 2",
+                "# @case 2, 5",
+                "def test_double(n, expected):",
+                "  assert_equal(2 * n, expected)",
+                "end")
+            .run();
+
+    assertEquals(
+        List.of("test_double[1, 2] PASSED", "test_double[2, 5] FAILED"),
+        result.results().stream().map(each -> each.id().name() + " " + each.status()).toList());
+  }
+
+  @Test
+  void aSkippedTestTellsWhy() {
+    var result =
+        Suite.of(
+                "# @skip no gripper yet",
+                "def test_grip():",
+                "  fail()",
+                "end",
+                "def test_other():",
+                "  skip(\"later\")",
+                "end")
+            .run();
+
+    assertEquals(
+        List.of("SKIPPED no gripper yet", "SKIPPED later"),
+        result.results().stream().map(each -> each.status() + " " + each.skipped()).toList());
+  }
+
+  @Test
+  void popupsCloseByThemselvesAndQuestionsGetThePreparedAnswer() {
+    TestResult result =
+        Suite.of(
+                "def test_asks():",
+                "  answer(\"How many\", 3)",
+                "  start(\"ask.script\")",
+                "  wait_for_end()",
+                "  assert_equal(program_variable(\"n\"), 3)",
+                "  assert_log(\"counted\")",
+                "end")
+            .with(
+                "cell/ask.script",
+                "def ask():",
+                "  popup(\"ready\", blocking=True)",
+                "  global n = request_integer_from_primary_client(\"How many?\")",
+                "  textmsg(\"counted \", n)",
+                "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+    assertTrue(result.output().stream().anyMatch(line -> line.endsWith("counted 3")));
+  }
+
+  @Test
+  void aSafetyStopThatNobodyExpectsMakesTheTestRed() {
+    TestResult result =
+        Suite.of("def test_stops():", "  start(\"stop.script\")", "  sleep(1)", "end")
+            .with("cell/stop.script", "def stop():", "  protective_stop()", "  sleep(5)", "end")
+            .only();
+
+    assertEquals(TestStatus.ERROR, result.status());
+    assertEquals("safety-stop", failure(result).code());
+  }
+}
