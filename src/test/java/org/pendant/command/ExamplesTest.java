@@ -86,6 +86,25 @@ final class ExamplesTest {
   }
 
   @Test
+  void theTestsOfTheExamplesPass() {
+    Result result = Launcher.pendant(Launcher.home(), "test", "--color", "never", "examples");
+
+    assertEquals(0, result.exitCode(), result.output() + result.errors());
+    assertTrue(result.output().contains("34 passed in "), result.output());
+  }
+
+  @Test
+  void theReferenceOfTestFunctionsIsWhatTheCatalogueSays() throws IOException {
+    Result result = Launcher.pendant(Launcher.home(), "functions", "--tests", "--markdown");
+
+    Path page = Launcher.home().resolve("docs/testing-functions.md");
+    assertEquals(
+        new String(Files.readAllBytes(page), StandardCharsets.ISO_8859_1),
+        result.output(),
+        "renew it with ./pendant functions --tests --markdown > docs/testing-functions.md");
+  }
+
+  @Test
   void functionReferenceIsWhatTheCatalogueSays() throws IOException {
     Result result = Launcher.pendant(Launcher.home(), "functions", "--markdown");
 

@@ -51,6 +51,18 @@ final class Console {
     write(VisibleText.of(text).getBytes(StandardCharsets.UTF_8));
   }
 
+  /** Writes text to standard output as it is: it holds nothing that others chose unseen. */
+  synchronized void printPiece(String text) {
+    if (outputClosed) {
+      return;
+    }
+    try {
+      output.write(text.getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      outputFailed(e);
+    }
+  }
+
   private void write(byte[] line) {
     if (outputClosed) {
       return;

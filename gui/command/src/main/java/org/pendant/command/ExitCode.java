@@ -6,6 +6,8 @@ enum ExitCode {
   DONE(0),
   /** The program stopped on a runtime error or a protective stop. */
   PROGRAM_FAILED(1),
+  /** A test is red. */
+  TESTS_FAILED(1),
   /** A difference is larger than a limit allows. */
   LIMIT_EXCEEDED(1),
   /** The command line is wrong, or a file that it names cannot be read or written. */

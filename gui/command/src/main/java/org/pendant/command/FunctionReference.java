@@ -12,6 +12,7 @@ import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
+import org.pendant.testing.builtin.TestBuiltins;
 
 /**
  * The reference of all built-in functions and methods, made from the catalogue: as a table and
@@ -22,17 +23,40 @@ final class FunctionReference {
   private static final int NAME_COLUMNS = 34;
 
   private final Map<String, List<Signature>> byModule;
+  private final boolean ofTests;
 
+  /** The reference of what programs may call. */
   FunctionReference(Catalogue catalogue) {
+    this(catalogue.all(), false);
+  }
+
+  private FunctionReference(Collection<Signature> signatures, boolean ofTests) {
+    this.ofTests = ofTests;
     byModule = new LinkedHashMap<>();
-    for (Signature signature : catalogue.all()) {
+    for (Signature signature : signatures) {
       byModule.computeIfAbsent(group(signature), key -> new ArrayList<>()).add(signature);
     }
     byModule.values().forEach(list -> list.sort(Comparator.comparing(Signature::name)));
   }
 
-  /** Functions stand under their module, methods under what they are called on. */
+  /** The reference of what tests alone may call. */
+  static FunctionReference ofTests(Catalogue catalogue) {
+    return new FunctionReference(
+        catalogue.all().stream()
+            .filter(each -> each.module().equals(TestBuiltins.MODULE))
+            .filter(each -> !TestBuiltins.isHidden(each.name()))
+            .toList(),
+        true);
+  }
+
+  /**
+   * Functions stand under their module, methods under what they are called on, and functions of
+   * tests under what they are about.
+   */
   private static String group(Signature signature) {
+    if (signature.module().equals(TestBuiltins.MODULE)) {
+      return signature.section();
+    }
     return signature
         .receiver()
         .map(type -> "Methods of a " + type.text())
@@ -102,18 +126,27 @@ final class FunctionReference {
     for (String note : notes(signature)) {
       lines.add("  Note:   " + note);
     }
-    lines.add("  Manual: " + manual(signature));
+    if (!signature.module().equals(TestBuiltins.MODULE)) {
+      lines.add("  Manual: " + manual(signature));
+    }
     return lines;
   }
 
   /** The whole reference as Markdown; docs/functions.md is this text. */
   String markdown() {
     StringBuilder page = new StringBuilder(1 << 16);
-    page.append("# Functions\n\n");
-    page.append("Every function and method that a script may call, as Pendant implements them. ");
-    page.append("This page is generated from the catalogue that the interpreter itself uses:\n");
-    page.append("`./pendant functions --markdown > docs/functions.md`. ");
-    page.append("Sections are those of the URScript manual for PolyScope 5.24.\n\n");
+    if (ofTests) {
+      page.append("# Functions of tests\n\n");
+      page.append("What tests of programs may call beside all [functions](functions.md) that ");
+      page.append("programs may, see [testing.md](testing.md). This page is generated:\n");
+      page.append("`./pendant functions --tests --markdown > docs/testing-functions.md`.\n\n");
+    } else {
+      page.append("# Functions\n\n");
+      page.append("Every function and method that a script may call, as Pendant implements them. ");
+      page.append("This page is generated from the catalogue that the interpreter itself uses:\n");
+      page.append("`./pendant functions --markdown > docs/functions.md`. ");
+      page.append("Sections are those of the URScript manual for PolyScope 5.24.\n\n");
+    }
     byModule.forEach(
         (module, signatures) ->
             page.append("- [")
@@ -148,9 +181,12 @@ final class FunctionReference {
             .append(" |\n");
       }
     }
-    page.append("\nResult: ").append(result(signature)).append(". ");
-    notes(signature).forEach(note -> page.append(note).append(". "));
-    page.append("Manual: ").append(manual(signature)).append(".\n");
+    page.append("\nResult: ").append(result(signature)).append('.');
+    if (!signature.module().equals(TestBuiltins.MODULE)) {
+      notes(signature).forEach(note -> page.append(' ').append(note).append('.'));
+      page.append(" Manual: ").append(manual(signature)).append('.');
+    }
+    page.append('\n');
   }
 
   private static String defaultMarkdown(Parameter parameter) {

@@ -10,10 +10,21 @@ final class FunctionsCommand implements Subcommand {
   private static final Option MARKDOWN =
       Option.flag("--markdown", "print the whole reference as docs/functions.md has it");
 
-  private final Supplier<? extends Catalogue> catalogue;
+  private static final Option TESTS =
+      Option.flag("--tests", "the functions that only tests of programs may call");
 
-  FunctionsCommand(Supplier<? extends Catalogue> catalogue) {
+  private final Supplier<? extends Catalogue> catalogue;
+  private final Supplier<? extends Catalogue> ofTests;
+
+  /**
+   * The command.
+   *
+   * @param catalogue what programs may call
+   * @param ofTests what tests may call
+   */
+  FunctionsCommand(Supplier<? extends Catalogue> catalogue, Supplier<? extends Catalogue> ofTests) {
     this.catalogue = catalogue;
+    this.ofTests = ofTests;
   }
 
   @Override
@@ -33,7 +44,7 @@ final class FunctionsCommand implements Subcommand {
 
   @Override
   public List<Option> options() {
-    return List.of(MARKDOWN);
+    return List.of(MARKDOWN, TESTS);
   }
 
   @Override
@@ -42,7 +53,10 @@ final class FunctionsCommand implements Subcommand {
     if (names.size() > 1 || (arguments.has(MARKDOWN) && !names.isEmpty())) {
       throw new UsageException("unexpected " + names.getLast());
     }
-    FunctionReference reference = new FunctionReference(catalogue.get());
+    FunctionReference reference =
+        arguments.has(TESTS)
+            ? FunctionReference.ofTests(ofTests.get())
+            : new FunctionReference(catalogue.get());
     if (arguments.has(MARKDOWN)) {
       console.print(reference.markdown().stripTrailing());
     } else if (names.isEmpty()) {

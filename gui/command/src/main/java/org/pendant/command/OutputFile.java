@@ -23,8 +23,8 @@ record OutputFile(String name, Path path, boolean force) {
   static final Option FORCE =
       Option.flag("--force", "replace the file to be written, if there is one already")
           .documented(
-              "replace the file of `--record`, `--profile`, `--trace`, `--out` or `TO`, if there"
-                  + " is one already");
+              "replace the file of `--record`, `--profile`, `--trace`, `--out`, `--junit`, `--tap`"
+                  + " or `TO`, if there is one already");
 
   /**
    * The file that an option names.
@@ -45,6 +45,12 @@ record OutputFile(String name, Path path, boolean force) {
     return at(option.name() + " " + name, name, arguments);
   }
 
+  /** As {@link #of}, for one that may be replaced without {@link #FORCE}. */
+  static OutputFile replacing(Option option, String name, Arguments arguments)
+      throws UsageException {
+    return at(option.name() + " " + name, name, true, arguments);
+  }
+
   /** As {@link #of}, for one that is named without an option. */
   static OutputFile at(String name, Arguments arguments) throws UsageException {
     return at(name, name, arguments);
@@ -52,8 +58,13 @@ record OutputFile(String name, Path path, boolean force) {
 
   private static OutputFile at(String shown, String name, Arguments arguments)
       throws UsageException {
+    return at(shown, name, arguments.has(FORCE), arguments);
+  }
+
+  private static OutputFile at(String shown, String name, boolean force, Arguments arguments)
+      throws UsageException {
     try {
-      OutputFile file = new OutputFile(shown, Path.of(name).toAbsolutePath(), arguments.has(FORCE));
+      OutputFile file = new OutputFile(shown, Path.of(name).toAbsolutePath(), force);
       file.check(name, arguments.files());
       return file;
     } catch (InvalidPathException e) {

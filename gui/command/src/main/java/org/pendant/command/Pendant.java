@@ -8,6 +8,7 @@ import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.Version;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.check.Nearest;
+import org.pendant.testing.builtin.TestBuiltins;
 
 /**
  * The {@code pendant} command: finds the subcommand, and turns whatever happens into an exit code
@@ -32,13 +33,14 @@ public final class Pendant {
             new OpenCommand(services),
             new RunCommand(),
             new CheckCommand(),
+            new TestCommand(),
             new ConvertCommand(),
             new RenderCommand(services),
             new ServeCommand(),
             new RecordCommand(),
             new CompareCommand(),
             new FitCommand(),
-            new FunctionsCommand(StandardBuiltins::create),
+            new FunctionsCommand(StandardBuiltins::create, TestBuiltins::create),
             new RobotsCommand(),
             new CalibrateCommand(),
             new CompletionCommand(this::subcommands));

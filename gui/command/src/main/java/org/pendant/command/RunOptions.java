@@ -172,6 +172,10 @@ record RunOptions(
   static final List<Option> OF_CONTROLLER =
       without(OF_PROGRAM, ANSWER, WAVEFORMS, TIMEOUT, WallLimit.OPTION);
 
+  /** What says what the controllers of tests are and what surrounds them. */
+  static final List<Option> OF_TESTS =
+      without(OF_CONTROLLER, SEED, HostsOption.OPTION, ControlOption.OPTION);
+
   private static List<Option> without(List<Option> options, Option... others) {
     return options.stream().filter(each -> !List.of(others).contains(each)).toList();
   }

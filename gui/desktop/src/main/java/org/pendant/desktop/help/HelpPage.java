@@ -47,6 +47,8 @@ record HelpPage(String name, String title) {
         new HelpPage("docs/simulated-arm.md", "The simulated arm"),
         new HelpPage("docs/robots.md", "Robots"),
         new HelpPage("docs/recording.md", "Recordings"),
+        new HelpPage("docs/testing.md", "Tests"),
+        new HelpPage("docs/testing-functions.md", "Functions of tests"),
         new HelpPage("docs/scene.md", "Scenes"),
         new HelpPage("docs/conveyors.md", "Conveyors"),
         new HelpPage("docs/toolpaths.md", "Toolpaths"),

@@ -1,0 +1,163 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.pendant.testing.SuiteResult;
+import org.pendant.testing.report.ConsoleReport;
+import org.pendant.testing.report.ConsoleStyle;
+import org.pendant.testing.report.ConsoleStyle.Detail;
+import org.pendant.testing.report.ConsoleStyle.Feature;
+import org.pendant.testing.report.GithubAnnotations;
+import org.pendant.testing.run.TestPlan;
+import org.pendant.testing.run.TestRunner;
+import org.pendant.testing.source.TestCase;
+
+/** Command {@code pendant test [PATH...]}: runs tests of robot programs. */
+final class TestCommand implements Subcommand {
+  private static final Option LIST =
+      Option.flag("--list", "print the names of the tests and run none");
+  private static final Option VERBOSE = Option.flag("--verbose", "a line for each test");
+  private static final Option QUIET = Option.flag("--quiet", "only red tests and the summary");
+  private static final Option COLOR =
+      Option.of(
+              "--color",
+              new OptionArgument.Choice("auto", "always", "never"),
+              "whether the text has colours")
+          .standing("auto")
+          .documented(
+              "never",
+              "whether the text has colours: `always`, `never`, or `auto` (default) where it goes"
+                  + " to a terminal and `NO_COLOR` is not set");
+  private static final Option GITHUB =
+      Option.flag("--github", "annotations for GitHub; on where GITHUB_ACTIONS is true");
+
+  @Override
+  public String name() {
+    return "test";
+  }
+
+  @Override
+  public String operands() {
+    return "[PATH...]";
+  }
+
+  @Override
+  public String summary() {
+    return "run tests of programs, *" + TestFinder.ENDING;
+  }
+
+  @Override
+  public List<Option> options() {
+    return Stream.of(List.of(LIST, VERBOSE, QUIET, COLOR, GITHUB), TestReports.ALL, TestOptions.ALL)
+        .flatMap(List::stream)
+        .toList();
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    if (arguments.has(VERBOSE) && arguments.has(QUIET)) {
+      throw new UsageException("--verbose and --quiet ask for opposites");
+    }
+    TestOptions options = TestOptions.of(arguments);
+    InstallationOption.tell(arguments, console);
+    List<String> files = files(arguments);
+    TestFilesOnDisk disk = new TestFilesOnDisk(arguments.files());
+    ConsoleReport report = new ConsoleReport(style(arguments), disk::source, console::printPiece);
+    TestRunner runner = new TestRunner(disk, options.settings(), options::wants, report::finished);
+    TestPlan plan = runner.plan(files).shard(options.shardNumber(), options.shardCount());
+    var _ = TestReports.of(arguments, disk);
+    if (arguments.has(LIST)) {
+      return list(plan, console);
+    }
+    if (plan.tests().isEmpty() && plan.broken().isEmpty()) {
+      throw new UsageException("no test has the names and tags that are asked for");
+    }
+    SuiteResult result = run(runner, plan, report);
+    if (github(arguments)) {
+      GithubAnnotations.lines(result).forEach(console::print);
+    }
+    console.flush();
+    // again: by now it is known which programs the tests have read
+    TestReports.of(arguments, disk).write(result);
+    return code(result);
+  }
+
+  private static List<String> files(Arguments arguments) throws UsageException {
+    List<String> paths = arguments.operands().isEmpty() ? List.of(".") : arguments.operands();
+    try {
+      List<String> files = TestFinder.find(paths);
+      if (files.isEmpty()) {
+        throw new UsageException(
+            "no file *" + TestFinder.ENDING + " in " + String.join(", ", paths));
+      }
+      return files;
+    } catch (IOException e) {
+      throw new UsageException(e.getMessage());
+    }
+  }
+
+  private static SuiteResult run(TestRunner runner, TestPlan plan, ConsoleReport report) {
+    try (Interruption interruption = Interruption.listen("the test run")) {
+      interruption.hold();
+      Thread watch = Thread.ofVirtual().unstarted(() -> cancelWhenAsked(interruption, runner));
+      watch.start();
+      report.begin(plan.tests().stream().map(TestCase::id).toList());
+      SuiteResult result = runner.run(plan);
+      report.end(result);
+      watch.interrupt();
+      interruption.release();
+      return result;
+    }
+  }
+
+  private static void cancelWhenAsked(Interruption interruption, TestRunner runner) {
+    if (interruption.awaitRequest(Long.MAX_VALUE)) {
+      runner.cancel();
+    }
+  }
+
+  private static ExitCode list(TestPlan plan, Console console) {
+    for (TestCase each : plan.tests()) {
+      console.print(each.id().file() + ":" + each.id().name());
+    }
+    plan.broken().forEach(file -> file.problems().forEach(console::complain));
+    return plan.broken().isEmpty() ? ExitCode.DONE : ExitCode.DOES_NOT_COMPILE;
+  }
+
+  private static boolean github(Arguments arguments) {
+    return arguments.has(GITHUB) || "true".equals(System.getenv("GITHUB_ACTIONS"));
+  }
+
+  private static ConsoleStyle style(Arguments arguments) throws UsageException {
+    Set<Feature> features = EnumSet.of(Feature.WALL_TIME);
+    boolean terminal = System.console().isTerminal() && System.getenv("CI") == null;
+    String colour = arguments.word(COLOR).orElseThrow();
+    if (terminal) {
+      features.add(Feature.TERMINAL);
+    }
+    if (colour.equals("always") || (colour.equals("auto") && terminal && wantsColour())) {
+      features.add(Feature.COLOURS);
+    }
+    Detail detail = Detail.NORMAL;
+    if (arguments.has(VERBOSE)) {
+      detail = Detail.VERBOSE;
+    } else if (arguments.has(QUIET)) {
+      detail = Detail.QUIET;
+    }
+    return new ConsoleStyle(detail, features);
+  }
+
+  /** What most programs heed: no-color.org, and a terminal that cannot. */
+  private static boolean wantsColour() {
+    return System.getenv("NO_COLOR") == null && !"dumb".equals(System.getenv("TERM"));
+  }
+
+  private static ExitCode code(SuiteResult result) {
+    Optional<ExitCode> red = result.firstRed().map(_ -> ExitCode.TESTS_FAILED);
+    return red.orElse(result.broken().isEmpty() ? ExitCode.DONE : ExitCode.DOES_NOT_COMPILE);
+  }
+}

@@ -1,0 +1,73 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.language.source.Source;
+import org.pendant.testing.source.TestSources;
+
+/** Test files on the disk, each read once. Any thread may ask. */
+final class TestFilesOnDisk implements TestSources {
+  private static final int MAX_BYTES = 32 << 20;
+
+  private final SourceFiles files;
+  private final Map<String, Source> read = new ConcurrentHashMap<>();
+
+  /**
+   * Files on the disk.
+   *
+   * @param files remembers what is read, so that no report is written onto it
+   */
+  TestFilesOnDisk(SourceFiles files) {
+    this.files = files;
+  }
+
+  @Override
+  public byte[] read(String name) throws IOException {
+    Source known = read.get(name);
+    if (known != null) {
+      return known.bytes();
+    }
+    byte[] bytes = fromDisk(name);
+    read.put(name, Source.of(name, bytes));
+    return bytes;
+  }
+
+  private byte[] fromDisk(String name) throws IOException {
+    Path path;
+    synchronized (files) {
+      try {
+        path = files.path("a file of the tests", name);
+      } catch (UsageException e) {
+        throw new IOException(e.getMessage(), e);
+      }
+    }
+    try (InputStream in = Files.newInputStream(path)) {
+      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+      if (bytes.length > MAX_BYTES) {
+        throw new IOException("has more than " + MAX_BYTES + " bytes, no program is that large");
+      }
+      return bytes;
+    } catch (IOException e) {
+      throw e.getMessage() != null && e.getMessage().startsWith("has more")
+          ? e
+          : new IOException(FileTrouble.reason(e), e);
+    }
+  }
+
+  @Override
+  public ProgramsFolder folder(String name) {
+    return ProgramsFolder.of(name);
+  }
+
+  /** The text of a file that was read. */
+  Optional<Source> source(String name) {
+    return Optional.ofNullable(read.get(name));
+  }
+}
