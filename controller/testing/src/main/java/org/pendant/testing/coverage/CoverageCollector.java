@@ -37,6 +37,11 @@ public final class CoverageCollector {
     number(test);
   }
 
+  /** A program that is reported even if no test runs it. */
+  public synchronized void include(CoverageMap map, LineOrigin origin) {
+    placed.computeIfAbsent(map, _ -> place(map, origin));
+  }
+
   /**
    * What a run has reached.
    *

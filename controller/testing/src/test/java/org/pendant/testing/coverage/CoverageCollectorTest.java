@@ -69,6 +69,13 @@ class CoverageCollectorTest {
   }
 
   @Test
+  void aProgramThatNoTestRunsIsReportedAsMissing() {
+    collector.include(SampleCoverage.map("two.script", TWO), LineOrigin.file("two.script"));
+    assertEquals("2-4", file("two.script").missing());
+    assertEquals(List.of(), collector.report().tests());
+  }
+
+  @Test
   void severalRunsOfOneTestCountAsOneTest() {
     CoverageMap map = SampleCoverage.map("two.script", TWO);
     collector.add("a", SampleCoverage.run(map, "2", "3", "3F"), LineOrigin.file("two.script"));
