@@ -173,6 +173,11 @@ public final class Controller implements Robot, Drive {
     return machine.companion().ending();
   }
 
+  /** What the program beside the primary one has reached; empty of one without coverage. */
+  public Optional<Coverage> companionCoverage() {
+    return machine.companion().coverage();
+  }
+
   @Override
   public void noteCommandsIn(CommandJournal journal) {
     commandQueue.noteIn(journal);

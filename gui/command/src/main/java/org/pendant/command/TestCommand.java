@@ -7,6 +7,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.pendant.testing.SuiteResult;
+import org.pendant.testing.coverage.CoverageCollector;
+import org.pendant.testing.coverage.CoverageReport;
+import org.pendant.testing.coverage.report.CoverageTable;
 import org.pendant.testing.report.ConsoleReport;
 import org.pendant.testing.report.ConsoleStyle;
 import org.pendant.testing.report.ConsoleStyle.Detail;
@@ -67,7 +70,12 @@ final class TestCommand implements Subcommand {
     List<String> files = files(arguments);
     TestFilesOnDisk disk = new TestFilesOnDisk(arguments.files());
     ConsoleReport report = new ConsoleReport(style(arguments), disk::source, console::printPiece);
-    TestRunner runner = new TestRunner(disk, options.settings(), options::wants, report::finished);
+    Optional<CoverageCollector> coverage =
+        TestReports.wantCoverage(arguments)
+            ? Optional.of(new CoverageCollector())
+            : Optional.empty();
+    TestRunner runner =
+        new TestRunner(disk, options.settings(), options::wants, report::finished, coverage);
     TestPlan plan = runner.plan(files).shard(options.shardNumber(), options.shardCount());
     var _ = TestReports.of(arguments, disk);
     if (arguments.has(LIST)) {
@@ -82,7 +90,16 @@ final class TestCommand implements Subcommand {
     }
     console.flush();
     // again: by now it is known which programs the tests have read
-    TestReports.of(arguments, disk).write(result);
+    TestReports reports = TestReports.of(arguments, disk);
+    reports.write(result);
+    if (coverage.isPresent()) {
+      CoverageReport reached = coverage.get().report();
+      reports.write(reached);
+      if (arguments.has(TestReports.COVERAGE)) {
+        console.print("");
+        CoverageTable.of(reached).lines().forEach(console::print);
+      }
+    }
     return code(result);
   }
 
@@ -134,7 +151,10 @@ final class TestCommand implements Subcommand {
 
   private static ConsoleStyle style(Arguments arguments) throws UsageException {
     Set<Feature> features = EnumSet.of(Feature.WALL_TIME);
-    boolean terminal = System.console().isTerminal() && System.getenv("CI") == null;
+    // there is none where output does not go to a terminal, whatever its documentation promises
+    boolean terminal =
+        Optional.ofNullable(System.console()).filter(each -> each.isTerminal()).isPresent()
+            && System.getenv("CI") == null;
     String colour = arguments.word(COLOR).orElseThrow();
     if (terminal) {
       features.add(Feature.TERMINAL);

@@ -9,8 +9,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
+import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.testing.SuiteResult;
+import org.pendant.testing.coverage.CoverageReport;
+import org.pendant.testing.coverage.report.CoberturaCoverage;
+import org.pendant.testing.coverage.report.HtmlCoverage;
+import org.pendant.testing.coverage.report.LcovCoverage;
 import org.pendant.testing.report.HtmlReport;
 import org.pendant.testing.report.JunitReport;
 import org.pendant.testing.report.TapReport;
@@ -22,11 +28,17 @@ import org.pendant.testing.report.TapReport;
  * @param junit the JUnit XML file
  * @param tap the TAP file
  * @param html the folder of the HTML report
+ * @param lcov the file of coverage for lcov
+ * @param cobertura the Cobertura XML file
+ * @param coverageHtml the folder of the pages about coverage
  */
 record TestReports(
     Optional<OutputFile> junit,
     Optional<OutputFile> tap,
     Optional<Path> html,
+    Optional<OutputFile> lcov,
+    Optional<OutputFile> cobertura,
+    Optional<Path> coverageHtml,
     TestFilesOnDisk files) {
   private static final int HEAD_BYTES = 512;
 
@@ -39,18 +51,36 @@ record TestReports(
   static final Option TAP =
       Option.output("--tap", "FILE", "write TAP version 14")
           .documented("tests.tap", "write TAP version 14; replaces an earlier report");
+  static final Option COVERAGE =
+      Option.flag("--coverage", "print what the tests reach of the programs")
+          .documented(
+              "print what the tests reach of each program: statements, branches, conditions,"
+                  + " functions, and the lines that are missing, see [coverage.md](coverage.md)");
+  static final Option LCOV =
+      Option.output("--lcov", "FILE", "write coverage for lcov")
+          .documented("coverage.info", "write coverage as lcov and many editors read it");
+  static final Option COBERTURA =
+      Option.output("--cobertura", "FILE", "write coverage as Cobertura XML")
+          .documented("coverage.xml", "write coverage as Cobertura XML, which CI systems read");
+  static final Option COVERAGE_HTML =
+      Option.text("--coverage-html", "FOLDER", "write coverage as pages into a folder")
+          .documented("coverage", "write coverage as pages for people into this folder");
   static final Option HTML =
       Option.text("--html", "FOLDER", "write pages for people into a folder")
           .documented("report", "write pages for people into this folder, which is made");
 
   /** All of them. */
-  static final List<Option> ALL = List.of(JUNIT, TAP, HTML, OutputFile.FORCE);
+  static final List<Option> ALL =
+      List.of(JUNIT, TAP, HTML, COVERAGE, LCOV, COBERTURA, COVERAGE_HTML, OutputFile.FORCE);
 
   static TestReports of(Arguments arguments, TestFilesOnDisk files) throws UsageException {
     return new TestReports(
         file(JUNIT, "<testsuites", arguments),
         file(TAP, "TAP version", arguments),
-        html(arguments),
+        folder(HTML, arguments),
+        file(LCOV, "SF:", arguments),
+        file(COBERTURA, "<coverage", arguments),
+        folder(COVERAGE_HTML, arguments),
         files);
   }
 
@@ -75,15 +105,16 @@ record TestReports(
     }
   }
 
-  private static Optional<Path> html(Arguments arguments) throws UsageException {
-    Optional<String> name = arguments.value(HTML);
+  private static Optional<Path> folder(Option option, Arguments arguments) throws UsageException {
+    Optional<String> name = arguments.value(option);
     if (name.isEmpty()) {
       return Optional.empty();
     }
     try {
       Path folder = Path.of(name.get());
       if (Files.exists(folder) && !Files.isDirectory(folder)) {
-        throw new UsageException("--html " + name.get() + " is a file, expected a folder");
+        throw new UsageException(
+            option.name() + " " + name.get() + " is a file, expected a folder");
       }
       return Optional.of(folder);
     } catch (InvalidPathException e) {
@@ -104,6 +135,35 @@ record TestReports(
         new HtmlReport(result, files::source, Map.of()).write(html.get());
       } catch (IOException e) {
         throw new UsageException(html.get() + ": cannot be written, " + FileTrouble.reason(e));
+      }
+    }
+  }
+
+  /** Whether anything is asked for about coverage. */
+  static boolean wantCoverage(Arguments arguments) {
+    return Stream.of(COVERAGE, LCOV, COBERTURA, COVERAGE_HTML).anyMatch(arguments::has);
+  }
+
+  /** Writes the files about coverage that are asked for. */
+  void write(CoverageReport coverage) throws UsageException {
+    if (lcov.isPresent()) {
+      String text = LcovCoverage.of(coverage);
+      lcov.get().write(out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+    if (cobertura.isPresent()) {
+      String text = CoberturaCoverage.of(coverage);
+      cobertura.get().write(out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+    if (coverageHtml.isPresent()) {
+      try {
+        for (Map.Entry<String, String> page : HtmlCoverage.of(coverage).entrySet()) {
+          AtomicFile.write(
+              coverageHtml.get().resolve(page.getKey()),
+              page.getValue().getBytes(StandardCharsets.UTF_8));
+        }
+      } catch (IOException e) {
+        throw new UsageException(
+            coverageHtml.get() + ": cannot be written, " + FileTrouble.reason(e));
       }
     }
   }

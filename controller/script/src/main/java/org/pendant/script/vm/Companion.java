@@ -1,6 +1,7 @@
 package org.pendant.script.vm;
 
 import java.util.Optional;
+import org.pendant.script.coverage.Coverage;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Host;
 import org.pendant.script.function.Outcome;
@@ -94,6 +95,11 @@ public final class Companion {
   /** How it ended; empty while it runs, and before the first. */
   public Optional<Ending> ending() {
     return ending;
+  }
+
+  /** What it has reached so far; empty before the first, and of one without coverage. */
+  public Optional<Coverage> coverage() {
+    return run.flatMap(ProgramRun::coverage);
   }
 
   /** What it is at while it runs its part of a frame; empty at any other time. */

@@ -20,6 +20,8 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramLoader;
+import org.pendant.testing.coverage.LineOrigin;
+import org.pendant.testing.coverage.TreeOrigin;
 import org.pendant.testing.source.MockedFunctions;
 import org.pendant.testing.source.TestFile;
 import org.pendant.testing.source.TestSources;
@@ -39,6 +41,7 @@ final class TestPrograms implements TestedPrograms {
   private final TestSources files;
   private final Builtins<ControlBox> ofPrograms;
   private final Builtins<ControlBox> ofTests;
+  private final boolean covered;
   private final Map<String, Loaded> loaded = new ConcurrentHashMap<>();
 
   /**
@@ -46,16 +49,19 @@ final class TestPrograms implements TestedPrograms {
    *
    * @param ofPrograms what programs may call
    * @param ofTests what tests may call
+   * @param covered whether runs of them mark what they reach
    */
   TestPrograms(
       TestFile file,
       TestSources files,
       Builtins<ControlBox> ofPrograms,
-      Builtins<ControlBox> ofTests) {
+      Builtins<ControlBox> ofTests,
+      boolean covered) {
     this.file = file;
     this.files = files;
     this.ofPrograms = ofPrograms;
     this.ofTests = ofTests;
+    this.covered = covered;
   }
 
   @Override
@@ -85,6 +91,18 @@ final class TestPrograms implements TestedPrograms {
     Set<String> all = new HashSet<>();
     loaded.values().forEach(each -> all.addAll(each.functions()));
     return all;
+  }
+
+  /** Where the lines of a program that was loaded here come from. */
+  LineOrigin origin(Source source) {
+    return loaded.entrySet().stream()
+        .filter(
+            each ->
+                each.getValue().program().filter(one -> one.source().equals(source)).isPresent())
+        .findFirst()
+        .flatMap(each -> each.getValue().tree())
+        .<LineOrigin>map(tree -> TreeOrigin.of(tree, tree.script()))
+        .orElse(LineOrigin.file(source.name()));
   }
 
   /** Which node of a tree a line of its script belongs to, as the beginning of a message. */
@@ -118,7 +136,10 @@ final class TestPrograms implements TestedPrograms {
   }
 
   private Loaded compiled(Source source, Optional<TreeFile> tree) {
-    LoadResult plain = ProgramLoader.load(source, ofPrograms);
+    LoadResult plain =
+        covered
+            ? ProgramLoader.loadCovered(source, ofPrograms)
+            : ProgramLoader.load(source, ofPrograms);
     if (plain.program().isEmpty()) {
       Diagnostic first =
           plain.diagnostics().stream().filter(Diagnostic::isError).findFirst().orElseThrow();
@@ -135,7 +156,7 @@ final class TestPrograms implements TestedPrograms {
     LoadResult result =
         file.mocked().isEmpty()
             ? plain
-            : ProgramLoader.load(source, mocked::into, mocked.builtins(ofTests), false);
+            : ProgramLoader.load(source, mocked::into, mocked.builtins(ofTests), covered);
     return new Loaded(result.program(), "", mocked.found(), tree);
   }
 

@@ -19,6 +19,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 import org.pendant.testing.TestResult;
+import org.pendant.testing.coverage.CoverageCollector;
 import org.pendant.testing.source.TestCase;
 import org.pendant.testing.source.TestFile;
 
@@ -37,6 +38,7 @@ final class TestRun {
   private final TestCase test;
   private final TestPrograms programs;
   private final TestSettings settings;
+  private final Optional<CoverageCollector> coverage;
   private final Controller controller;
   private final TestBench bench;
   private final TestOperator operator;
@@ -50,11 +52,13 @@ final class TestRun {
       TestCase test,
       TestPrograms programs,
       Builtins<ControlBox> builtins,
-      TestSettings settings) {
+      TestSettings settings,
+      Optional<CoverageCollector> coverage) {
     this.file = file;
     this.test = test;
     this.programs = programs;
     this.settings = settings;
+    this.coverage = coverage;
     ControllerOptions options = settings.controller().withOperator(Operator.present());
     controller = new Controller(options, builtins);
     bench = new TestBench(test.number(), programs, controller::globals);
@@ -106,18 +110,41 @@ final class TestRun {
     }
   }
 
+  private void start(Program program) {
+    takeCoverage();
+    post(new ProgramCommand.StartProgram(program, Optional.of(programs.folder(program))));
+  }
+
+  /** What the last program has reached, before another one takes its place. */
+  private void takeCoverage() {
+    if (coverage.isPresent() && test.watches()) {
+      controller
+          .coverage()
+          .ifPresent(
+              reached ->
+                  coverage.get().add(name(), reached, programs.origin(reached.map().source())));
+    }
+  }
+
+  /** What the test itself has reached of what it imports. */
+  private void takeOwnCoverage() {
+    if (coverage.isPresent()) {
+      coverage.get().add(name());
+      (test.watches() ? controller.companionCoverage() : controller.coverage())
+          .ifPresent(reached -> coverage.get().add(name(), reached, file.composition()::imported));
+    }
+  }
+
+  private String name() {
+    return test.id().file() + ":" + test.id().name();
+  }
+
   private void post(Command command) {
     replies.add(controller.submit(command));
   }
 
   private ControllerState step() {
-    bench
-        .takeStart()
-        .ifPresent(
-            program ->
-                post(
-                    new ProgramCommand.StartProgram(
-                        program, Optional.of(programs.folder(program)))));
+    bench.takeStart().ifPresent(this::start);
     bench.takeCommands().forEach(this::post);
     controller.advance();
     ControllerState state = controller.state();
@@ -170,6 +197,8 @@ final class TestRun {
   }
 
   private TestResult result(TestOutcome outcome, ControllerState state, long beganNs) {
+    takeCoverage();
+    takeOwnCoverage();
     return new TestResult(
         test.id(),
         test.place(),

@@ -20,6 +20,7 @@ import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
 import org.pendant.testing.builtin.TestBuiltins;
+import org.pendant.testing.coverage.CoverageCollector;
 import org.pendant.testing.run.TestPlan.Chosen;
 import org.pendant.testing.source.TestCase;
 import org.pendant.testing.source.TestFile;
@@ -35,6 +36,7 @@ public final class TestRunner {
   private final TestSettings settings;
   private final Predicate<TestCase> wanted;
   private final TestListener listener;
+  private final Optional<CoverageCollector> coverage;
   private final Builtins<ControlBox> ofPrograms = StandardBuiltins.create();
   private final Builtins<ControlBox> ofTests = TestBuiltins.create();
   private final AtomicBoolean cancelled = new AtomicBoolean();
@@ -45,13 +47,19 @@ public final class TestRunner {
    * @param files that tests are in
    * @param wanted which of the tests are run
    * @param listener is told what has come of each, by any thread but by one at a time
+   * @param coverage takes what tests reach of programs; empty where nobody asks for it
    */
   public TestRunner(
-      TestSources files, TestSettings settings, Predicate<TestCase> wanted, TestListener listener) {
+      TestSources files,
+      TestSettings settings,
+      Predicate<TestCase> wanted,
+      TestListener listener,
+      Optional<CoverageCollector> coverage) {
     this.files = files;
     this.settings = settings;
     this.wanted = wanted;
     this.listener = listener;
+    this.coverage = coverage;
   }
 
   /** Is told about tests while they run. */
@@ -72,13 +80,14 @@ public final class TestRunner {
    * @param names of the files, in the order of the report
    */
   public TestPlan plan(List<String> names) {
-    TestFileReader reader = new TestFileReader(files, ofTests);
+    TestFileReader reader = new TestFileReader(files, ofTests, coverage.isPresent());
     List<Chosen> chosen = new ArrayList<>();
     List<BrokenTestFile> broken = new ArrayList<>();
     for (String name : names) {
       try {
         TestFile file = reader.read(name);
-        TestPrograms programs = new TestPrograms(file, files, ofPrograms, ofTests);
+        TestPrograms programs =
+            new TestPrograms(file, files, ofPrograms, ofTests, coverage.isPresent());
         for (TestCase each : file.tests()) {
           if (wanted.test(each)) {
             chosen.add(new Chosen(file, programs, each));
@@ -152,7 +161,7 @@ public final class TestRunner {
       return result(test, TestOutcome.skipped(test.skip().get()));
     }
     try {
-      return new TestRun(one.file(), test, one.programs(), ofTests, settings).run();
+      return new TestRun(one.file(), test, one.programs(), ofTests, settings, coverage).run();
     } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
       // our own mistake, or a test that takes all memory: the other tests still count
       return result(

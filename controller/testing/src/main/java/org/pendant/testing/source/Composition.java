@@ -3,9 +3,11 @@ package org.pendant.testing.source;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 import org.pendant.testing.TestPlace;
+import org.pendant.testing.coverage.LineOrigin;
 
 /**
  * Composition of one text from several: the test file, the files whose functions it uses, and lines
@@ -87,6 +89,14 @@ public final class Composition {
       }
       case Part.Made made -> made.place();
     };
+  }
+
+  /** The line of an imported file that a line is; empty for those of tests, and for made ones. */
+  public Optional<LineOrigin.Place> imported(int line) {
+    int which = last(line, false);
+    return which > 0 && parts.get(which) instanceof Part.Whole whole
+        ? Optional.of(new LineOrigin.Place(whole.source().name(), line - whole.line() + 1))
+        : Optional.empty();
   }
 
   /** The place of a line, 1-based. */

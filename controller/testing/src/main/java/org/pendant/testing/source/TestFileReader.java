@@ -42,15 +42,18 @@ public final class TestFileReader {
 
   private final TestSources files;
   private final Builtins<ControlBox> builtins;
+  private final boolean covered;
 
   /**
    * A reader.
    *
    * @param builtins those of {@link TestBuiltins}
+   * @param covered whether tests mark what they reach of the scripts that they import
    */
-  public TestFileReader(TestSources files, Builtins<ControlBox> builtins) {
+  public TestFileReader(TestSources files, Builtins<ControlBox> builtins, boolean covered) {
     this.files = files;
     this.builtins = builtins;
+    this.covered = covered;
   }
 
   /** A file of which no test can run, and why. */
@@ -115,7 +118,7 @@ public final class TestFileReader {
                 return Definitions.mockable(whole, mocked);
               },
               TestBuiltins.mockable(builtins, mocked),
-              false);
+              covered);
       report(loaded.diagnostics());
       stopIfBroken();
       return new TestFile(

@@ -1,6 +1,8 @@
 package org.pendant.testing.source;
 
 import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import org.pendant.controller.file.ProgramsFolder;
 
 /** Files that tests are in, and those that they name. */
@@ -31,6 +33,25 @@ public interface TestSources {
    */
   static String beside(String base, String name) {
     int slash = base.lastIndexOf('/');
-    return name.startsWith("/") || slash < 0 ? name : base.substring(0, slash + 1) + name;
+    return name.startsWith("/") || slash < 0
+        ? name
+        : withoutDetours(base.substring(0, slash + 1) + name);
+  }
+
+  /** The same name without {@code x/..} in it, so that a file has one name however it is named. */
+  private static String withoutDetours(String name) {
+    Deque<String> parts = new ArrayDeque<>();
+    for (int from = 0; from <= name.length(); ) {
+      int to = name.indexOf('/', from);
+      String part = name.substring(from, to < 0 ? name.length() : to);
+      boolean back = part.equals("..") && !parts.isEmpty();
+      if (back && !parts.getLast().equals("..") && !parts.getLast().isEmpty()) {
+        parts.removeLast();
+      } else if (!part.equals(".")) {
+        parts.add(part);
+      }
+      from = to < 0 ? name.length() + 1 : to + 1;
+    }
+    return String.join("/", parts);
   }
 }

@@ -6,15 +6,19 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestResult;
+import org.pendant.testing.coverage.CoverageCollector;
+import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.source.TestSources;
 
 /** A suite of tests in memory. */
 final class Suite {
   private final Map<String, String> files = new HashMap<>();
+  private Optional<CoverageCollector> coverage = Optional.empty();
   private TestSettings settings =
       new TestSettings(
           ControllerOptions.headless().withArm(ArmChoice.IDEAL),
@@ -41,6 +45,14 @@ final class Suite {
     return this;
   }
 
+  /** What its tests reach of programs. */
+  CoverageReport coverage() {
+    CoverageCollector collector = new CoverageCollector();
+    coverage = Optional.of(collector);
+    run();
+    return collector.report();
+  }
+
   /** The settings that it has. */
   TestSettings settings() {
     return settings;
@@ -55,7 +67,7 @@ final class Suite {
           }
           return text.getBytes(StandardCharsets.UTF_8);
         };
-    return new TestRunner(source, settings, test -> true, result -> {});
+    return new TestRunner(source, settings, test -> true, result -> {}, coverage);
   }
 
   private List<String> names() {

@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
+import org.pendant.testing.coverage.CoverageReport;
+import org.pendant.testing.coverage.Share;
 
 class SuiteTest {
   private static Suite ofMany(int count) {
@@ -171,5 +173,44 @@ class SuiteTest {
 
     assertEquals(TestStatus.PASSED, result.results().getFirst().status());
     assertEquals(TestStatus.FAILED, result.results().getLast().status());
+  }
+
+  @Test
+  void coverageCountsAFileOnceWhetherItIsImportedOrStarted() {
+    CoverageReport report =
+        Suite.of(
+                "import_script(\"../lib/pick.script\")",
+                "def test_height():",
+                "  assert_near(height_of(3), 0.15)",
+                "end",
+                "def test_runs():",
+                "  start(\"../lib/pick.script\")",
+                "  wait_for_end()",
+                "end")
+            .with(
+                "lib/pick.script",
+                "def pick():",
+                "  part = 0.05",
+                "  def height_of(n):",
+                "    return n * part",
+                "  end",
+                "  def unused():",
+                "    return 1",
+                "  end",
+                "  if get_standard_digital_in(0):",
+                "    sync()",
+                "  end",
+                "  sleep(0.1)",
+                "end")
+            .coverage();
+
+    assertEquals(List.of("lib/pick.script"), report.files().stream().map(f -> f.file()).toList());
+    assertEquals("7, 10", report.files().getFirst().missing());
+    assertEquals("2/3", shown(report.calledFunctions()));
+    assertEquals("1/2", shown(report.branchWays()));
+  }
+
+  private static String shown(Share share) {
+    return share.reached() + "/" + share.total();
   }
 }
