@@ -37,6 +37,7 @@ public final class Pendant {
             new ConvertCommand(),
             new RenderCommand(services),
             new ServeCommand(),
+            new RpcCommand(System.in),
             new RecordCommand(),
             new CompareCommand(),
             new FitCommand(),

@@ -176,6 +176,9 @@ record RunOptions(
   static final List<Option> OF_TESTS =
       without(OF_CONTROLLER, SEED, HostsOption.OPTION, ControlOption.OPTION);
 
+  /** What says what a robot is that other programs drive. */
+  static final List<Option> OF_ROBOT = without(OF_PROGRAM, TIMEOUT, WallLimit.OPTION);
+
   private static List<Option> without(List<Option> options, Option... others) {
     return options.stream().filter(each -> !List.of(others).contains(each)).toList();
   }

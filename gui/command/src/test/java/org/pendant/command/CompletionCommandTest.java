@@ -43,7 +43,7 @@ final class CompletionCommandTest {
 
   @Test
   void bashOffersCommandsOptionsAndTheWordsOfAnOption() throws Exception {
-    assertEquals(List.of("run", "render", "record", "robots"), bash("r"));
+    assertEquals(List.of("run", "render", "rpc", "record", "robots"), bash("r"));
     assertEquals(
         List.of("--seed", "--scene", "--safety", "--start-ramp"),
         bash("run", "a.script", "--s").stream().filter(each -> !each.equals("--speed")).toList());
