@@ -1,0 +1,45 @@
+"""The plugin of pytest, in a run of its own."""
+
+from __future__ import annotations
+
+
+def test_fixtures_give_robots_and_failures_tell_of_them(pytester, plugin_arguments):
+    pytester.makepyfile(
+        """
+        import pytest
+
+        @pytest.mark.robot(model="ur3e", arm="ideal")
+        def test_marked(robot):
+            robot.advance(0.2)
+            assert robot.state.time_s == 0.2
+
+        @pytest.mark.robot("ur10e", arm="ideal")
+        class TestOfClass:
+            @pytest.mark.robot(seed=3)
+            def test_fresh(self, robot):
+                assert robot.state.time_s == 0
+
+        def test_two(robot_factory):
+            one, other = robot_factory("ur5e"), robot_factory("ur5e")
+            one.advance(frames=1)
+            assert (one.state.frame, other.state.frame) == (1, 0)
+
+        def test_fails(robot):
+            robot.load("a.script", 'def a():\\n textmsg("said")\\n set_standard_digital_out(2, True)\\nend')
+            robot.start()
+            robot.run_until_end()
+            assert robot.state["digital_out[1]"]
+        """
+    )
+    result = pytester.runpytest_inprocess("--strict-markers", *plugin_arguments)
+    result.assert_outcomes(passed=3, failed=1)
+    result.stdout.fnmatch_lines(
+        [
+            "*- Pendant robot -*",
+            "time 0.002 s, frame 1",
+            "program a: stopped, line 0",
+            "ended: finished",
+            "high: digital_out*2*",
+            "*info*said",
+        ]
+    )
