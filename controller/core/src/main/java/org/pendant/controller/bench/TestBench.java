@@ -24,6 +24,7 @@ public final class TestBench {
   private final Mocks mocks = new Mocks();
   private final Expected expected = new Expected();
   private final PreparedAnswers answers = new PreparedAnswers();
+  private final Peers peers = new Peers();
   private final List<OutputFollower> followers = new ArrayList<>();
   private List<Command> commands = new ArrayList<>();
   private Optional<Program> toStart = Optional.empty();
@@ -65,6 +66,11 @@ public final class TestBench {
   /** What the operator says. */
   public PreparedAnswers answers() {
     return answers;
+  }
+
+  /** Whom programs reach by sockets. */
+  public Peers peers() {
+    return peers;
   }
 
   /** The wires from outputs to inputs. */

@@ -32,6 +32,7 @@ public final class TestBuiltins {
     StopBuiltins.declareIn(builtins);
     OperatorTestBuiltins.declareIn(builtins);
     MockBuiltins.declareIn(builtins);
+    PeerBuiltins.declareIn(builtins);
     return builtins;
   }
 

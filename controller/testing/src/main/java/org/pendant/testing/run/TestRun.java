@@ -3,6 +3,7 @@ package org.pendant.testing.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -11,10 +12,12 @@ import org.pendant.controller.bench.TestBench;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
+import org.pendant.controller.external.Connectors;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Builtins;
+import org.pendant.script.value.Value;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
@@ -59,12 +62,20 @@ final class TestRun {
     this.programs = programs;
     this.settings = settings;
     this.coverage = coverage;
-    ControllerOptions options = settings.controller().withOperator(Operator.present());
+    bench = new TestBench(test.number(), programs, this::globals);
+    ControllerOptions options =
+        settings
+            .controller()
+            .withOperator(Operator.present())
+            .withOutside(new Connectors(bench.peers(), Connectors.NONE.rpc()));
     controller = new Controller(options, builtins);
-    bench = new TestBench(test.number(), programs, controller::globals);
     controller.attach(bench);
     operator = new TestOperator(bench.answers(), test.watches());
     wires = new Wires(bench.followers());
+  }
+
+  private SortedMap<String, Value> globals() {
+    return controller.globals();
   }
 
   /** Runs it. */
@@ -148,6 +159,7 @@ final class TestRun {
     bench.takeCommands().forEach(this::post);
     controller.advance();
     ControllerState state = controller.state();
+    bench.peers().step(state.frame());
     output.take(state);
     wires.step(state, this::post);
     loss = operator.look(state, this::post);
