@@ -19,6 +19,7 @@ import org.pendant.script.vm.ProgramState;
  */
 public final class TestBench {
   private final int testNumber;
+  private final Choices choices;
   private final TestedPrograms programs;
   private final Supplier<SortedMap<String, Value>> globals;
   private final Mocks mocks = new Mocks();
@@ -38,12 +39,17 @@ public final class TestBench {
    * A bench for one test.
    *
    * @param testNumber which of the tests of its file runs
+   * @param choices what is random in the test
    * @param programs finds what the test starts
    * @param globals the global variables of the program under test
    */
   public TestBench(
-      int testNumber, TestedPrograms programs, Supplier<SortedMap<String, Value>> globals) {
+      int testNumber,
+      Choices choices,
+      TestedPrograms programs,
+      Supplier<SortedMap<String, Value>> globals) {
     this.testNumber = testNumber;
+    this.choices = choices;
     this.programs = programs;
     this.globals = globals;
   }
@@ -51,6 +57,11 @@ public final class TestBench {
   /** Which of the tests of its file runs. */
   public int testNumber() {
     return testNumber;
+  }
+
+  /** What is random in the test. */
+  public Choices choices() {
+    return choices;
   }
 
   /** The functions that are replaced. */

@@ -8,5 +8,8 @@ public final class AssertionCodes {
   /** The test does not want to be run. */
   public static final String SKIPPED = "test-skipped";
 
+  /** This run of a test does not count. */
+  public static final String DROPPED = "run-dropped";
+
   private AssertionCodes() {}
 }

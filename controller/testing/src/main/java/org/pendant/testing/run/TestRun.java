@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.bench.Choices;
 import org.pendant.controller.bench.TestBench;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.command.Command;
@@ -56,13 +57,14 @@ final class TestRun {
       TestPrograms programs,
       Builtins<ControlBox> builtins,
       TestSettings settings,
-      Optional<CoverageCollector> coverage) {
+      Optional<CoverageCollector> coverage,
+      Choices choices) {
     this.file = file;
     this.test = test;
     this.programs = programs;
     this.settings = settings;
     this.coverage = coverage;
-    bench = new TestBench(test.number(), programs, this::globals);
+    bench = new TestBench(test.number(), choices, programs, this::globals);
     ControllerOptions options =
         settings
             .controller()
@@ -123,6 +125,11 @@ final class TestRun {
 
   private void start(Program program) {
     takeCoverage();
+    coverage.ifPresent(
+        all ->
+            program
+                .coverageMap()
+                .ifPresent(map -> all.include(map, programs.origin(map.source()))));
     post(new ProgramCommand.StartProgram(program, Optional.of(programs.folder(program))));
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Random;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -11,6 +12,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.function.Predicate;
+import org.pendant.controller.bench.Choices;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.script.function.Builtins;
@@ -161,7 +163,10 @@ public final class TestRunner {
       return result(test, TestOutcome.skipped(test.skip().get()));
     }
     try {
-      return new TestRun(one.file(), test, one.programs(), ofTests, settings, coverage).run();
+      return test.property().isPresent()
+          ? new PropertyRun(test, test.property().get(), settings, choices -> run(one, choices))
+              .run()
+          : run(one, new Choices(List.of(), OptionalLong.of(seed(test))));
     } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
       // our own mistake, or a test that takes all memory: the other tests still count
       return result(
@@ -171,6 +176,16 @@ public final class TestRunner {
               new TestFailure(
                   "internal-error", "internal error: " + e, Optional.of(test.place()), List.of())));
     }
+  }
+
+  private TestResult run(Chosen one, Choices choices) {
+    return new TestRun(one.file(), one.test(), one.programs(), ofTests, settings, coverage, choices)
+        .run();
+  }
+
+  /** Another one for each test, the same in whatever order they run. */
+  private long seed(TestCase test) {
+    return settings.seed() * 31 + test.id().hashCode();
   }
 
   private static TestResult result(TestCase test, TestOutcome outcome) {

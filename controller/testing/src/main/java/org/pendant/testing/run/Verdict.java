@@ -43,7 +43,7 @@ final class Verdict {
   }
 
   private TestOutcome failed(ScriptFailure why) {
-    if (why.code().equals(AssertionCodes.SKIPPED)) {
+    if (why.code().equals(AssertionCodes.SKIPPED) || why.code().equals(AssertionCodes.DROPPED)) {
       return TestOutcome.skipped(ByteText.decoded(why.message()));
     }
     Optional<String> wanted = bench.expected().failure();

@@ -1,5 +1,6 @@
 package org.pendant.testing.source;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedSet;
@@ -15,6 +16,7 @@ import org.pendant.testing.TestPlace;
  * @param tags what it is marked with, sorted
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take, where it says so itself
+ * @param property how it is run with many values; empty for a test that runs once
  * @param watches whether it starts programs, and so runs beside them; else it is the program
  */
 public record TestCase(
@@ -24,4 +26,18 @@ public record TestCase(
     SortedSet<String> tags,
     Optional<String> skip,
     OptionalDouble timeoutS,
-    boolean watches) {}
+    Optional<Property> property,
+    boolean watches) {
+
+  /**
+   * A test that is run with many values.
+   *
+   * @param runs how often, 1 or more
+   * @param examples choices of runs that come first, as a report has named them
+   */
+  public record Property(int runs, List<List<Double>> examples) {
+    public Property {
+      examples = List.copyOf(examples);
+    }
+  }
+}

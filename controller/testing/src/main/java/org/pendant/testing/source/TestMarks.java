@@ -16,15 +16,20 @@ import org.pendant.language.source.SourceRange;
 /**
  * Test marks: what stands in the comment lines right above a test, each in a line of its own:
  * {@code # @tag slow}, {@code # @skip REASON}, {@code # @timeout SECONDS}, {@code # @case
- * ARGUMENTS}.
+ * ARGUMENTS}, {@code # @given RUNS}, {@code # @example CHOICES}.
  *
  * @param tags sorted
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take
  * @param cases the arguments of each case, in order
+ * @param property how it is run with many values
  */
 record TestMarks(
-    SortedSet<String> tags, Optional<String> skip, OptionalDouble timeoutS, List<Case> cases) {
+    SortedSet<String> tags,
+    Optional<String> skip,
+    OptionalDouble timeoutS,
+    List<Case> cases,
+    Optional<TestCase.Property> property) {
   TestMarks {
     tags = Collections.unmodifiableSortedSet(tags);
     cases = List.copyOf(cases);
@@ -53,11 +58,13 @@ record TestMarks(
     for (int each = first; each < line; each++) {
       reading.line(each);
     }
-    return new TestMarks(reading.tags, reading.skip, reading.timeoutS, reading.cases);
+    return new TestMarks(
+        reading.tags, reading.skip, reading.timeoutS, reading.cases, reading.property());
   }
 
   /** Marks as far as they are read. */
   private static final class Reading {
+    private static final Pattern RUNS = Pattern.compile("[1-9]\\d{0,5}");
     private static final Pattern TAG = Pattern.compile("[^,\\s]+");
 
     private final Source source;
@@ -66,6 +73,8 @@ record TestMarks(
     private final List<Case> cases = new ArrayList<>();
     private Optional<String> skip = Optional.empty();
     private OptionalDouble timeoutS = OptionalDouble.empty();
+    private final List<List<Double>> examples = new ArrayList<>();
+    private int runs;
 
     Reading(Source source, List<Diagnostic> problems) {
       this.source = source;
@@ -92,12 +101,17 @@ record TestMarks(
         case "skip" -> skip = Optional.of(rest.isEmpty() ? "no reason given" : rest);
         case "timeout" -> timeout(rest, range);
         case "case" -> cases.add(new Case(rest, range));
+        case "given" -> given(rest, range);
+        case "example" -> example(rest, range);
         default ->
             problems.add(
                 Diagnostic.error(
                     "unknown-mark",
                     range,
-                    "@" + word + " is no mark of a test; there are @tag, @skip, @timeout and @case",
+                    "@"
+                        + word
+                        + " is no mark of a test; there are @tag, @skip, @timeout, @case,"
+                        + " @given and @example",
                     ""));
       }
     }
@@ -109,6 +123,52 @@ record TestMarks(
       }
       if (tags.isEmpty()) {
         problems.add(Diagnostic.error("empty-mark", range, "@tag names no tag", ""));
+      }
+    }
+
+    private Optional<TestCase.Property> property() {
+      return runs == 0 && examples.isEmpty()
+          ? Optional.empty()
+          : Optional.of(new TestCase.Property(Math.max(runs, examples.size()), examples));
+    }
+
+    private void given(String rest, SourceRange range) {
+      if (RUNS.matcher(rest).matches()) {
+        runs = Integer.parseInt(rest);
+      } else {
+        problems.add(
+            Diagnostic.error(
+                "wrong-mark",
+                range,
+                "@given is '" + rest + "', must be how often the test is run, 1 to 999999",
+                ""));
+      }
+    }
+
+    private void example(String rest, SourceRange range) {
+      List<Double> choices = new ArrayList<>();
+      Matcher number = TAG.matcher(rest);
+      while (number.find()) {
+        choices.add(choice(number.group()));
+      }
+      if (choices.stream().allMatch(each -> each >= 0 && each < 1)) {
+        examples.add(choices);
+      } else {
+        problems.add(
+            Diagnostic.error(
+                "wrong-mark",
+                range,
+                "@example is '" + rest + "', must be numbers from 0 to below 1",
+                ""));
+      }
+    }
+
+    private static double choice(String text) {
+      try {
+        return Double.parseDouble(text);
+      } catch (NumberFormatException _) {
+        // outside of the range of choices, as everything else that is none
+        return -1;
       }
     }
 

@@ -79,6 +79,7 @@ final class TestNumbering {
             marks.tags(),
             marks.skip(),
             marks.timeoutS(),
+            marks.property(),
             watches));
     composition.add(
         (number == 0 ? "if " : "elif ") + ExpectationBuiltins.TEST_NUMBER + "() == " + number + ":",

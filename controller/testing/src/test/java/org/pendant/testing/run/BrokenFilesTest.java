@@ -48,7 +48,7 @@ class BrokenFilesTest {
     assertEquals(
         List.of(
             "cell/pick_test.script:1:3: error: @slow is no mark of a test; there are @tag, @skip,"
-                + " @timeout and @case"),
+                + " @timeout, @case, @given and @example"),
         Suite.of("# @slow", "def test_a():", "  sync()", "end").problems());
   }
 
