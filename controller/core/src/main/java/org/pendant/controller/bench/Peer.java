@@ -12,14 +12,14 @@ public final class Peer {
   /** Bytes from programs that are kept until the test takes them; older ones go. */
   private static final int MAX_KEPT = 1 << 20;
 
-  private final Peers peers;
+  private final TestPeers peers;
   private final int port;
   private final StringBuilder inbox = new StringBuilder();
   private final List<PeerSocket> sockets = new ArrayList<>();
   private boolean refuses;
   private long delayFrames;
 
-  Peer(Peers peers, int port) {
+  Peer(TestPeers peers, int port) {
     this.peers = peers;
     this.port = port;
   }

@@ -11,7 +11,15 @@ final class PeerSocket implements ExternalSocket {
   private static final int MAX_UNDER_WAY = 1 << 20;
 
   /** Bytes that arrive in a frame. */
-  private record Due(long frame, byte[] bytes) {}
+  private static final class Due {
+    private final long frame;
+    private final byte[] bytes;
+
+    Due(long frame, byte[] bytes) {
+      this.frame = frame;
+      this.bytes = bytes;
+    }
+  }
 
   private final Peer peer;
   private final ReceivedBytes received = new ReceivedBytes();
@@ -84,15 +92,15 @@ final class PeerSocket implements ExternalSocket {
 
   /** Moves what is due; as much as there is room for. */
   void step() {
-    while (!toPeer.isEmpty() && toPeer.peek().frame() <= peer.frame()) {
-      byte[] bytes = toPeer.poll().bytes();
+    while (!toPeer.isEmpty() && toPeer.peek().frame <= peer.frame()) {
+      byte[] bytes = toPeer.poll().bytes;
       underWay -= bytes.length;
       peer.take(bytes);
     }
     while (!toProgram.isEmpty()
-        && toProgram.peek().frame() <= peer.frame()
-        && hasRoom(toProgram.peek().bytes().length)) {
-      byte[] bytes = toProgram.poll().bytes();
+        && toProgram.peek().frame <= peer.frame()
+        && hasRoom(toProgram.peek().bytes.length)) {
+      byte[] bytes = toProgram.poll().bytes;
       underWay -= bytes.length;
       append(bytes);
     }

@@ -25,7 +25,7 @@ public final class TestBench {
   private final Mocks mocks = new Mocks();
   private final Expected expected = new Expected();
   private final PreparedAnswers answers = new PreparedAnswers();
-  private final Peers peers = new Peers();
+  private final TestPeers peers = new TestPeers();
   private final List<OutputFollower> followers = new ArrayList<>();
   private List<Command> commands = new ArrayList<>();
   private Optional<Program> toStart = Optional.empty();
@@ -80,7 +80,7 @@ public final class TestBench {
   }
 
   /** Whom programs reach by sockets. */
-  public Peers peers() {
+  public TestPeers peers() {
     return peers;
   }
 

@@ -21,7 +21,7 @@ final class GeneratorBuiltins {
   private static final String SECTION = "Generators";
 
   /** How far from their middle joints are turned: half a turn, as cables allow it. */
-  private static final double MOST_RAD = Math.PI;
+  private static final double MAX_TURN_RAD = Math.PI;
 
   private GeneratorBuiltins() {}
 
@@ -136,8 +136,8 @@ final class GeneratorBuiltins {
     double[] positions = new double[6];
     for (int i = 0; i < positions.length; i++) {
       JointLimits limits = call.host().arm().description().joints().get(i);
-      double low = Math.max(limits.minRad(), -MOST_RAD);
-      double high = Math.min(limits.maxRad(), MOST_RAD);
+      double low = Math.max(limits.minRad(), -MAX_TURN_RAD);
+      double high = Math.min(limits.maxRad(), MAX_TURN_RAD);
       positions[i] = scaled(choices(call).next(), low, high);
     }
     return Joints.of(positions);

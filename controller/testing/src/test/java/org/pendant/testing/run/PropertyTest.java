@@ -3,6 +3,7 @@ package org.pendant.testing.run;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.testing.TestResult;
@@ -46,10 +47,10 @@ class PropertyTest {
             .only();
 
     assertEquals(TestStatus.FAILED, result.status());
-    String[] lines = message(result).split("\n");
-    assertEquals("assert_true: condition is False, must be True", lines[0]);
-    assertEquals("with 17, False", lines[1]);
-    assertTrue(lines[2].startsWith("found in run 1 of 200; # @example 0.0"), lines[2]);
+    List<String> lines = message(result).lines().toList();
+    assertEquals("assert_true: condition is False, must be True", lines.get(0));
+    assertEquals("with 17, False", lines.get(1));
+    assertTrue(lines.get(2).startsWith("found in run 1 of 200; # @example 0.0"), lines.get(2));
   }
 
   @Test

@@ -8,11 +8,11 @@ import org.pendant.controller.external.ReceivedBytes;
 import org.pendant.controller.external.SocketConnector;
 
 /** Peers of a test, by their ports; a program that connects anywhere else is refused. */
-public final class Peers implements SocketConnector {
+public final class TestPeers implements SocketConnector {
   private final Map<Integer, Peer> byPort = new TreeMap<>();
   private long frame;
 
-  Peers() {}
+  TestPeers() {}
 
   @Override
   public ExternalSocket open(String host, int port) {
