@@ -33,7 +33,7 @@ public final class Pendant {
             new OpenCommand(services),
             new RunCommand(),
             new CheckCommand(),
-            new TestCommand(),
+            new TestCommand(services),
             new ConvertCommand(),
             new RenderCommand(services),
             new ServeCommand(),

@@ -38,6 +38,17 @@ final class TestCommand implements Subcommand {
   private static final Option GITHUB =
       Option.flag("--github", "annotations for GitHub; on where GITHUB_ACTIONS is true");
 
+  private final DesktopServices services;
+
+  /**
+   * The command.
+   *
+   * @param services draw pictures of red tests
+   */
+  TestCommand(DesktopServices services) {
+    this.services = services;
+  }
+
   @Override
   public String name() {
     return "test";
@@ -91,7 +102,7 @@ final class TestCommand implements Subcommand {
     console.flush();
     // again: by now it is known which programs the tests have read
     TestReports reports = TestReports.of(arguments, disk);
-    reports.write(result);
+    reports.write(result, new RedTests(runner, plan, options.settings().controller(), services));
     if (coverage.isPresent()) {
       CoverageReport reached = coverage.get().report();
       reports.write(reached);

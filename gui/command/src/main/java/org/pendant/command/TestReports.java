@@ -13,10 +13,12 @@ import java.util.stream.Stream;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.testing.SuiteResult;
+import org.pendant.testing.TestId;
 import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.coverage.report.CoberturaCoverage;
 import org.pendant.testing.coverage.report.HtmlCoverage;
 import org.pendant.testing.coverage.report.LcovCoverage;
+import org.pendant.testing.report.FailureAttachment;
 import org.pendant.testing.report.HtmlReport;
 import org.pendant.testing.report.JunitReport;
 import org.pendant.testing.report.TapReport;
@@ -31,6 +33,7 @@ import org.pendant.testing.report.TapReport;
  * @param lcov the file of coverage for lcov
  * @param cobertura the Cobertura XML file
  * @param coverageHtml the folder of the pages about coverage
+ * @param recordings the folder of recordings of red tests
  */
 record TestReports(
     Optional<OutputFile> junit,
@@ -39,6 +42,7 @@ record TestReports(
     Optional<OutputFile> lcov,
     Optional<OutputFile> cobertura,
     Optional<Path> coverageHtml,
+    Optional<Path> recordings,
     TestFilesOnDisk files) {
   private static final int HEAD_BYTES = 512;
 
@@ -65,13 +69,29 @@ record TestReports(
   static final Option COVERAGE_HTML =
       Option.text("--coverage-html", "FOLDER", "write coverage as pages into a folder")
           .documented("coverage", "write coverage as pages for people into this folder");
+  static final Option RECORD_ON_FAILURE =
+      Option.text("--record-on-failure", "FOLDER", "record red tests into a folder")
+          .documented(
+              "red",
+              "run each red test once more, exactly as it ran, and write a"
+                  + " [recording](recording.md) of it into this folder, to open in the window; at"
+                  + " most 20");
   static final Option HTML =
       Option.text("--html", "FOLDER", "write pages for people into a folder")
           .documented("report", "write pages for people into this folder, which is made");
 
   /** All of them. */
   static final List<Option> ALL =
-      List.of(JUNIT, TAP, HTML, COVERAGE, LCOV, COBERTURA, COVERAGE_HTML, OutputFile.FORCE);
+      List.of(
+          JUNIT,
+          TAP,
+          HTML,
+          COVERAGE,
+          LCOV,
+          COBERTURA,
+          COVERAGE_HTML,
+          RECORD_ON_FAILURE,
+          OutputFile.FORCE);
 
   static TestReports of(Arguments arguments, TestFilesOnDisk files) throws UsageException {
     return new TestReports(
@@ -81,6 +101,7 @@ record TestReports(
         file(LCOV, "SF:", arguments),
         file(COBERTURA, "<coverage", arguments),
         folder(COVERAGE_HTML, arguments),
+        folder(RECORD_ON_FAILURE, arguments),
         files);
   }
 
@@ -122,8 +143,15 @@ record TestReports(
     }
   }
 
-  /** Writes those that are asked for. */
-  void write(SuiteResult result) throws UsageException {
+  /**
+   * Writes those that are asked for.
+   *
+   * @param red makes recordings and pictures of red tests
+   */
+  void write(SuiteResult result, RedTests red) throws UsageException {
+    if (recordings.isPresent()) {
+      var _ = red.record(result, recordings.get(), "", false);
+    }
     if (junit.isPresent()) {
       junit.get().write(out -> JunitReport.write(result, files::source, out));
     }
@@ -132,7 +160,9 @@ record TestReports(
     }
     if (html.isPresent()) {
       try {
-        new HtmlReport(result, files::source, Map.of()).write(html.get());
+        Map<TestId, List<FailureAttachment>> attached =
+            red.record(result, html.get(), "red/", true);
+        new HtmlReport(result, files::source, attached).write(html.get());
       } catch (IOException e) {
         throw new UsageException(html.get() + ": cannot be written, " + FileTrouble.reason(e));
       }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.pendant.controller.bench.Choices;
@@ -24,19 +25,28 @@ final class PropertyRun {
   private final TestCase.Property property;
   private final TestSettings settings;
   private final Function<Choices, TestResult> once;
+  private final Consumer<List<Double>> reported;
   private final long stopNs;
   private double robotTimeS;
   private double wallTimeS;
 
+  /**
+   * A test and its runs.
+   *
+   * @param once runs it once
+   * @param reported takes the choices of the red run that is reported
+   */
   PropertyRun(
       TestCase test,
       TestCase.Property property,
       TestSettings settings,
-      Function<Choices, TestResult> once) {
+      Function<Choices, TestResult> once,
+      Consumer<List<Double>> reported) {
     this.test = test;
     this.property = property;
     this.settings = settings;
     this.once = once;
+    this.reported = reported;
     stopNs = System.nanoTime() + settings.wallTimeout().toNanos();
   }
 
@@ -156,6 +166,7 @@ final class PropertyRun {
     while (!made.isEmpty() && made.getLast() == 0) {
       made.removeLast();
     }
+    reported.accept(made);
     String paste = made.stream().map(Object::toString).collect(Collectors.joining(", "));
     String message =
         failure.message()

@@ -43,6 +43,7 @@ final class TestRun {
   private final TestPrograms programs;
   private final TestSettings settings;
   private final Optional<CoverageCollector> coverage;
+  private final TestObserver observer;
   private final Controller controller;
   private final TestBench bench;
   private final TestOperator operator;
@@ -58,12 +59,14 @@ final class TestRun {
       Builtins<ControlBox> builtins,
       TestSettings settings,
       Optional<CoverageCollector> coverage,
-      Choices choices) {
+      Choices choices,
+      TestObserver observer) {
     this.file = file;
     this.test = test;
     this.programs = programs;
     this.settings = settings;
     this.coverage = coverage;
+    this.observer = observer;
     bench = new TestBench(test.number(), choices, programs, this::globals);
     ControllerOptions options =
         settings
@@ -115,6 +118,7 @@ final class TestRun {
   }
 
   private void begin() {
+    observer.begins(controller);
     Program program = file.program();
     if (test.watches()) {
       controller.startCompanion(program);
@@ -166,6 +170,7 @@ final class TestRun {
     bench.takeCommands().forEach(this::post);
     controller.advance();
     ControllerState state = controller.state();
+    observer.sees(state);
     bench.peers().step(state.frame());
     output.take(state);
     wires.step(state, this::post);

@@ -3,9 +3,11 @@ package org.pendant.testing.run;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Random;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -19,6 +21,7 @@ import org.pendant.script.function.Builtins;
 import org.pendant.testing.BrokenTestFile;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestFailure;
+import org.pendant.testing.TestId;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
 import org.pendant.testing.builtin.TestBuiltins;
@@ -41,6 +44,7 @@ public final class TestRunner {
   private final Optional<CoverageCollector> coverage;
   private final Builtins<ControlBox> ofPrograms = StandardBuiltins.create();
   private final Builtins<ControlBox> ofTests = TestBuiltins.create();
+  private final Map<TestId, List<Double>> reported = new ConcurrentHashMap<>();
   private final AtomicBoolean cancelled = new AtomicBoolean();
 
   /**
@@ -164,9 +168,14 @@ public final class TestRunner {
     }
     try {
       return test.property().isPresent()
-          ? new PropertyRun(test, test.property().get(), settings, choices -> run(one, choices))
+          ? new PropertyRun(
+                  test,
+                  test.property().get(),
+                  settings,
+                  choices -> run(one, choices, coverage, TestObserver.NONE),
+                  choices -> reported.put(test.id(), choices))
               .run()
-          : run(one, new Choices(List.of(), OptionalLong.of(seed(test))));
+          : run(one, choices(test), coverage, TestObserver.NONE);
     } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
       // our own mistake, or a test that takes all memory: the other tests still count
       return result(
@@ -178,14 +187,35 @@ public final class TestRunner {
     }
   }
 
-  private TestResult run(Chosen one, Choices choices) {
-    return new TestRun(one.file(), one.test(), one.programs(), ofTests, settings, coverage, choices)
+  /**
+   * Runs a test of a plan once more, exactly as it ran before: of one with many values the run that
+   * was reported.
+   *
+   * @param observer sees its frames
+   * @throws IllegalArgumentException if the plan has no such test
+   */
+  public void repeat(TestPlan plan, TestId id, TestObserver observer) {
+    Chosen one =
+        plan.chosen().stream()
+            .filter(each -> each.test().id().equals(id))
+            .findFirst()
+            .orElseThrow(() -> new IllegalArgumentException("no test " + id + " is planned"));
+    var _ = run(one, choices(one.test()), Optional.empty(), observer);
+  }
+
+  private TestResult run(
+      Chosen one, Choices choices, Optional<CoverageCollector> covers, TestObserver observer) {
+    return new TestRun(
+            one.file(), one.test(), one.programs(), ofTests, settings, covers, choices, observer)
         .run();
   }
 
-  /** Another one for each test, the same in whatever order they run. */
-  private long seed(TestCase test) {
-    return settings.seed() * 31 + test.id().hashCode();
+  /** Those of the only run of a test, or of the one that was reported. */
+  private Choices choices(TestCase test) {
+    List<Double> given = reported.get(test.id());
+    return given == null
+        ? new Choices(List.of(), OptionalLong.of(settings.seed() * 31 + test.id().hashCode()))
+        : new Choices(given, OptionalLong.empty());
   }
 
   private static TestResult result(TestCase test, TestOutcome outcome) {
