@@ -101,7 +101,7 @@ final class RedTests {
       taking.writer.close();
       draft.commit();
       files.add(new FailureAttachment(name + ".rec", "Recording, for pendant open", Kind.LINK));
-      if (renderer.isPresent()) {
+      if (renderer.isPresent() && taking.moved) {
         Picture picture = picture(taking.last);
         AtomicFile.write(folder.resolve(name + ".png"), out -> renderer.get().write(picture, out));
         files.addFirst(
@@ -144,6 +144,9 @@ final class RedTests {
     private RecordingWriter writer;
     private ControllerState last;
 
+    /** There is something to see. */
+    private boolean moved;
+
     Taking(FileDraft draft, Optional<PictureRenderer> renderer) {
       this.draft = draft;
       this.renderer = renderer;
@@ -163,6 +166,7 @@ final class RedTests {
     @Override
     public void sees(ControllerState state) {
       last = state;
+      moved |= state.arm().moving();
       renderer.ifPresent(each -> each.trace(state.arm(), state.timeS()));
       try {
         writer.write(state);

@@ -21,9 +21,17 @@ import org.pendant.testing.source.TestCase;
 
 /** Command {@code pendant test [PATH...]}: runs tests of robot programs. */
 final class TestCommand implements Subcommand {
+  /** How often files are looked at, ms. */
+  private static final long WATCH_MS = 300;
+
   private static final Option LIST =
       Option.flag("--list", "print the names of the tests and run none");
   private static final Option VERBOSE = Option.flag("--verbose", "a line for each test");
+  private static final Option WATCH =
+      Option.flag("--watch", "run them again whenever a file changes")
+          .documented(
+              "run the tests again whenever one of the files changes that they have read, or a file"
+                  + " of tests comes; Ctrl-C ends");
   private static final Option QUIET = Option.flag("--quiet", "only red tests and the summary");
   private static final Option COLOR =
       Option.of(
@@ -66,7 +74,8 @@ final class TestCommand implements Subcommand {
 
   @Override
   public List<Option> options() {
-    return Stream.of(List.of(LIST, VERBOSE, QUIET, COLOR, GITHUB), TestReports.ALL, TestOptions.ALL)
+    return Stream.of(
+            List.of(LIST, WATCH, VERBOSE, QUIET, COLOR, GITHUB), TestReports.ALL, TestOptions.ALL)
         .flatMap(List::stream)
         .toList();
   }
@@ -78,8 +87,57 @@ final class TestCommand implements Subcommand {
     }
     TestOptions options = TestOptions.of(arguments);
     InstallationOption.tell(arguments, console);
+    try (Interruption interruption = Interruption.listen("the test run")) {
+      TestFilesOnDisk disk = new TestFilesOnDisk(arguments.files());
+      ExitCode code = once(arguments, options, disk, interruption, console);
+      while (arguments.has(WATCH) && awaitChange(arguments, disk, interruption, console)) {
+        disk = new TestFilesOnDisk(arguments.files());
+        code = again(arguments, options, disk, interruption, console);
+      }
+      // before the interruption is closed: after that the process may be gone at any moment
+      console.flush();
+      return code;
+    }
+  }
+
+  /** Waits until a file has changed that the tests have read, or there is another one. */
+  private static boolean awaitChange(
+      Arguments arguments, TestFilesOnDisk disk, Interruption interruption, Console console) {
+    console.print("waiting for a file to change; Ctrl-C ends");
+    console.flush();
+    FileChanges changes = new FileChanges(disk.names(), arguments.operands());
+    while (!interruption.awaitRequest(WATCH_MS)) {
+      if (changes.any()) {
+        console.print("");
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** As {@link #once}, where a file may be half written or gone: that is told, and mended later. */
+  private ExitCode again(
+      Arguments arguments,
+      TestOptions options,
+      TestFilesOnDisk disk,
+      Interruption interruption,
+      Console console) {
+    try {
+      return once(arguments, options, disk, interruption, console);
+    } catch (UsageException e) {
+      console.complain("pendant test: " + e.getMessage());
+      return ExitCode.WRONG_USAGE;
+    }
+  }
+
+  private ExitCode once(
+      Arguments arguments,
+      TestOptions options,
+      TestFilesOnDisk disk,
+      Interruption interruption,
+      Console console)
+      throws UsageException {
     List<String> files = files(arguments);
-    TestFilesOnDisk disk = new TestFilesOnDisk(arguments.files());
     ConsoleReport report = new ConsoleReport(style(arguments), disk::source, console::printPiece);
     Optional<CoverageCollector> coverage =
         TestReports.wantCoverage(arguments)
@@ -95,7 +153,7 @@ final class TestCommand implements Subcommand {
     if (plan.tests().isEmpty() && plan.broken().isEmpty()) {
       throw new UsageException("no test has the names and tags that are asked for");
     }
-    SuiteResult result = run(runner, plan, report);
+    SuiteResult result = run(runner, plan, report, interruption);
     if (github(arguments)) {
       GithubAnnotations.lines(result).forEach(console::print);
     }
@@ -128,18 +186,16 @@ final class TestCommand implements Subcommand {
     }
   }
 
-  private static SuiteResult run(TestRunner runner, TestPlan plan, ConsoleReport report) {
-    try (Interruption interruption = Interruption.listen("the test run")) {
-      interruption.hold();
-      Thread watch = Thread.ofVirtual().unstarted(() -> cancelWhenAsked(interruption, runner));
-      watch.start();
-      report.begin(plan.tests().stream().map(TestCase::id).toList());
-      SuiteResult result = runner.run(plan);
-      report.end(result);
-      watch.interrupt();
-      interruption.release();
-      return result;
-    }
+  private static SuiteResult run(
+      TestRunner runner, TestPlan plan, ConsoleReport report, Interruption interruption) {
+    interruption.hold();
+    Thread watch = Thread.ofVirtual().unstarted(() -> cancelWhenAsked(interruption, runner));
+    watch.start();
+    report.begin(plan.tests().stream().map(TestCase::id).toList());
+    SuiteResult result = runner.run(plan);
+    report.end(result);
+    watch.interrupt();
+    return result;
   }
 
   private static void cancelWhenAsked(Interruption interruption, TestRunner runner) {

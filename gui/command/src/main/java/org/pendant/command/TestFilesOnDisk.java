@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.file.ProgramsFolder;
@@ -64,6 +65,11 @@ final class TestFilesOnDisk implements TestSources {
   @Override
   public ProgramsFolder folder(String name) {
     return ProgramsFolder.of(name);
+  }
+
+  /** The files that were read. */
+  Set<String> names() {
+    return Set.copyOf(read.keySet());
   }
 
   /** The text of a file that was read. */
