@@ -5,6 +5,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.coverage.CoverageCollector;
@@ -75,7 +76,10 @@ final class TestCommand implements Subcommand {
   @Override
   public List<Option> options() {
     return Stream.of(
-            List.of(LIST, WATCH, VERBOSE, QUIET, COLOR, GITHUB), TestReports.ALL, TestOptions.ALL)
+            List.of(LIST, WATCH, VERBOSE, QUIET, COLOR, GITHUB),
+            TestReports.ALL,
+            TestMutation.ALL,
+            TestOptions.ALL)
         .flatMap(List::stream)
         .toList();
   }
@@ -140,13 +144,14 @@ final class TestCommand implements Subcommand {
     List<String> files = files(arguments);
     ConsoleReport report = new ConsoleReport(style(arguments), disk::source, console::printPiece);
     Optional<CoverageCollector> coverage =
-        TestReports.wantCoverage(arguments)
+        TestReports.wantCoverage(arguments) || TestMutation.wanted(arguments)
             ? Optional.of(new CoverageCollector())
             : Optional.empty();
     TestRunner runner =
         new TestRunner(disk, options.settings(), options::wants, report::finished, coverage);
     TestPlan plan = runner.plan(files).shard(options.shardNumber(), options.shardCount());
     var _ = TestReports.of(arguments, disk);
+    var _ = TestMutation.of(arguments, options.settings());
     if (arguments.has(LIST)) {
       return list(plan, console);
     }
@@ -160,7 +165,9 @@ final class TestCommand implements Subcommand {
     console.flush();
     // again: by now it is known which programs the tests have read
     TestReports reports = TestReports.of(arguments, disk);
+    Optional<TestMutation> mutation = TestMutation.of(arguments, options.settings());
     reports.write(result, new RedTests(runner, plan, options.settings().controller(), services));
+    ExitCode mutated = ExitCode.DONE;
     if (coverage.isPresent()) {
       CoverageReport reached = coverage.get().report();
       reports.write(reached);
@@ -168,8 +175,11 @@ final class TestCommand implements Subcommand {
         console.print("");
         CoverageTable.of(reached).lines().forEach(console::print);
       }
+      if (mutation.isPresent()) {
+        mutated = mutation.get().run(disk, runner, result, reached, interruption, console);
+      }
     }
-    return code(result);
+    return code(result).or(mutated);
   }
 
   private static List<String> files(Arguments arguments) throws UsageException {
@@ -188,18 +198,25 @@ final class TestCommand implements Subcommand {
 
   private static SuiteResult run(
       TestRunner runner, TestPlan plan, ConsoleReport report, Interruption interruption) {
+    report.begin(plan.tests().stream().map(TestCase::id).toList());
+    SuiteResult result = cancellable(interruption, runner, () -> runner.run(plan));
+    report.end(result);
+    return result;
+  }
+
+  /** Has a runner do something, which Ctrl-C cancels. */
+  static <T> T cancellable(Interruption interruption, TestRunner runner, Supplier<T> work) {
     interruption.hold();
     Thread watch = Thread.ofVirtual().unstarted(() -> cancelWhenAsked(interruption, runner));
     watch.start();
-    report.begin(plan.tests().stream().map(TestCase::id).toList());
-    SuiteResult result = runner.run(plan);
-    report.end(result);
+    T result = work.get();
     watch.interrupt();
     return result;
   }
 
   private static void cancelWhenAsked(Interruption interruption, TestRunner runner) {
-    if (interruption.awaitRequest(Long.MAX_VALUE)) {
+    // the wait ends as well where the work has
+    if (interruption.awaitRequest(Long.MAX_VALUE) && interruption.requested()) {
       runner.cancel();
     }
   }

@@ -105,7 +105,8 @@ record TestReports(
         files);
   }
 
-  private static Optional<OutputFile> file(Option option, String mark, Arguments arguments)
+  /** The file of a report; {@code mark} stands in the beginning of an earlier one. */
+  static Optional<OutputFile> file(Option option, String mark, Arguments arguments)
       throws UsageException {
     Optional<String> name = arguments.value(option);
     if (name.isEmpty()) {

@@ -19,11 +19,12 @@ import org.pendant.testing.source.TestCase;
  */
 final class PropertyRun {
   /** Most runs that are made to find simpler values. */
-  private static final int MAX_SIMPLER = 300;
+  static final int MAX_SIMPLER = 300;
 
   private final TestCase test;
   private final TestCase.Property property;
   private final TestSettings settings;
+  private final int mostSimpler;
   private final Function<Choices, TestResult> once;
   private final Consumer<List<Double>> reported;
   private final long stopNs;
@@ -40,11 +41,13 @@ final class PropertyRun {
       TestCase test,
       TestCase.Property property,
       TestSettings settings,
+      int mostSimpler,
       Function<Choices, TestResult> once,
       Consumer<List<Double>> reported) {
     this.test = test;
     this.property = property;
     this.settings = settings;
+    this.mostSimpler = mostSimpler;
     this.once = once;
     this.reported = reported;
     stopNs = System.nanoTime() + settings.wallTimeout().toNanos();
@@ -94,7 +97,7 @@ final class PropertyRun {
   /** The red run of the simplest values that are found. */
   private Red simplest(Red first) {
     Red best = first;
-    int left = MAX_SIMPLER;
+    int left = mostSimpler;
     boolean better = true;
     while (better && left > 0) {
       better = false;

@@ -10,7 +10,12 @@ import org.pendant.testing.source.TestFile;
 public final class TestPlan {
 
   /** One test that is to be run. */
-  record Chosen(TestFile file, TestPrograms programs, TestCase test) {}
+  record Chosen(TestFile file, TestPrograms programs, TestCase test) {
+    /** The same test with a limit to its robot time. */
+    Chosen within(double timeoutS) {
+      return new Chosen(file, programs, test.within(timeoutS));
+    }
+  }
 
   private final List<Chosen> chosen;
   private final List<BrokenTestFile> broken;

@@ -28,6 +28,8 @@ import org.pendant.testing.source.TestSources;
 
 /** Programs under test of one test file, each read and compiled once. Any thread may ask. */
 final class TestPrograms implements TestedPrograms {
+  /** Code of the failure of a test that starts something that is no program. */
+  static final String NO_PROGRAM = "no-program";
 
   /**
    * One program.
@@ -68,8 +70,7 @@ final class TestPrograms implements TestedPrograms {
   public Program load(String name) throws ScriptError {
     String beside = TestSources.beside(file.name(), ByteText.decoded(name));
     Loaded one = loaded.computeIfAbsent(beside, this::read);
-    return one.program()
-        .orElseThrow(() -> new ScriptError("no-program", "start: " + one.refusal()));
+    return one.program().orElseThrow(() -> new ScriptError(NO_PROGRAM, "start: " + one.refusal()));
   }
 
   /** Where a program that was loaded here may read files. */

@@ -42,10 +42,11 @@ public final class TestRunner {
   private final Predicate<TestCase> wanted;
   private final TestListener listener;
   private final Optional<CoverageCollector> coverage;
-  private final Builtins<ControlBox> ofPrograms = StandardBuiltins.create();
-  private final Builtins<ControlBox> ofTests = TestBuiltins.create();
+  private final Builtins<ControlBox> ofPrograms;
+  private final Builtins<ControlBox> ofTests;
   private final Map<TestId, List<Double>> reported = new ConcurrentHashMap<>();
-  private final AtomicBoolean cancelled = new AtomicBoolean();
+  private final AtomicBoolean cancelled;
+  private final int mostSimpler;
 
   /**
    * A runner.
@@ -66,6 +67,29 @@ public final class TestRunner {
     this.wanted = wanted;
     this.listener = listener;
     this.coverage = coverage;
+    ofPrograms = StandardBuiltins.create();
+    ofTests = TestBuiltins.create();
+    cancelled = new AtomicBoolean();
+    mostSimpler = PropertyRun.MAX_SIMPLER;
+  }
+
+  private TestRunner(TestRunner of, TestSources files) {
+    this.files = files;
+    settings = of.settings;
+    wanted = of.wanted;
+    listener = _ -> {};
+    coverage = Optional.empty();
+    ofPrograms = of.ofPrograms;
+    ofTests = of.ofTests;
+    cancelled = of.cancelled;
+    mostSimpler = 0;
+  }
+
+  /**
+   * A runner of the same tests of which nobody is told, in other files; cancelled with this one.
+   */
+  public TestRunner over(TestSources others) {
+    return new TestRunner(this, others);
   }
 
   /** Is told about tests while they run. */
@@ -78,6 +102,11 @@ public final class TestRunner {
   /** Ends the suite as soon as possible: no more test begins. */
   public void cancel() {
     cancelled.set(true);
+  }
+
+  /** Whether it is to end. */
+  public boolean cancelled() {
+    return cancelled.get();
   }
 
   /**
@@ -161,7 +190,7 @@ public final class TestRunner {
     listener.ended(result);
   }
 
-  private TestResult run(Chosen one) {
+  TestResult run(Chosen one) {
     TestCase test = one.test();
     if (test.skip().isPresent()) {
       return result(test, TestOutcome.skipped(test.skip().get()));
@@ -172,6 +201,7 @@ public final class TestRunner {
                   test,
                   test.property().get(),
                   settings,
+                  mostSimpler,
                   choices -> run(one, choices, coverage, TestObserver.NONE),
                   choices -> reported.put(test.id(), choices))
               .run()

@@ -40,4 +40,10 @@ public record TestCase(
       examples = List.copyOf(examples);
     }
   }
+
+  /** The same test with a limit to the robot time of a run, unless its own is shorter. */
+  public TestCase within(double limitS) {
+    OptionalDouble shortest = OptionalDouble.of(Math.min(limitS, timeoutS.orElse(limitS)));
+    return new TestCase(id, number, place, tags, skip, shortest, property, watches);
+  }
 }
