@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 
+@OnDispatchThread
 final class RateCellRendererTest {
   private static final String RATE = "126/s, 23.2 kB/s";
 

@@ -11,7 +11,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 
+@OnDispatchThread
 final class ClientMarkTest {
   private static final int WIDTH = 800;
   private static final int HEIGHT = 200;

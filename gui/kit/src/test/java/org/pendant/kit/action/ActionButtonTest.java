@@ -6,8 +6,10 @@ import java.awt.event.MouseEvent;
 import java.util.Optional;
 import javax.swing.JToolTip;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 import org.pendant.kit.settings.Settings;
 
+@OnDispatchThread
 final class ActionButtonTest {
   /** Remembers nothing. */
   private record Nothing() implements Settings {

@@ -13,8 +13,10 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 import org.pendant.kit.settings.Settings;
 
+@OnDispatchThread
 final class ActionItemTest {
   private final ActionTable actions = new ActionTable(new Nothing());
 

@@ -6,7 +6,9 @@ import java.awt.Dimension;
 import java.awt.Rectangle;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 
+@OnDispatchThread
 final class CardColumnsTest {
   private final JPanel sheet = new JPanel(new CardColumns(10, 400));
 

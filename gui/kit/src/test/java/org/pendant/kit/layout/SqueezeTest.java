@@ -6,7 +6,9 @@ import java.util.List;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 
+@OnDispatchThread
 final class SqueezeTest {
   private final JPanel row = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3"));
   private final JPanel clock = part();

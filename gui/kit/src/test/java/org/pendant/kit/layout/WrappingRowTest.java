@@ -7,7 +7,9 @@ import java.awt.Component;
 import java.awt.Dimension;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 
+@OnDispatchThread
 final class WrappingRowTest {
   private final JPanel row = new JPanel(new WrappingRow(4));
 

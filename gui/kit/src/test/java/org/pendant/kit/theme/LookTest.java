@@ -9,8 +9,10 @@ import java.util.Optional;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.dispatch.OnDispatchThread;
 import org.pendant.kit.settings.Settings;
 
+@OnDispatchThread
 final class LookTest {
   private final Map<String, String> remembered = new HashMap<>();
   private final Settings settings =

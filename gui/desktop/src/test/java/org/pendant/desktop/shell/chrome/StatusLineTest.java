@@ -8,7 +8,9 @@ import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Pace;
 import org.pendant.controller.WallClock.Lateness;
+import org.pendant.kit.dispatch.OnDispatchThread;
 
+@OnDispatchThread
 final class StatusLineTest {
   private final StatusLine line = new StatusLine(text -> {});
 
