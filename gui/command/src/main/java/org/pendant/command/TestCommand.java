@@ -235,10 +235,7 @@ final class TestCommand implements Subcommand {
 
   private static ConsoleStyle style(Arguments arguments) throws UsageException {
     Set<Feature> features = EnumSet.of(Feature.WALL_TIME);
-    // there is none where output does not go to a terminal, whatever its documentation promises
-    boolean terminal =
-        Optional.ofNullable(System.console()).filter(each -> each.isTerminal()).isPresent()
-            && System.getenv("CI") == null;
+    boolean terminal = isTerminal();
     String colour = arguments.word(COLOR).orElseThrow();
     if (terminal) {
       features.add(Feature.TERMINAL);
@@ -253,6 +250,13 @@ final class TestCommand implements Subcommand {
       detail = Detail.QUIET;
     }
     return new ConsoleStyle(detail, features);
+  }
+
+  /** Whether people watch. */
+  static boolean isTerminal() {
+    // there is none where output does not go to a terminal, whatever its documentation promises
+    return Optional.ofNullable(System.console()).filter(each -> each.isTerminal()).isPresent()
+        && System.getenv("CI") == null;
   }
 
   /** What most programs heed: no-color.org, and a terminal that cannot. */

@@ -24,6 +24,8 @@ import org.pendant.testing.run.TestSettings;
 record TestMutation(
     MutationSettings settings, Optional<OutputFile> json, OptionalDouble leastPercent) {
   private static final int MAX_MUTANTS = 1_000_000;
+  private static final long STEPS = 100;
+  private static final String CLEARED = "\r" + " ".repeat(40) + "\r";
 
   private static final Option MUTATE =
       Option.flag("--mutate", "make mistakes in the programs, and see whether tests notice")
@@ -103,8 +105,13 @@ record TestMutation(
       console.complain("nothing is mutated: all tests have to run, and be green, before");
       return ExitCode.DONE;
     }
-    MutationRun run = new MutationRun(files, runner, result, settings);
+    MutationRun run =
+        new MutationRun(
+            files, runner, result, settings, (tried, all) -> tellProgress(tried, all, console));
     MutationReport report = TestCommand.cancellable(interruption, runner, () -> run.run(coverage));
+    if (TestCommand.isTerminal()) {
+      console.printPiece(CLEARED);
+    }
     console.print("");
     MutationTable.of(report).lines().forEach(console::print);
     console.flush();
@@ -121,5 +128,13 @@ record TestMutation(
       return ExitCode.TESTS_FAILED;
     }
     return ExitCode.DONE;
+  }
+
+  /** Where people watch, in one line that is cleared in the end. */
+  private static void tellProgress(int tried, int all, Console console) {
+    if (TestCommand.isTerminal() && (tried * STEPS / all != (tried - 1) * STEPS / all)) {
+      console.printPiece("\r" + tried + " of " + all + " mutants");
+      console.flush();
+    }
   }
 }

@@ -42,6 +42,16 @@ public final class MutationRun {
   /** Lists of tests, each once: the lines of a function have the same ones. */
   private final Map<List<String>, List<TestId>> orders = new HashMap<>();
 
+  private final ProgressListener progress;
+  private int tried;
+
+  /** Is told how far the run has come. */
+  @FunctionalInterface
+  public interface ProgressListener {
+    /** So many mutants of all have been tried; by any thread, but by one at a time. */
+    void tried(int mutants, int all);
+  }
+
   /** A mutation of one file that has been chosen. */
   private record Chosen(int file, Mutation mutation, List<TestId> covering) {}
 
@@ -51,15 +61,21 @@ public final class MutationRun {
    * @param files that tests and programs are in
    * @param runner that ran the tests; to cancel it cancels this run as well
    * @param result of the tests, none of them red
+   * @param progress is told while it runs
    */
   public MutationRun(
-      TestSources files, TestRunner runner, SuiteResult result, MutationSettings settings) {
+      TestSources files,
+      TestRunner runner,
+      SuiteResult result,
+      MutationSettings settings,
+      ProgressListener progress) {
     if (result.red()) {
       throw new IllegalArgumentException("mutation needs green tests");
     }
     this.files = files;
     this.runner = runner;
     this.settings = settings;
+    this.progress = progress;
     result.results().forEach(each -> usual.put(name(each.id()), each));
   }
 
@@ -175,6 +191,7 @@ public final class MutationRun {
             // of a trial that was cut short nothing is known
             if (!runner.cancelled()) {
               mutants.set(i, mutant);
+              tell(chosen.size());
             }
           }
         };
@@ -183,6 +200,11 @@ public final class MutationRun {
         workers.execute(worker);
       }
     }
+  }
+
+  private synchronized void tell(int all) {
+    tried++;
+    progress.tried(tried, all);
   }
 
   private Mutant tried(Chosen one, Source source) {

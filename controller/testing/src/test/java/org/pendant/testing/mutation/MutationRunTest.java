@@ -188,6 +188,18 @@ class MutationRunTest {
   }
 
   @Test
+  void itTellsHowFarItHasCome() {
+    MutationSuite suite =
+        MutationSuite.of(LARGER)
+            .tests("def test_larger():", "  assert_equal(larger(1, 2), 2)", "end")
+            .with(new MutationSettings(List.of(), 0, 1, 2));
+
+    suite.run();
+
+    assertEquals(List.of("1 of 2", "2 of 2"), suite.progress());
+  }
+
+  @Test
   void onlyProgramsOfTheNamesThatAreAskedForAreMutated() {
     MutationReport report =
         MutationSuite.of(LARGER)

@@ -3,6 +3,7 @@ package org.pendant.testing.mutation;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +20,7 @@ import org.pendant.testing.source.TestSources;
 public final class MutationSuite {
   private final Map<String, String> files = new TreeMap<>();
   private MutationSettings settings = new MutationSettings(List.of(), 0, 1, 1);
+  private final List<String> progress = new ArrayList<>();
   private SuiteResult result;
 
   /** A suite with one program, {@code pick.script}. */
@@ -46,6 +48,11 @@ public final class MutationSuite {
   /** What the tests have come to. */
   public SuiteResult result() {
     return result;
+  }
+
+  /** What was told while mutants were tried. */
+  List<String> progress() {
+    return progress;
   }
 
   /** What comes of its mutants. */
@@ -77,6 +84,8 @@ public final class MutationSuite {
     if (result.red()) {
       throw new AssertionError(result.broken() + " " + result.firstRed());
     }
-    return new MutationRun(sources, runner, result, settings).run(coverage.report());
+    return new MutationRun(
+            sources, runner, result, settings, (done, all) -> progress.add(done + " of " + all))
+        .run(coverage.report());
   }
 }
