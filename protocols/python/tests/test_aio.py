@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import sys
 
 import pytest
 
@@ -36,6 +37,18 @@ def test_robots_run_beside_each_other():
 def test_robot_that_is_not_open_says_so():
     async def ask():
         await aio.Robot(launcher=["nothing"]).state()
+
+    with pytest.raises(pendant.ConnectionLost):
+        asyncio.run(ask())
+
+
+@pytest.mark.parametrize("said", ["", "print('hello')", "print(7)"])
+def test_process_that_is_not_pendant_is_told(said):
+    other = [sys.executable, "-c", f"import sys; sys.stdin.readline(); {said or 'sys.exit(3)'}"]
+
+    async def ask():
+        async with aio.Robot(launcher=other):
+            pass
 
     with pytest.raises(pendant.ConnectionLost):
         asyncio.run(ask())

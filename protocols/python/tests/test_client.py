@@ -213,3 +213,23 @@ def test_process_that_has_ended_is_told_with_what_it_said(tmp_path):
     broken = [sys.executable, "-c", "import sys; sys.stderr.write('no memory\\n'); sys.exit(7)"]
     with pytest.raises(pendant.ConnectionLost, match="(?s)ended with 7.*no memory"):
         pendant.Robot(launcher=broken)
+
+
+def test_what_is_not_pendant_is_told():
+    other = [sys.executable, "-c", "import sys; sys.stdin.readline(); print('hello')"]
+    with pytest.raises(pendant.ConnectionLost, match="this is not pendant rpc, it said b'hello"):
+        pendant.Robot(launcher=other)
+
+
+def test_closed_process_says_so():
+    process = pendant.Pendant([sys.executable, "-c", "import sys; sys.stdin.read()"])
+    process.close()
+    process.close()
+    with pytest.raises(pendant.ConnectionLost, match="was closed"):
+        process.robot()
+
+
+def test_process_that_dies_in_a_call_is_told():
+    dying = "import sys; sys.stdin.readline(); sys.exit(3)"
+    with pytest.raises(pendant.ConnectionLost, match="has ended with 3"):
+        pendant.Robot(launcher=[sys.executable, "-c", dying])

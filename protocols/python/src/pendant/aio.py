@@ -54,16 +54,19 @@ class Pendant:
 
     async def _read(self, process: asyncio.subprocess.Process) -> None:
         assert process.stdout is not None
+        lost = "pendant rpc has ended"
         try:
             async for line in process.stdout:
                 answer = json.loads(line)
                 waiting = self._waiting.pop(answer.get("id"), None)
                 if waiting is not None and not waiting.done():
                     waiting.set_result(answer)
+        except (ValueError, AttributeError):
+            lost = "this is not pendant rpc, it said what is no answer"
         finally:
             for each in self._waiting.values():
                 if not each.done():
-                    each.set_exception(ConnectionLost("pendant rpc has ended"))
+                    each.set_exception(ConnectionLost(lost))
             self._waiting.clear()
 
     @property

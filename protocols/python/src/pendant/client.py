@@ -77,25 +77,32 @@ class Pendant:
 
     def call(self, call: calls.Call[T], handle: Optional[int] = None) -> T:
         """Sends a request and waits for what its answer means."""
-        assert self._process.stdin is not None and self._process.stdout is not None
+        if self._process.stdin is None or self._process.stdin.closed:
+            raise ConnectionLost("the process was closed")
         with self._lock:
             self._number += 1
             number = self._number
             try:
                 self._process.stdin.write(calls.request(number, call, handle))
                 self._process.stdin.flush()
-                while True:
-                    line = self._process.stdout.readline()
-                    if not line:
-                        raise self._lost()
-                    answer = json.loads(line)
-                    if answer.get("id") in (number, None):
-                        break
-            except (OSError, ValueError) as problem:
-                if isinstance(problem, OSError) or self._process.stdin.closed:
-                    raise self._lost() from problem
-                raise
+                answer = self._answer(number)
+            except OSError as problem:
+                raise self._lost() from problem
         return calls.result(answer, call)
+
+    def _answer(self, number: int) -> Mapping[str, Any]:
+        """The answer to a request, behind those that nobody has waited for."""
+        assert self._process.stdout is not None
+        while True:
+            line = self._process.stdout.readline()
+            if not line:
+                raise self._lost()
+            try:
+                answer: Mapping[str, Any] = json.loads(line)
+                if answer.get("id") in (number, None):
+                    return answer
+            except (ValueError, AttributeError) as problem:
+                raise ConnectionLost(f"this is not pendant rpc, it said {line[:80]!r}") from problem
 
     def _lost(self) -> ConnectionLost:
         try:
