@@ -14,6 +14,9 @@ import org.pendant.models.json.Json;
  * in, what goes out is an answer of JSON-RPC.
  */
 final class Dispatcher {
+  /** Requests of a batch at most: answers are longer than what asks for nothing. */
+  static final int MAX_BATCH = 1_000;
+
   private static final Object NO_ID = Optional.empty();
   private static final Json NO_PARAMS =
       new Json.Members(Map.of(), new FilePosition(RpcCodec.FILE, 1, 1));
@@ -66,7 +69,11 @@ final class Dispatcher {
 
   private Optional<List<Object>> batch(List<Json> requests) throws RpcFailure {
     if (requests.isEmpty()) {
-      throw new RpcFailure(RpcFailure.INVALID_REQUEST, "the batch is empty");
+      throw invalid("the batch is empty");
+    }
+    if (requests.size() > MAX_BATCH) {
+      throw invalid(
+          "the batch has " + requests.size() + " requests, must have at most " + MAX_BATCH);
     }
     List<Object> answers = new ArrayList<>();
     for (Json each : requests) {

@@ -47,6 +47,7 @@ final class DispatcherTest {
     assertRefused(-32700, "[".repeat(100_000));
     assertRefused(-32700, "{\"a\":1,\"a\":2}");
     assertRefused(-32600, "[]");
+    assertRefused(-32600, "[" + "1,".repeat(Dispatcher.MAX_BATCH) + "1]");
     assertRefused(-32600, "7");
     assertRefused(-32600, "{}");
     assertRefused(-32600, "{\"jsonrpc\":\"1.0\",\"id\":1,\"method\":\"server.info\"}");
