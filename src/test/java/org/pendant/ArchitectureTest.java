@@ -76,6 +76,8 @@ final class ArchitectureTest {
           .definedBy("org.pendant.project..")
           .layer("testing")
           .definedBy("org.pendant.testing..")
+          .layer("junit")
+          .definedBy("org.pendant.junit..")
           .layer("protocols")
           .definedBy("org.pendant.protocols..")
           .layer("kit")
@@ -93,20 +95,22 @@ final class ArchitectureTest {
           .whereLayer("protocols")
           .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("recording")
-          .mayOnlyBeAccessedByLayers("command", "desktop")
+          .mayOnlyBeAccessedByLayers("junit", "command", "desktop")
+          .whereLayer("junit")
+          .mayNotBeAccessedByAnyLayer()
           .whereLayer("testing")
           .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("project")
-          .mayOnlyBeAccessedByLayers("testing", "protocols", "command", "desktop")
+          .mayOnlyBeAccessedByLayers("testing", "junit", "protocols", "command", "desktop")
           .whereLayer("core")
           .mayOnlyBeAccessedByLayers(
-              "recording", "project", "testing", "protocols", "command", "kit", "desktop")
+              "recording", "project", "testing", "junit", "protocols", "command", "kit", "desktop")
           .whereLayer("script")
           .mayOnlyBeAccessedByLayers(
-              "core", "recording", "project", "testing", "protocols", "command", "desktop")
+              "core", "recording", "project", "testing", "junit", "protocols", "command", "desktop")
           .whereLayer("motion")
           .mayOnlyBeAccessedByLayers(
-              "core", "recording", "project", "testing", "protocols", "command", "desktop")
+              "core", "recording", "project", "testing", "junit", "protocols", "command", "desktop")
           .whereLayer("language")
           .mayOnlyBeAccessedByLayers(
               "script",
@@ -114,6 +118,7 @@ final class ArchitectureTest {
               "recording",
               "project",
               "testing",
+              "junit",
               "protocols",
               "command",
               "desktop")
@@ -125,6 +130,7 @@ final class ArchitectureTest {
               "recording",
               "project",
               "testing",
+              "junit",
               "protocols",
               "command",
               "desktop")
@@ -251,6 +257,7 @@ final class ArchitectureTest {
               "org.pendant.recording..",
               "org.pendant.project..",
               "org.pendant.testing..",
+              "org.pendant.junit..",
               "org.pendant.kit..")
           .should()
           .dependOnClassesThat(
@@ -282,7 +289,10 @@ final class ArchitectureTest {
   static void oneSimpleNameIsOneClass(JavaClasses all) {
     Map<String, Set<String>> classesByName = new TreeMap<>();
     for (JavaClass each : all) {
-      if (each.isTopLevelClass() && !each.getSimpleName().equals("package-info")) {
+      // annotations are read where they stand, and are named for that place
+      if (each.isTopLevelClass()
+          && !each.isAnnotation()
+          && !each.getSimpleName().equals("package-info")) {
         classesByName
             .computeIfAbsent(each.getSimpleName(), name -> new TreeSet<>())
             .add(each.getName());
