@@ -158,6 +158,11 @@ public final class ControllerOptions {
     return changed(copy -> copy.seed = number);
   }
 
+  /** The seed of random numbers and noise. */
+  public long seed() {
+    return seed;
+  }
+
   /** With another source of answers to popups and questions. */
   public ControllerOptions withOperator(Operator person) {
     return changed(copy -> copy.operator = person);

@@ -92,10 +92,10 @@ final class TestCommand implements Subcommand {
     TestOptions options = TestOptions.of(arguments);
     InstallationOption.tell(arguments, console);
     try (Interruption interruption = Interruption.listen("the test run")) {
-      TestFilesOnDisk disk = new TestFilesOnDisk(arguments.files());
+      TestFilesOnDisk disk = new TestFilesOnDisk(arguments);
       ExitCode code = once(arguments, options, disk, interruption, console);
       while (arguments.has(WATCH) && awaitChange(arguments, disk, interruption, console)) {
-        disk = new TestFilesOnDisk(arguments.files());
+        disk = new TestFilesOnDisk(arguments);
         code = again(arguments, options, disk, interruption, console);
       }
       // before the interruption is closed: after that the process may be gone at any moment

@@ -8,8 +8,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.installation.Installation;
 import org.pendant.language.source.Source;
 import org.pendant.testing.source.TestSources;
 
@@ -17,16 +19,19 @@ import org.pendant.testing.source.TestSources;
 final class TestFilesOnDisk implements TestSources {
   private static final int MAX_BYTES = 32 << 20;
 
+  private final Arguments arguments;
   private final SourceFiles files;
   private final Map<String, Source> read = new ConcurrentHashMap<>();
 
   /**
    * Files on the disk.
    *
-   * @param files remembers what is read, so that no report is written onto it
+   * @param arguments remember what is read, so that no report is written onto it, and say what
+   *     robots are like
    */
-  TestFilesOnDisk(SourceFiles files) {
-    this.files = files;
+  TestFilesOnDisk(Arguments arguments) {
+    this.arguments = arguments;
+    files = arguments.files();
   }
 
   @Override
@@ -59,6 +64,18 @@ final class TestFilesOnDisk implements TestSources {
       throw e.getMessage() != null && e.getMessage().startsWith("has more")
           ? e
           : new IOException(FileTrouble.reason(e), e);
+    }
+  }
+
+  @Override
+  public ControllerOptions setUp(ControllerOptions base, Installation own, Optional<String> robot)
+      throws IOException {
+    synchronized (files) {
+      try {
+        return RunOptions.of(arguments, Optional.of(own), robot).controller().withSeed(base.seed());
+      } catch (UsageException e) {
+        throw new IOException(e.getMessage(), e);
+      }
     }
   }
 

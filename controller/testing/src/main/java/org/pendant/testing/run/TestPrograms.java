@@ -7,12 +7,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.bench.TestedPrograms;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.program.file.BrokenTree;
 import org.pendant.project.program.file.TreeFile;
 import org.pendant.script.function.Builtins;
@@ -23,6 +25,7 @@ import org.pendant.script.vm.ProgramLoader;
 import org.pendant.testing.coverage.LineOrigin;
 import org.pendant.testing.coverage.TreeOrigin;
 import org.pendant.testing.source.MockedFunctions;
+import org.pendant.testing.source.TestCase;
 import org.pendant.testing.source.TestFile;
 import org.pendant.testing.source.TestSources;
 
@@ -35,15 +38,21 @@ final class TestPrograms implements TestedPrograms {
    * One program.
    *
    * @param tree where it is a tree
+   * @param controller what it runs on, where it brings a setup of its own
    */
   record Loaded(
-      Optional<Program> program, String refusal, Set<String> functions, Optional<TreeFile> tree) {}
+      Optional<Program> program,
+      String refusal,
+      Set<String> functions,
+      Optional<TreeFile> tree,
+      Optional<ControllerOptions> controller) {}
 
   private final TestFile file;
   private final TestSources files;
   private final Builtins<ControlBox> ofPrograms;
   private final Builtins<ControlBox> ofTests;
   private final boolean covered;
+  private final ControllerOptions controller;
   private final Map<String, Loaded> loaded = new ConcurrentHashMap<>();
 
   /**
@@ -52,18 +61,21 @@ final class TestPrograms implements TestedPrograms {
    * @param ofPrograms what programs may call
    * @param ofTests what tests may call
    * @param covered whether runs of them mark what they reach
+   * @param controller what they run on, unless they bring a setup of their own
    */
   TestPrograms(
       TestFile file,
       TestSources files,
       Builtins<ControlBox> ofPrograms,
       Builtins<ControlBox> ofTests,
-      boolean covered) {
+      boolean covered,
+      ControllerOptions controller) {
     this.file = file;
     this.files = files;
     this.ofPrograms = ofPrograms;
     this.ofTests = ofTests;
     this.covered = covered;
+    this.controller = controller;
   }
 
   @Override
@@ -71,6 +83,18 @@ final class TestPrograms implements TestedPrograms {
     String beside = TestSources.beside(file.name(), ByteText.decoded(name));
     Loaded one = loaded.computeIfAbsent(beside, this::read);
     return one.program().orElseThrow(() -> new ScriptError(NO_PROGRAM, "start: " + one.refusal()));
+  }
+
+  /**
+   * What the controller of a test is switched on with: that of the first program that it starts and
+   * that brings a setup of its own.
+   */
+  ControllerOptions controller(TestCase test) {
+    return file.starts().getOrDefault(test.id().function(), List.of()).stream()
+        .map(each -> loaded.computeIfAbsent(TestSources.beside(file.name(), each), this::read))
+        .flatMap(each -> each.controller().stream())
+        .findFirst()
+        .orElse(controller);
   }
 
   /** Where a program that was loaded here may read files. */
@@ -123,20 +147,30 @@ final class TestPrograms implements TestedPrograms {
       return refused(name + ": " + e.getMessage());
     }
     if (!TreeFile.hasEnding(name)) {
-      return compiled(Source.of(name, bytes), Optional.empty());
+      return compiled(Source.of(name, bytes), Optional.empty(), Optional.empty());
     }
     try {
-      TreeFile tree = TreeFile.read(name, bytes);
+      TestedTree tested = TestedTree.of(name, bytes, controller.installation(), files);
+      TreeFile tree = tested.tree();
       List<String> problems = tree.problems();
-      return problems.isEmpty()
-          ? compiled(Source.of(tree.scriptName(), tree.script().text()), Optional.of(tree))
-          : refused(problems.getFirst());
+      if (!problems.isEmpty()) {
+        return refused(problems.getFirst());
+      }
+      Optional<ControllerOptions> own =
+          tested.own().isPresent()
+              ? Optional.of(files.setUp(controller, tested.own().get(), tree.robot()))
+              : Optional.empty();
+      return compiled(Source.of(tree.scriptName(), tree.script().text()), Optional.of(tree), own);
+    } catch (IOException e) {
+      return refused(name + ": " + e.getMessage());
+    } catch (InstallationTrouble e) {
+      return refused(e.getMessage());
     } catch (BrokenTree e) {
       return refused(e.reports().getFirst());
     }
   }
 
-  private Loaded compiled(Source source, Optional<TreeFile> tree) {
+  private Loaded compiled(Source source, Optional<TreeFile> tree, Optional<ControllerOptions> own) {
     LoadResult plain =
         covered
             ? ProgramLoader.loadCovered(source, ofPrograms)
@@ -158,10 +192,10 @@ final class TestPrograms implements TestedPrograms {
         file.mocked().isEmpty()
             ? plain
             : ProgramLoader.load(source, mocked::into, mocked.builtins(ofTests), covered);
-    return new Loaded(result.program(), "", mocked.found(), tree);
+    return new Loaded(result.program(), "", mocked.found(), tree, own);
   }
 
   private static Loaded refused(String why) {
-    return new Loaded(Optional.empty(), why, Set.of(), Optional.empty());
+    return new Loaded(Optional.empty(), why, Set.of(), Optional.empty(), Optional.empty());
   }
 }

@@ -69,8 +69,8 @@ final class TestRun {
     this.observer = observer;
     bench = new TestBench(test.number(), choices, programs, this::globals);
     ControllerOptions options =
-        settings
-            .controller()
+        programs
+            .controller(test)
             .withOperator(Operator.present())
             .withOutside(new Connectors(bench.peers(), Connectors.NONE.rpc()));
     controller = new Controller(options, builtins);

@@ -122,7 +122,8 @@ public final class TestRunner {
       try {
         TestFile file = reader.read(name);
         TestPrograms programs =
-            new TestPrograms(file, files, ofPrograms, ofTests, coverage.isPresent());
+            new TestPrograms(
+                file, files, ofPrograms, ofTests, coverage.isPresent(), settings.controller());
         for (TestCase each : file.tests()) {
           if (wanted.test(each)) {
             chosen.add(new Chosen(file, programs, each));

@@ -1,6 +1,7 @@
 package org.pendant.testing.source;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.pendant.script.vm.Program;
 
@@ -14,6 +15,7 @@ import org.pendant.script.vm.Program;
  * @param tests in the order of the file
  * @param mocked the functions that its tests replace
  * @param functions the functions and builtins that it could replace by itself
+ * @param starts the names of programs that each test may start, by its function
  */
 public record TestFile(
     String name,
@@ -21,10 +23,12 @@ public record TestFile(
     Composition composition,
     List<TestCase> tests,
     Set<String> mocked,
-    Set<String> functions) {
+    Set<String> functions,
+    Map<String, List<String>> starts) {
   public TestFile {
     tests = List.copyOf(tests);
     mocked = Set.copyOf(mocked);
     functions = Set.copyOf(functions);
+    starts = Map.copyOf(starts);
   }
 }

@@ -2,8 +2,10 @@ package org.pendant.testing.source;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -92,6 +94,7 @@ public final class TestFileReader {
     private final Source source;
     private final Composition composition = new Composition();
     private final List<String> problems = new ArrayList<>();
+    private final Map<String, List<String>> starts = new HashMap<>();
 
     Reading(Source source) {
       this.source = source;
@@ -122,7 +125,13 @@ public final class TestFileReader {
       report(loaded.diagnostics());
       stopIfBroken();
       return new TestFile(
-          source.name(), loaded.program().orElseThrow(), composition, tests, mocked, functions);
+          source.name(),
+          loaded.program().orElseThrow(),
+          composition,
+          tests,
+          mocked,
+          functions,
+          starts);
     }
 
     private void stopIfBroken() throws Broken {
@@ -209,6 +218,7 @@ public final class TestFileReader {
         TestMarks marks = TestMarks.above(source, source.line(each.range().start()), wrong);
         report(wrong);
         boolean watches = reach.starts(each.name());
+        starts.put(each.name(), reach.started(each.name()));
         if (watches) {
           reach
               .move(each.name())

@@ -8,7 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.language.source.ByteText;
 import org.pendant.language.syntax.Expression;
 import org.pendant.language.syntax.Expression.Call;
 import org.pendant.language.syntax.Statement;
@@ -19,10 +21,12 @@ import org.pendant.script.function.Effect;
 /** Reach of tests: what a test may call, itself or by the functions of its file. */
 final class TestReach {
   private static final String MOTION = "motion";
+  private static final String START = "start";
 
   private final Builtins<ControlBox> builtins;
   private final Map<String, Set<String>> called = new HashMap<>();
   private final Map<String, Call> moves = new HashMap<>();
+  private final Map<String, Set<String>> started = new HashMap<>();
 
   /**
    * The reach within one file.
@@ -40,6 +44,11 @@ final class TestReach {
   private void note(String from, Expression expression) {
     switch (expression) {
       case Call call -> {
+        if (call.function().equals(START)
+            && !call.arguments().isEmpty()
+            && call.arguments().getFirst().value() instanceof Expression.StringLiteral file) {
+          started.computeIfAbsent(from, _ -> new TreeSet<>()).add(ByteText.decoded(file.value()));
+        }
         called.computeIfAbsent(from, _ -> new HashSet<>()).add(call.function());
         if (builtins.find(call.function()).filter(TestReach::moving).isPresent()) {
           moves.putIfAbsent(from, call);
@@ -71,7 +80,16 @@ final class TestReach {
 
   /** Whether a test may start a program. */
   boolean starts(String test) {
-    return from(test).contains("start");
+    return from(test).contains(START);
+  }
+
+  /** The names of the programs that a test may start, where they are written as such. */
+  List<String> started(String test) {
+    return from(test).stream()
+        .flatMap(each -> started.getOrDefault(each, Set.of()).stream())
+        .sorted()
+        .distinct()
+        .toList();
   }
 
   /** A call by which a test may move the arm itself. */

@@ -3,7 +3,10 @@ package org.pendant.testing.source;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.installation.Installation;
 
 /** Files that tests are in, and those that they name. */
 @FunctionalInterface
@@ -23,6 +26,19 @@ public interface TestSources {
    */
   default ProgramsFolder folder(String name) {
     return ProgramsFolder.NONE;
+  }
+
+  /**
+   * What a controller is switched on with for a program that brings a setup of its own.
+   *
+   * @param base what it is without
+   * @param own the installation of the program
+   * @param robot id of the arm that the program was made on, if its file tells
+   * @throws IOException if the arm cannot be set up so; its message says why, for people
+   */
+  default ControllerOptions setUp(ControllerOptions base, Installation own, Optional<String> robot)
+      throws IOException {
+    return base.withInstallation(own);
   }
 
   /**

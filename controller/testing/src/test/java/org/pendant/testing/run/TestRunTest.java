@@ -3,6 +3,9 @@ package org.pendant.testing.run;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -306,5 +309,25 @@ class TestRunTest {
 
     assertEquals(TestStatus.ERROR, result.status());
     assertEquals("safety-stop", failure(result).code());
+  }
+
+  @Test
+  void aTreeRunsInTheInstallationThatItNames() throws IOException {
+    Path examples = Path.of("../../examples");
+
+    TestResult result =
+        Suite.of(
+                "def test_stacks():",
+                "  start(\"stack_boxes.pendant\")",
+                "  wait_for_end(within=100)",
+                "  assert_log(\"tray is full, boxes: 6\")",
+                "end")
+            .with(
+                "cell/stack_boxes.pendant",
+                Files.readString(examples.resolve("stack_boxes.pendant")))
+            .with("cell/stack_boxes.pinst", Files.readString(examples.resolve("stack_boxes.pinst")))
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
   }
 }
