@@ -26,6 +26,7 @@ public final class TestBench {
   private final Expected expected = new Expected();
   private final PreparedAnswers answers = new PreparedAnswers();
   private final TestPeers peers = new TestPeers();
+  private final IoChanges changes = new IoChanges();
   private final List<OutputFollower> followers = new ArrayList<>();
   private List<Command> commands = new ArrayList<>();
   private Optional<Program> toStart = Optional.empty();
@@ -77,6 +78,11 @@ public final class TestBench {
   /** What the operator says. */
   public PreparedAnswers answers() {
     return answers;
+  }
+
+  /** The changes of digital signals so far. */
+  public IoChanges changes() {
+    return changes;
   }
 
   /** Whom programs reach by sockets. */

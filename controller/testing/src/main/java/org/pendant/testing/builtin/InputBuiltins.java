@@ -1,5 +1,8 @@
 package org.pendant.testing.builtin;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.controller.bench.IoChanges;
 import org.pendant.controller.bench.OutputFollower;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.ControlBox;
@@ -15,6 +18,7 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Outcome;
+import org.pendant.script.value.ListValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
@@ -69,6 +73,14 @@ final class InputBuiltins {
         .needs("fraction", Type.NUMBER)
         .does(InputBuiltins::speed);
     declareFollower(builtins);
+    TestBuiltins.declare(builtins, "assert_io_order", SECTION)
+        .doc(
+            "Fails the test unless these changes of digital signals came about in this order since"
+                + " its start, others between them or not: [\"DO0 on\", \"DI5 on\", \"DO0 off\"]."
+                + " DI and DO are standard inputs and outputs, CI and CO configurable ones, TI and"
+                + " TO the tool's.")
+        .needs("changes", Type.LIST)
+        .does(InputBuiltins::order);
   }
 
   private static void digital(
@@ -118,6 +130,25 @@ final class InputBuiltins {
       call.host().signals().write(change.of(number));
     } catch (IllegalArgumentException e) {
       throw call.failure(NO_SIGNAL, e.getMessage());
+    }
+    return call.answer();
+  }
+
+  private static Outcome order(Call<ControlBox> call) throws ScriptError {
+    ListValue list = call.list(0);
+    List<String> wanted = new ArrayList<>();
+    for (int i = 0; i < list.length(); i++) {
+      wanted.add(list.get(i).text());
+    }
+    IoChanges changes = TestBuiltins.bench(call).changes();
+    int found = changes.inOrder(wanted);
+    if (found < wanted.size()) {
+      throw call.failure(
+          AssertionCodes.FAILED,
+          (found == 0 ? "" : "after " + wanted.get(found - 1) + " ")
+              + wanted.get(found)
+              + " did not come; "
+              + changes.told());
     }
     return call.answer();
   }

@@ -172,6 +172,7 @@ final class TestRun {
     ControllerState state = controller.state();
     observer.sees(state);
     bench.peers().step(state.frame());
+    bench.changes().see(state.io(), state.timeS());
     output.take(state);
     wires.step(state, this::post);
     loss = operator.look(state, this::post);

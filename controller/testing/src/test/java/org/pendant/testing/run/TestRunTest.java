@@ -330,4 +330,41 @@ class TestRunTest {
 
     assertEquals(Optional.empty(), result.failure());
   }
+
+  @Test
+  void changesOfSignalsHaveAnOrder() {
+    String program =
+        """
+        def pick():
+          set_standard_digital_out(0, True)
+          sleep(0.5)
+          set_standard_digital_out(0, False)
+          sleep(0.1)
+        end
+        """;
+    Suite suite =
+        Suite.of(
+                "def run_it():",
+                "  wire(0, 5, delay=0.2)",
+                "  start(\"pick.script\")",
+                "  wait_for_end()",
+                "end",
+                "def test_order():",
+                "  run_it()",
+                "  assert_io_order([\"DO0 on\", \"DI5 on\", \"do0 off\"])",
+                "end",
+                "def test_wrong():",
+                "  run_it()",
+                "  assert_io_order([\"DI5 on\", \"DO0 on\"])",
+                "end")
+            .with("cell/pick.script", program);
+
+    List<TestResult> results = suite.run().results();
+
+    assertEquals(TestStatus.PASSED, results.getFirst().status());
+    String message = failure(results.getLast()).message();
+    assertTrue(
+        message.startsWith("assert_io_order: after DI5 on DO0 on did not come; DO0 on at 0.0"),
+        message);
+  }
 }
