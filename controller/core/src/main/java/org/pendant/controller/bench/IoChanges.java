@@ -24,7 +24,7 @@ public final class IoChanges {
 
   /** Takes the levels at the end of a frame; the first ones are no change. */
   public void see(DigitalLevels levels, double timeS) {
-    if (begun && levels != last) {
+    if (begun && !levels.equals(last)) {
       for (SignalBank bank : SignalBank.values()) {
         int now = levels.bits(bank);
         int changed = now ^ last.bits(bank);
