@@ -27,6 +27,9 @@ import org.pendant.models.time.FrameTime;
  * does not grow with its length.
  */
 public final class RecordingFile {
+  /** With so many bytes each file begins in the same way. */
+  public static final int MARK_BYTES = FileFormat.MAGIC.length;
+
   /** Blocks that are kept in memory. */
   private static final int KEPT = 24;
 
@@ -103,6 +106,12 @@ public final class RecordingFile {
    */
   public static Opened open(Path file) throws IOException {
     return new RecordingFile(file).read();
+  }
+
+  /** Whether a file that begins with these bytes is a recording, of this version or another. */
+  public static boolean begins(byte[] bytes) {
+    return bytes.length >= MARK_BYTES
+        && Arrays.equals(bytes, 0, MARK_BYTES, FileFormat.MAGIC, 0, MARK_BYTES);
   }
 
   private Opened read() throws IOException {

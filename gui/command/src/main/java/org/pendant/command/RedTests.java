@@ -19,8 +19,6 @@ import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.recording.RecordedProgram;
-import org.pendant.recording.RecordingWriter;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestResult;
@@ -98,7 +96,7 @@ final class RedTests {
     try (FileDraft draft = FileDraft.replacing(recording)) {
       Taking taking = new Taking(draft, renderer);
       runner.repeat(plan, id, taking);
-      taking.writer.close();
+      taking.recorder.close();
       draft.commit();
       files.add(new FailureAttachment(name + ".rec", "Recording, for pendant open", Kind.LINK));
       if (renderer.isPresent() && taking.moved) {
@@ -136,31 +134,24 @@ final class RedTests {
         HEIGHT_PX);
   }
 
-  /** Writes the frames of a test down. */
+  /** Records a test, and keeps what is needed for a picture of it. */
   private static final class Taking implements TestObserver {
-    private final FileDraft draft;
+    private final TestRecorder recorder;
     private final Optional<PictureRenderer> renderer;
-    private Drive drive;
-    private RecordingWriter writer;
     private ControllerState last;
 
     /** There is something to see. */
     private boolean moved;
 
     Taking(FileDraft draft, Optional<PictureRenderer> renderer) {
-      this.draft = draft;
+      recorder = new TestRecorder(draft.out());
       this.renderer = renderer;
     }
 
     @Override
     public void begins(Drive of) {
-      drive = of;
       last = of.state();
-      try {
-        writer = new RecordingWriter(draft.out(), last);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
+      recorder.begins(of);
     }
 
     @Override
@@ -168,15 +159,7 @@ final class RedTests {
       last = state;
       moved |= state.arm().moving();
       renderer.ifPresent(each -> each.trace(state.arm(), state.timeS()));
-      try {
-        writer.write(state);
-        Optional<RecordedProgram> text = RecordedProgram.startedIn(state, drive::programSource);
-        if (text.isPresent()) {
-          writer.note(text.get());
-        }
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
+      recorder.sees(state);
     }
   }
 }

@@ -76,7 +76,7 @@ final class TestCommand implements Subcommand {
   @Override
   public List<Option> options() {
     return Stream.of(
-            List.of(LIST, WATCH, VERBOSE, QUIET, COLOR, GITHUB),
+            List.of(LIST, WATCH, VERBOSE, QUIET, COLOR, GITHUB, GoldenRecordings.UPDATE),
             TestReports.ALL,
             TestMutation.ALL,
             TestOptions.ALL)
@@ -88,6 +88,9 @@ final class TestCommand implements Subcommand {
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     if (arguments.has(VERBOSE) && arguments.has(QUIET)) {
       throw new UsageException("--verbose and --quiet ask for opposites");
+    }
+    if (arguments.has(GoldenRecordings.UPDATE) && TestMutation.wanted(arguments)) {
+      throw new UsageException("--update-golden records programs, and --mutate breaks them");
     }
     TestOptions options = TestOptions.of(arguments);
     InstallationOption.tell(arguments, console);
@@ -147,8 +150,10 @@ final class TestCommand implements Subcommand {
         TestReports.wantCoverage(arguments) || TestMutation.wanted(arguments)
             ? Optional.of(new CoverageCollector())
             : Optional.empty();
+    GoldenRecordings goldens = new GoldenRecordings(disk, arguments.has(GoldenRecordings.UPDATE));
     TestRunner runner =
-        new TestRunner(disk, options.settings(), options::wants, report::finished, coverage);
+        new TestRunner(
+            disk, options.settings(), options::wants, report::finished, goldens, coverage);
     TestPlan plan = runner.plan(files).shard(options.shardNumber(), options.shardCount());
     var _ = TestReports.of(arguments, disk);
     var _ = TestMutation.of(arguments, options.settings());
@@ -161,6 +166,9 @@ final class TestCommand implements Subcommand {
     SuiteResult result = run(runner, plan, report, interruption);
     if (github(arguments)) {
       GithubAnnotations.lines(result).forEach(console::print);
+    }
+    if (!arguments.has(QUIET)) {
+      goldens.written().forEach(each -> console.print("recorded " + each));
     }
     console.flush();
     // again: by now it is known which programs the tests have read

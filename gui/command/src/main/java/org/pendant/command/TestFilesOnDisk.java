@@ -67,6 +67,21 @@ final class TestFilesOnDisk implements TestSources {
     }
   }
 
+  /**
+   * Where the recording is that a test is compared with.
+   *
+   * @throws IOException if that is no name of a file
+   */
+  Path golden(String name) throws IOException {
+    synchronized (files) {
+      try {
+        return files.path("a recording of the tests", name);
+      } catch (UsageException e) {
+        throw new IOException(e.getMessage(), e);
+      }
+    }
+  }
+
   @Override
   public ControllerOptions setUp(ControllerOptions base, Installation own, Optional<String> robot)
       throws IOException {

@@ -158,4 +158,68 @@ final class TestCommandTest {
     assertEquals(2, test(empty.toString()));
     assertTrue(errors.toString(StandardCharsets.UTF_8).contains("no file *_test.script in "));
   }
+
+  private void golden(String program) throws IOException {
+    Files.writeString(folder.resolve("pick.script"), program);
+    Files.writeString(
+        folder.resolve("pick_test.script"),
+        """
+        # @golden
+        def test_runs():
+          start("pick.script")
+          wait_for_end()
+        end
+        """);
+  }
+
+  @Test
+  void aTestWithARecordingToCompareWithNeedsOneThatIsMadeOnlyWhenAskedFor() throws IOException {
+    golden(PICK);
+    Path recording = folder.resolve("golden/pick_test.test_runs.rec");
+
+    assertEquals(1, test(folder.toString()));
+    assertTrue(
+        said().contains("there is no recording golden/pick_test.test_runs.rec to compare with"),
+        said());
+    assertFalse(Files.exists(recording));
+
+    assertEquals(0, test(folder.toString(), "--update-golden"));
+    assertTrue(said().contains("recorded golden/pick_test.test_runs.rec"), said());
+    assertTrue(Files.exists(recording));
+    assertEquals(0, test(folder.toString(), "--seed", "77"));
+  }
+
+  @Test
+  void aProgramThatDoesSomethingElseThanItsRecordingIsRedAtItsLine() throws IOException {
+    golden(PICK);
+    assertEquals(0, test(folder.toString(), "--update-golden"));
+    golden(PICK.replace("sleep(0.1)", "sleep(0.3)"));
+
+    assertEquals(1, test(folder.toString()));
+    assertTrue(
+        said().contains("pick.script:6: error: the test takes 0.304 s, took 0.104 s"), said());
+    assertTrue(said().contains("first difference from golden/pick_test.test_runs.rec"), said());
+
+    assertEquals(0, test(folder.toString(), "--update-golden"));
+    assertEquals(0, test(folder.toString()));
+  }
+
+  @Test
+  void aFileThatIsNoRecordingIsNotReplacedByOne() throws IOException {
+    golden(PICK);
+    Path file = folder.resolve("golden/pick_test.test_runs.rec");
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, "something else");
+
+    assertEquals(1, test(folder.toString(), "--update-golden"));
+    assertTrue(said().contains("is no recording, so it is not replaced"), said());
+    assertEquals("something else", Files.readString(file));
+    assertEquals(1, test(folder.toString()));
+    assertTrue(said().contains("is no recording of Pendant"), said());
+  }
+
+  @Test
+  void recordingsAreNotMadeOfProgramsThatMutationBreaks() {
+    assertEquals(2, test(folder.toString(), "--update-golden", "--mutate"));
+  }
 }

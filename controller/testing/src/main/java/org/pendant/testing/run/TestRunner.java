@@ -22,6 +22,7 @@ import org.pendant.testing.BrokenTestFile;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestId;
+import org.pendant.testing.TestPlace;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
 import org.pendant.testing.builtin.TestBuiltins;
@@ -41,6 +42,7 @@ public final class TestRunner {
   private final TestSettings settings;
   private final Predicate<TestCase> wanted;
   private final TestListener listener;
+  private final Goldens goldens;
   private final Optional<CoverageCollector> coverage;
   private final Builtins<ControlBox> ofPrograms;
   private final Builtins<ControlBox> ofTests;
@@ -54,6 +56,7 @@ public final class TestRunner {
    * @param files that tests are in
    * @param wanted which of the tests are run
    * @param listener is told what has come of each, by any thread but by one at a time
+   * @param goldens what tests are compared with that ask for it
    * @param coverage takes what tests reach of programs; empty where nobody asks for it
    */
   public TestRunner(
@@ -61,11 +64,13 @@ public final class TestRunner {
       TestSettings settings,
       Predicate<TestCase> wanted,
       TestListener listener,
+      Goldens goldens,
       Optional<CoverageCollector> coverage) {
     this.files = files;
     this.settings = settings;
     this.wanted = wanted;
     this.listener = listener;
+    this.goldens = goldens;
     this.coverage = coverage;
     ofPrograms = StandardBuiltins.create();
     ofTests = TestBuiltins.create();
@@ -78,6 +83,7 @@ public final class TestRunner {
     settings = of.settings;
     wanted = of.wanted;
     listener = _ -> {};
+    goldens = of.goldens;
     coverage = Optional.empty();
     ofPrograms = of.ofPrograms;
     ofTests = of.ofTests;
@@ -206,7 +212,7 @@ public final class TestRunner {
                   choices -> run(one, choices, coverage, TestObserver.NONE),
                   choices -> reported.put(test.id(), choices))
               .run()
-          : run(one, choices(test), coverage, TestObserver.NONE);
+          : compared(one);
     } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
       // our own mistake, or a test that takes all memory: the other tests still count
       return result(
@@ -216,6 +222,47 @@ public final class TestRunner {
               new TestFailure(
                   "internal-error", "internal error: " + e, Optional.of(test.place()), List.of())));
     }
+  }
+
+  /** Runs a test once, and compares it with its recording where it is marked so. */
+  private TestResult compared(Chosen one) {
+    TestCase test = one.test();
+    if (test.golden().isEmpty()) {
+      return run(one, choices(test), coverage, TestObserver.NONE);
+    }
+    try (Goldens.Run golden = goldens.begins(test)) {
+      TestResult result = run(one, choices(test), coverage, golden);
+      return result.status() == TestStatus.PASSED
+          ? golden.passed().map(problem -> red(result, failure(one, problem))).orElse(result)
+          : result;
+    }
+  }
+
+  private static TestFailure failure(Chosen one, Goldens.Problem problem) {
+    TestCase test = one.test();
+    String node = "";
+    TestPlace place = test.place();
+    if (problem.line() > 0 && test.watches()) {
+      node =
+          one.programs().nodeAt(problem.program(), problem.line()).map(at -> at + ": ").orElse("");
+      place = new TestPlace(problem.program(), problem.line(), 0, "");
+    } else if (problem.line() > 0) {
+      place = one.file().composition().placeOfLine(problem.line(), test.id().function());
+    }
+    return new TestFailure(problem.code(), node + problem.message(), Optional.of(place), List.of());
+  }
+
+  private static TestResult red(TestResult result, TestFailure failure) {
+    return new TestResult(
+        result.id(),
+        result.place(),
+        result.tags(),
+        TestStatus.FAILED,
+        "",
+        Optional.of(failure),
+        result.robotTimeS(),
+        result.wallTimeS(),
+        result.output());
   }
 
   /**
@@ -237,7 +284,14 @@ public final class TestRunner {
   private TestResult run(
       Chosen one, Choices choices, Optional<CoverageCollector> covers, TestObserver observer) {
     return new TestRun(
-            one.file(), one.test(), one.programs(), ofTests, settings, covers, choices, observer)
+            one.file(),
+            one.test(),
+            one.programs(),
+            ofTests,
+            one.test().golden().isPresent() ? settings.withoutSeed() : settings,
+            covers,
+            choices,
+            observer)
         .run();
   }
 
@@ -245,8 +299,14 @@ public final class TestRunner {
   private Choices choices(TestCase test) {
     List<Double> given = reported.get(test.id());
     return given == null
-        ? new Choices(List.of(), OptionalLong.of(settings.seed() * 31 + test.id().hashCode()))
+        ? new Choices(List.of(), OptionalLong.of(seed(test)))
         : new Choices(given, OptionalLong.empty());
+  }
+
+  private long seed(TestCase test) {
+    return test.golden().isPresent()
+        ? test.id().name().hashCode()
+        : settings.seed() * 31 + test.id().hashCode();
   }
 
   private static TestResult result(TestCase test, TestOutcome outcome) {

@@ -25,4 +25,9 @@ public record TestSettings(
 
   /** How long a test may take on the computer where nobody says otherwise. */
   public static final Duration STANDARD_WALL_TIMEOUT = Duration.ofSeconds(60);
+
+  /** The same for a test that must do the same whatever the seed. */
+  TestSettings withoutSeed() {
+    return new TestSettings(controller.withSeed(0), 0, jobs, timeoutS, wallTimeout, failFast);
+  }
 }

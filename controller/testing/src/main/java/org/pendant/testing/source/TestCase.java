@@ -17,6 +17,7 @@ import org.pendant.testing.TestPlace;
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take, where it says so itself
  * @param property how it is run with many values; empty for a test that runs once
+ * @param golden how it is compared with a recording of itself; empty for a test that is not
  * @param watches whether it starts programs, and so runs beside them; else it is the program
  */
 public record TestCase(
@@ -27,6 +28,7 @@ public record TestCase(
     Optional<String> skip,
     OptionalDouble timeoutS,
     Optional<Property> property,
+    Optional<GoldenMark> golden,
     boolean watches) {
 
   /**
@@ -44,6 +46,6 @@ public record TestCase(
   /** The same test with a limit to the robot time of a run, unless its own is shorter. */
   public TestCase within(double limitS) {
     OptionalDouble shortest = OptionalDouble.of(Math.min(limitS, timeoutS.orElse(limitS)));
-    return new TestCase(id, number, place, tags, skip, shortest, property, watches);
+    return new TestCase(id, number, place, tags, skip, shortest, property, golden, watches);
   }
 }

@@ -16,20 +16,22 @@ import org.pendant.language.source.SourceRange;
 /**
  * Test marks: what stands in the comment lines right above a test, each in a line of its own:
  * {@code # @tag slow}, {@code # @skip REASON}, {@code # @timeout SECONDS}, {@code # @case
- * ARGUMENTS}, {@code # @given RUNS}, {@code # @example CHOICES}.
+ * ARGUMENTS}, {@code # @given RUNS}, {@code # @example CHOICES}, {@code # @golden TOLERANCES}.
  *
  * @param tags sorted
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take
  * @param cases the arguments of each case, in order
  * @param property how it is run with many values
+ * @param golden how it is compared with a recording
  */
 record TestMarks(
     SortedSet<String> tags,
     Optional<String> skip,
     OptionalDouble timeoutS,
     List<Case> cases,
-    Optional<TestCase.Property> property) {
+    Optional<TestCase.Property> property,
+    Optional<GoldenMark> golden) {
   TestMarks {
     tags = Collections.unmodifiableSortedSet(tags);
     cases = List.copyOf(cases);
@@ -59,7 +61,12 @@ record TestMarks(
       reading.line(each);
     }
     return new TestMarks(
-        reading.tags, reading.skip, reading.timeoutS, reading.cases, reading.property());
+        reading.tags,
+        reading.skip,
+        reading.timeoutS,
+        reading.cases,
+        reading.property(),
+        reading.golden());
   }
 
   /** Marks as far as they are read. */
@@ -74,6 +81,8 @@ record TestMarks(
     private Optional<String> skip = Optional.empty();
     private OptionalDouble timeoutS = OptionalDouble.empty();
     private final List<List<Double>> examples = new ArrayList<>();
+    private Optional<GoldenMark> golden = Optional.empty();
+    private SourceRange goldenRange = new SourceRange(0, 1);
     private int runs;
 
     Reading(Source source, List<Diagnostic> problems) {
@@ -103,6 +112,7 @@ record TestMarks(
         case "case" -> cases.add(new Case(rest, range));
         case "given" -> given(rest, range);
         case "example" -> example(rest, range);
+        case "golden" -> golden(rest, range);
         default ->
             problems.add(
                 Diagnostic.error(
@@ -111,7 +121,7 @@ record TestMarks(
                     "@"
                         + word
                         + " is no mark of a test; there are @tag, @skip, @timeout, @case,"
-                        + " @given and @example",
+                        + " @given, @example and @golden",
                     ""));
       }
     }
@@ -130,6 +140,34 @@ record TestMarks(
       return runs == 0 && examples.isEmpty()
           ? Optional.empty()
           : Optional.of(new TestCase.Property(Math.max(runs, examples.size()), examples));
+    }
+
+    private Optional<GoldenMark> golden() {
+      if (golden.isPresent() && property().isPresent()) {
+        problems.add(
+            Diagnostic.error(
+                "wrong-mark",
+                goldenRange,
+                "@golden is for a test that does the same each time; one with @given or @example"
+                    + " does not",
+                ""));
+      }
+      return golden;
+    }
+
+    private void golden(String rest, SourceRange range) {
+      goldenRange = range;
+      golden = GoldenMark.of(rest);
+      if (golden.isEmpty()) {
+        problems.add(
+            Diagnostic.error(
+                "wrong-mark",
+                range,
+                "@golden is '"
+                    + rest
+                    + "', may have deg=DEGREES, mm=MILLIMETRES and s=SECONDS, each 0 or more",
+                ""));
+      }
     }
 
     private void given(String rest, SourceRange range) {

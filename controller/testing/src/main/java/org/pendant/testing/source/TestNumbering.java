@@ -80,6 +80,7 @@ final class TestNumbering {
             marks.skip(),
             marks.timeoutS(),
             marks.property(),
+            marks.golden(),
             watches));
     composition.add(
         (number == 0 ? "if " : "elif ") + ExpectationBuiltins.TEST_NUMBER + "() == " + number + ":",

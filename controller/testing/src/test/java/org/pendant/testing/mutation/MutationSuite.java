@@ -12,6 +12,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.coverage.CoverageCollector;
+import org.pendant.testing.run.Goldens;
 import org.pendant.testing.run.TestRunner;
 import org.pendant.testing.run.TestSettings;
 import org.pendant.testing.source.TestSources;
@@ -79,7 +80,8 @@ public final class MutationSuite {
             60,
             Duration.ofSeconds(60),
             false);
-    TestRunner runner = new TestRunner(sources, tests, _ -> true, _ -> {}, Optional.of(coverage));
+    TestRunner runner =
+        new TestRunner(sources, tests, _ -> true, _ -> {}, Goldens.NONE, Optional.of(coverage));
     result = runner.run(runner.plan(names));
     if (result.red()) {
       throw new AssertionError(result.broken() + " " + result.firstRed());

@@ -48,7 +48,7 @@ class BrokenFilesTest {
     assertEquals(
         List.of(
             "cell/pick_test.script:1:3: error: @slow is no mark of a test; there are @tag, @skip,"
-                + " @timeout, @case, @given and @example"),
+                + " @timeout, @case, @given, @example and @golden"),
         Suite.of("# @slow", "def test_a():", "  sync()", "end").problems());
   }
 
@@ -97,5 +97,23 @@ class BrokenFilesTest {
     assertEquals(
         List.of("cell/pick_test.script:3:3: error: mock needs the name of a function in quotes"),
         Suite.of("def test_a():", "  name = \"grip\"", "  mock(name, 3)", "end").problems());
+  }
+
+  @Test
+  void aGoldenTestMayNotHaveOtherValuesEachTime() {
+    assertEquals(
+        List.of(
+            "cell/pick_test.script:1:12: error: @golden is for a test that does the same each time;"
+                + " one with @given or @example does not"),
+        Suite.of("#  @golden deg=1", "# @given 3", "def test_a():", "  sync()", "end").problems());
+  }
+
+  @Test
+  void aToleranceOfAGoldenTestThatIsNoneIsAMistake() {
+    assertEquals(
+        List.of(
+            "cell/pick_test.script:1:11: error: @golden is 'deg=-1', may have deg=DEGREES,"
+                + " mm=MILLIMETRES and s=SECONDS, each 0 or more"),
+        Suite.of("# @golden deg=-1", "def test_a():", "  sync()", "end").problems());
   }
 }

@@ -19,6 +19,7 @@ import org.pendant.testing.source.TestSources;
 final class Suite {
   private final Map<String, String> files = new HashMap<>();
   private Optional<CoverageCollector> coverage = Optional.empty();
+  private Goldens goldens = Goldens.NONE;
   private TestSettings settings =
       new TestSettings(
           ControllerOptions.headless().withArm(ArmChoice.IDEAL),
@@ -45,6 +46,12 @@ final class Suite {
     return this;
   }
 
+  /** With something that marked tests are compared with. */
+  Suite with(Goldens other) {
+    goldens = other;
+    return this;
+  }
+
   /** What its tests reach of programs. */
   CoverageReport coverage() {
     CoverageCollector collector = new CoverageCollector();
@@ -67,7 +74,7 @@ final class Suite {
           }
           return text.getBytes(StandardCharsets.UTF_8);
         };
-    return new TestRunner(source, settings, test -> true, result -> {}, coverage);
+    return new TestRunner(source, settings, test -> true, result -> {}, goldens, coverage);
   }
 
   private List<String> names() {

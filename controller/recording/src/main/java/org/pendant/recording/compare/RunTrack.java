@@ -1,0 +1,130 @@
+package org.pendant.recording.compare;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.io.DigitalLevels;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.io.SignalBank;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.recording.Recording;
+
+/**
+ * Run track: what programs decided in a run, frame by frame from the switch-on: where the arm has
+ * to be, digital outputs, lines of {@code textmsg}, and how long it took. One thread uses it.
+ */
+public final class RunTrack {
+  /** Lines of text that are kept; a program that writes more is compared by the first ones. */
+  private static final int MAX_TEXTS = 10_000;
+
+  private final boolean withTcp;
+  private final List<Sample> samples = new ArrayList<>();
+  private final List<Switch> switches = new ArrayList<>();
+  private final List<Text> texts = new ArrayList<>();
+  private DigitalLevels levels = DigitalLevels.ALL_LOW;
+  private long lastFrame;
+
+  /**
+   * An empty track.
+   *
+   * @param withTcp whether it keeps where the TCP has to be
+   */
+  public RunTrack(boolean withTcp) {
+    this.withTcp = withTcp;
+  }
+
+  /** What holds from a frame on, until the next one. */
+  record Sample(long frame, Joints target, Optional<Pose> tcp, int line) {}
+
+  /** An output that changes. */
+  record Switch(long frame, Signal signal, boolean on) {}
+
+  /** A line of text. */
+  record Text(long frame, String text) {}
+
+  /** That of a recording from its beginning to its end; too slow for the dispatch thread. */
+  public static RunTrack of(Recording recording, boolean withTcp) {
+    RunTrack track = new RunTrack(withTcp);
+    recording.frames(recording.firstFrame(), recording.lastFrame(), track::take);
+    track.lastFrame = recording.lastFrame();
+    return track;
+  }
+
+  /** Takes the next frame; those in which nothing changes may be left out. */
+  public void take(ControllerState state) {
+    lastFrame = state.frame();
+    takeArm(state);
+    if (!state.io().equals(levels)) {
+      takeOutputs(state);
+    }
+    for (LogEntry each : state.newEntries()) {
+      if (each.origin() == LogEntry.Origin.SCRIPT && texts.size() < MAX_TEXTS) {
+        texts.add(new Text(state.frame(), each.text()));
+      }
+    }
+  }
+
+  private void takeArm(ControllerState state) {
+    Joints target = state.arm().targetPositionRad();
+    int line = state.program().line();
+    Optional<Pose> tcp =
+        withTcp ? Optional.of(state.arm().targetTcpInBase()) : Optional.<Pose>empty();
+    if (!samples.isEmpty()) {
+      Sample last = samples.getLast();
+      if (last.target().equals(target) && last.line() == line && last.tcp().equals(tcp)) {
+        return;
+      }
+    }
+    samples.add(new Sample(state.frame(), target, tcp, line));
+  }
+
+  private void takeOutputs(ControllerState state) {
+    for (SignalBank bank : SignalBank.values()) {
+      int changed = state.io().bits(bank) ^ levels.bits(bank);
+      for (int i = 0; !bank.input() && bank != SignalBank.FLAG && i < bank.size(); i++) {
+        if ((changed >> i & 1) != 0) {
+          Signal signal = new Signal(bank, i);
+          switches.add(new Switch(state.frame(), signal, state.io().level(signal)));
+        }
+      }
+    }
+    levels = state.io();
+  }
+
+  /** What holds in a frame; in one before the first what holds in the first. */
+  Sample at(long frame) {
+    int low = 0;
+    int high = samples.size() - 1;
+    while (low < high) {
+      int middle = (low + high + 1) >>> 1;
+      if (samples.get(middle).frame() <= frame) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return samples.get(low);
+  }
+
+  /** Whether nothing has been taken. */
+  public boolean isEmpty() {
+    return samples.isEmpty();
+  }
+
+  long lastFrame() {
+    return lastFrame;
+  }
+
+  /** The changes of a signal, oldest first. */
+  List<Switch> switchesOf(Signal signal) {
+    return switches.stream().filter(each -> each.signal().equals(signal)).toList();
+  }
+
+  /** The lines of text, oldest first. */
+  List<Text> texts() {
+    return texts;
+  }
+}

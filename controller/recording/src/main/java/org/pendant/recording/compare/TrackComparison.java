@@ -1,0 +1,260 @@
+package org.pendant.recording.compare;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.ToDoubleBiFunction;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.io.SignalBank;
+import org.pendant.language.source.ByteText;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.time.FrameTime;
+import org.pendant.recording.compare.RunTrack.Sample;
+import org.pendant.recording.compare.RunTrack.Switch;
+import org.pendant.recording.compare.RunTrack.Text;
+
+/**
+ * Comparison of a run with an earlier one, both from the switch-on, within bands: the arm has to
+ * have been nearby at nearly the same time, in both directions; each output changes as often and
+ * nearly then; the same lines of text; nearly as long.
+ */
+public final class TrackComparison {
+  private static final double MM_PER_M = 1000;
+
+  private final RunTrack now;
+  private final RunTrack before;
+  private final TrackTolerance tolerance;
+  private final long band;
+  private final List<TrackDifference> found = new ArrayList<>();
+
+  private TrackComparison(RunTrack now, RunTrack before, TrackTolerance tolerance) {
+    this.now = now;
+    this.before = before;
+    this.tolerance = tolerance;
+    band = tolerance.frames();
+  }
+
+  /**
+   * The first difference; empty where the run did the same.
+   *
+   * @param before the earlier one
+   */
+  public static Optional<TrackDifference> first(
+      RunTrack now, RunTrack before, TrackTolerance tolerance) {
+    TrackComparison comparison = new TrackComparison(now, before, tolerance);
+    comparison.arm();
+    comparison.outputs();
+    comparison.texts();
+    comparison.duration();
+    return comparison.found.stream().min(Comparator.comparingLong(TrackDifference::frame));
+  }
+
+  private void add(long frame, String words) {
+    long last = Math.min(frame, now.lastFrame());
+    found.add(new TrackDifference(frame, now.at(last).line(), words));
+  }
+
+  private static double timeS(long frame) {
+    return frame * FrameTime.FRAME_S;
+  }
+
+  private void arm() {
+    tolerance
+        .deg()
+        .ifPresent(
+            deg ->
+                firstApart(
+                        (one, other) -> one.target().maxAbsDifference(other.target()),
+                        Math.toRadians(deg))
+                    .ifPresent(frame -> addJoint(frame, deg)));
+    tolerance
+        .mm()
+        .ifPresent(
+            mm -> firstApart(TrackComparison::tcpMm, mm).ifPresent(frame -> addTcp(frame, mm)));
+  }
+
+  private static double tcpMm(Sample one, Sample other) {
+    Pose a = one.tcp().orElse(Pose.ZERO);
+    Pose b = other.tcp().orElse(Pose.ZERO);
+    return Math.hypot(Math.hypot(a.x() - b.x(), a.y() - b.y()), a.z() - b.z()) * MM_PER_M;
+  }
+
+  /** The first frame in which one run is where the other one was at no time nearby. */
+  private Optional<Long> firstApart(ToDoubleBiFunction<Sample, Sample> distance, double most) {
+    long last = Math.min(now.lastFrame(), before.lastFrame());
+    for (long frame = 0; frame <= last; frame++) {
+      Sample one = now.at(frame);
+      Sample other = before.at(frame);
+      if (distance.applyAsDouble(one, other) > most
+          && !(near(one, before, frame, distance, most)
+              && near(other, now, frame, distance, most))) {
+        return Optional.of(frame);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private boolean near(
+      Sample sample,
+      RunTrack other,
+      long frame,
+      ToDoubleBiFunction<Sample, Sample> distance,
+      double most) {
+    for (long i = 1; i <= band; i++) {
+      if (distance.applyAsDouble(sample, other.at(frame - i)) <= most
+          || distance.applyAsDouble(sample, other.at(frame + i)) <= most) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void addJoint(long frame, double deg) {
+    Joints one = now.at(frame).target();
+    Joints other = before.at(frame).target();
+    int joint = 0;
+    for (int i = 1; i < Joints.COUNT; i++) {
+      if (Math.abs(one.get(i) - other.get(i)) > Math.abs(one.get(joint) - other.get(joint))) {
+        joint = i;
+      }
+    }
+    add(
+        frame,
+        String.format(
+            Locale.ROOT,
+            "at %.3f s joint %d has to be at %.3f°, was %.3f° (may differ by %s° and %s s)",
+            timeS(frame),
+            joint,
+            Math.toDegrees(one.get(joint)),
+            Math.toDegrees(other.get(joint)),
+            plain(deg),
+            plain(tolerance.seconds())));
+  }
+
+  private void addTcp(long frame, double mm) {
+    Sample one = now.at(frame);
+    Sample other = before.at(frame);
+    add(
+        frame,
+        String.format(
+            Locale.ROOT,
+            "at %.3f s the TCP has to be at %s mm, was %s mm: %.2f mm apart (may differ by %s mm"
+                + " and %s s)",
+            timeS(frame),
+            place(one),
+            place(other),
+            tcpMm(one, other),
+            plain(mm),
+            plain(tolerance.seconds())));
+  }
+
+  private static String place(Sample sample) {
+    Pose pose = sample.tcp().orElse(Pose.ZERO);
+    return String.format(
+        Locale.ROOT,
+        "[%.2f, %.2f, %.2f]",
+        pose.x() * MM_PER_M,
+        pose.y() * MM_PER_M,
+        pose.z() * MM_PER_M);
+  }
+
+  /** As people write it. */
+  private static String plain(double number) {
+    String text = Double.toString(number);
+    return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;
+  }
+
+  private void outputs() {
+    for (SignalBank bank : SignalBank.values()) {
+      for (int i = 0; !bank.input() && bank != SignalBank.FLAG && i < bank.size(); i++) {
+        output(new Signal(bank, i));
+      }
+    }
+  }
+
+  private void output(Signal signal) {
+    List<Switch> ours = now.switchesOf(signal);
+    List<Switch> theirs = before.switchesOf(signal);
+    for (int i = 0; i < Math.max(ours.size(), theirs.size()); i++) {
+      if (i >= theirs.size()) {
+        Switch one = ours.get(i);
+        add(
+            one.frame(),
+            String.format(
+                Locale.ROOT,
+                "at %.3f s %s goes %s, did not",
+                timeS(one.frame()),
+                signal,
+                word(one)));
+        return;
+      }
+      Switch other = theirs.get(i);
+      if (i >= ours.size()) {
+        add(
+            other.frame(),
+            String.format(
+                Locale.ROOT,
+                "at %.3f s %s does not go %s, did",
+                timeS(other.frame()),
+                signal,
+                word(other)));
+        return;
+      }
+      Switch one = ours.get(i);
+      if (Math.abs(one.frame() - other.frame()) > band) {
+        add(
+            Math.min(one.frame(), other.frame()),
+            String.format(
+                Locale.ROOT,
+                "%s goes %s at %.3f s, did at %.3f s (may differ by %s s)",
+                signal,
+                word(one),
+                timeS(one.frame()),
+                timeS(other.frame()),
+                plain(tolerance.seconds())));
+        return;
+      }
+    }
+  }
+
+  private static String word(Switch change) {
+    return change.on() ? "on" : "off";
+  }
+
+  private void texts() {
+    List<Text> ours = now.texts();
+    List<Text> theirs = before.texts();
+    for (int i = 0; i < Math.max(ours.size(), theirs.size()); i++) {
+      String one = i < ours.size() ? quoted(ours.get(i)) : "nothing more";
+      String other = i < theirs.size() ? quoted(theirs.get(i)) : "nothing more";
+      if (!one.equals(other)) {
+        long frame = (i < ours.size() ? ours : theirs).get(i).frame();
+        add(
+            frame,
+            String.format(
+                Locale.ROOT, "at %.3f s the log says %s, said %s", timeS(frame), one, other));
+        return;
+      }
+    }
+  }
+
+  private static String quoted(Text text) {
+    return '"' + ByteText.decoded(text.text()) + '"';
+  }
+
+  private void duration() {
+    if (Math.abs(now.lastFrame() - before.lastFrame()) > band) {
+      add(
+          Math.min(now.lastFrame(), before.lastFrame()),
+          String.format(
+              Locale.ROOT,
+              "the test takes %.3f s, took %.3f s (may differ by %s s)",
+              timeS(now.lastFrame()),
+              timeS(before.lastFrame()),
+              plain(tolerance.seconds())));
+    }
+  }
+}

@@ -1,0 +1,10 @@
+package org.pendant.recording.compare;
+
+/**
+ * Track difference: where a run first does something else than an earlier one.
+ *
+ * @param frame in which it does
+ * @param line that its program was at then, from 1; 0 where none ran
+ * @param words what, when, both values and the tolerance, for people
+ */
+public record TrackDifference(long frame, int line, String words) {}
