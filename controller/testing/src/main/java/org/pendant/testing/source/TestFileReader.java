@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.pendant.controller.box.ControlBox;
-import org.pendant.language.check.ProgramForm;
 import org.pendant.language.parse.ParseResult;
 import org.pendant.language.parse.ScriptParser;
 import org.pendant.language.source.ByteText;
@@ -25,7 +24,6 @@ import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.Evaluate;
 import org.pendant.script.function.Builtins;
-import org.pendant.script.function.Effect;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.ProgramLoader;
 import org.pendant.testing.BrokenTestFile;
@@ -249,7 +247,7 @@ public final class TestFileReader {
       List<Statement> rest = new ArrayList<>();
       int end = source.text().length();
       for (SourceRange each : imported) {
-        new Imported(within(script, each), builtins).into(constants, functions);
+        new ImportedScript(within(script, each), builtins).into(constants, functions);
         end = each.end();
       }
       for (Statement each : script.statements()) {
@@ -295,56 +293,5 @@ public final class TestFileReader {
       }
     }
     return Optional.empty();
-  }
-
-  /**
-   * What another script brings in.
-   *
-   * @param script its statements alone
-   */
-  private record Imported(Script script, Builtins<ControlBox> builtins) {
-    void into(List<Statement> constants, List<Statement> functions) {
-      ProgramForm form = ProgramForm.of(script);
-      functions.addAll(form.siblings());
-      // a program with functions inside lends those; one without may as well be a function itself
-      form.entry()
-          .filter(entry -> entry.body().stream().noneMatch(Definition.class::isInstance))
-          .ifPresent(functions::add);
-      boolean leading = true;
-      for (Statement each : form.body()) {
-        switch (each) {
-          case Definition definition -> functions.add(definition);
-          case Statement.Assign assign -> {
-            if (leading && isValue(assign)) {
-              constants.add(
-                  new Statement.Assign(
-                      Statement.Qualifier.FREE, assign.target(), assign.value(), assign.range()));
-            }
-          }
-          case Statement.Label _ -> {}
-          default -> leading = false;
-        }
-      }
-    }
-
-    /** Whether it only gives a value a name, which running it anywhere does as well. */
-    private boolean isValue(Statement statement) {
-      boolean[] acts = new boolean[1];
-      SyntaxWalk.ownOf(List.of(statement), each -> acts[0] |= acts(each));
-      return !acts[0];
-    }
-
-    private boolean acts(Expression expression) {
-      return switch (expression) {
-        case Call call ->
-            !call.function().equals("struct")
-                && builtins
-                    .find(call.function())
-                    .filter(each -> each.effect() == Effect.COMPUTES)
-                    .isEmpty();
-        case Expression.MethodCall _, Expression.Run _ -> true;
-        default -> false;
-      };
-    }
   }
 }
