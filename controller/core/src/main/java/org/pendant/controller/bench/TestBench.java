@@ -26,6 +26,7 @@ public final class TestBench {
   private final Expected expected = new Expected();
   private final PreparedAnswers answers = new PreparedAnswers();
   private final TestPeers peers = new TestPeers();
+  private final RpcPeer rpc = new RpcPeer();
   private final IoChanges changes = new IoChanges();
   private final List<OutputFollower> followers = new ArrayList<>();
   private List<Command> commands = new ArrayList<>();
@@ -78,6 +79,11 @@ public final class TestBench {
   /** What the operator says. */
   public PreparedAnswers answers() {
     return answers;
+  }
+
+  /** The server of remote procedures that programs reach. */
+  public RpcPeer rpc() {
+    return rpc;
   }
 
   /** The changes of digital signals so far. */

@@ -72,7 +72,7 @@ final class TestRun {
         programs
             .controller(test)
             .withOperator(Operator.present())
-            .withOutside(new Connectors(bench.peers(), Connectors.NONE.rpc()));
+            .withOutside(new Connectors(bench.peers(), bench.rpc()));
     controller = new Controller(options, builtins);
     controller.attach(bench);
     operator = new TestOperator(bench.answers(), test.watches());

@@ -119,4 +119,31 @@ class PeerTest {
         "peer_expect: \"shoot\" did not come in time; what came ends with \"trigger\n\"",
         result.failure().orElseThrow().message());
   }
+
+  @Test
+  void theTestAnswersRemoteProcedures() {
+    TestResult result =
+        Suite.of(
+                "def test_camera():",
+                "  rpc_answer(\"get_part\", p[0.3, 0.1, 0, 0, 0, 0])",
+                "  rpc_answer(\"count\", [2, 1])",
+                "  start(\"camera.script\")",
+                "  wait_for_end()",
+                "  assert_pose_near(program_variable(\"part\"), p[0.3, 0.1, 0, 0, 0, 0])",
+                "  assert_equal(program_variable(\"left\"), 1)",
+                "  assert_equal(rpc_calls(\"count\"), 2)",
+                "  assert_equal(rpc_argument(\"get_part\", 0), \"bracket\")",
+                "end")
+            .with(
+                "cell/camera.script",
+                "def camera():",
+                "  cam = rpc_factory(\"xmlrpc\", \"http://127.0.0.1:4040/RPC2\")",
+                "  global part = cam.get_part(\"bracket\")",
+                "  global left = cam.count()",
+                "  left = cam.count()",
+                "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+  }
 }
