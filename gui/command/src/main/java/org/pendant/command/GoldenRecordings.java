@@ -7,8 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListSet;
 import org.pendant.controller.Drive;
 import org.pendant.controller.disk.FileDraft;
@@ -44,6 +46,7 @@ final class GoldenRecordings implements Goldens {
 
   private final TestFilesOnDisk files;
   private final boolean update;
+  private final Map<TestId, Difference> differences = new ConcurrentHashMap<>();
   private final SortedSet<String> written = new ConcurrentSkipListSet<>();
 
   /**
@@ -61,10 +64,24 @@ final class GoldenRecordings implements Goldens {
     return written;
   }
 
+  /**
+   * Where a run first differed from its recording.
+   *
+   * @param frame in which it did
+   * @param recording the file
+   */
+  record Difference(long frame, Path recording) {}
+
+  /** Where a test differed; empty where it did not, or was not compared. */
+  Optional<Difference> difference(TestId test) {
+    return Optional.ofNullable(differences.get(test));
+  }
+
   @Override
   public Run begins(TestCase test) {
-    String name = name(test.id());
-    return update ? new Writing(name) : new Comparing(name, test.golden().orElseThrow());
+    return update
+        ? new Writing(name(test.id()))
+        : new Comparing(test.id(), test.golden().orElseThrow());
   }
 
   /** The name of the recording of a test, one that every file system takes. */
@@ -88,14 +105,16 @@ final class GoldenRecordings implements Goldens {
 
   /** Compares a run with its recording. */
   private final class Comparing implements Run {
+    private final TestId test;
     private final String name;
     private final TrackTolerance tolerance;
     private final RunTrack track;
     private final List<RecordedProgram> programs = new ArrayList<>();
     private Drive drive;
 
-    private Comparing(String name, GoldenMark mark) {
-      this.name = name;
+    private Comparing(TestId test, GoldenMark mark) {
+      this.test = test;
+      name = name(test);
       tolerance = new TrackTolerance(mark.deg(), mark.mm(), mark.seconds());
       track = new RunTrack(mark.mm().isPresent());
     }
@@ -124,7 +143,9 @@ final class GoldenRecordings implements Goldens {
         }
         Recording recording = RecordingFile.open(file).recording();
         RunTrack before = RunTrack.of(recording, tolerance.mm().isPresent());
-        return TrackComparison.first(track, before, tolerance).map(this::problem);
+        Optional<TrackDifference> first = TrackComparison.first(track, before, tolerance);
+        first.ifPresent(at -> differences.put(test, new Difference(at.frame(), file)));
+        return first.map(this::problem);
       } catch (RecordingException e) {
         return Optional.of(trouble("golden-unreadable", e.getMessage()));
       } catch (IOException e) {

@@ -7,8 +7,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.command.GoldenRecordings.Difference;
 import org.pendant.command.service.GraphicsUnavailable;
 import org.pendant.command.service.Picture;
 import org.pendant.command.service.PictureRenderer;
@@ -19,6 +21,7 @@ import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.recording.RecordingFile;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestResult;
@@ -30,7 +33,7 @@ import org.pendant.testing.run.TestRunner;
 
 /**
  * Red tests of a suite, each run once more, exactly as it ran, to record it and to draw the arm as
- * it stood in the end.
+ * it stood in the end, or where it first differed from its golden recording.
  */
 final class RedTests {
   /** Most tests that are recorded: what breaks everything is understood by the first ones. */
@@ -42,12 +45,19 @@ final class RedTests {
 
   private final TestRunner runner;
   private final TestPlan plan;
+  private final GoldenRecordings goldens;
   private final ControllerOptions options;
   private final DesktopServices services;
 
-  RedTests(TestRunner runner, TestPlan plan, ControllerOptions options, DesktopServices services) {
+  RedTests(
+      TestRunner runner,
+      TestPlan plan,
+      GoldenRecordings goldens,
+      ControllerOptions options,
+      DesktopServices services) {
     this.runner = runner;
     this.plan = plan;
+    this.goldens = goldens;
     this.options = options;
     this.services = services;
   }
@@ -94,21 +104,58 @@ final class RedTests {
     Files.createDirectories(recording.toAbsolutePath().getParent());
     Optional<PictureRenderer> renderer = pictures ? renderer() : Optional.empty();
     try (FileDraft draft = FileDraft.replacing(recording)) {
-      Taking taking = new Taking(draft, renderer);
+      Optional<Difference> golden = goldens.difference(id);
+      Taking taking =
+          new Taking(draft, renderer, golden.map(Difference::frame).orElse(Long.MAX_VALUE));
       runner.repeat(plan, id, taking);
       taking.recorder.close();
       draft.commit();
       files.add(new FailureAttachment(name + ".rec", "Recording, for pendant open", Kind.LINK));
       if (renderer.isPresent() && taking.moved) {
-        Picture picture = picture(taking.last);
-        AtomicFile.write(folder.resolve(name + ".png"), out -> renderer.get().write(picture, out));
-        files.addFirst(
-            new FailureAttachment(name + ".png", "The arm at the end of the test", Kind.IMAGE));
+        Optional<ControllerState> before = golden.flatMap(RedTests::recorded);
+        if (before.isPresent()) {
+          files.addFirst(
+              draw(
+                  before.get(),
+                  folder,
+                  name + "-golden.png",
+                  "The arm in the golden recording then; the line is the way of this run",
+                  renderer.get()));
+        }
+        String title =
+            golden
+                .map(_ -> atDifference(taking.last.timeS()))
+                .orElse("The arm at the end of the test");
+        files.addFirst(draw(taking.last, folder, name + ".png", title, renderer.get()));
       }
     } finally {
       renderer.ifPresent(PictureRenderer::close);
     }
     return files;
+  }
+
+  private static String atDifference(double timeS) {
+    return String.format(
+        Locale.ROOT, "The arm at the first difference from the golden recording, %.3f s", timeS);
+  }
+
+  private FailureAttachment draw(
+      ControllerState state, Path folder, String name, String title, PictureRenderer renderer)
+      throws IOException {
+    Picture picture = picture(state);
+    AtomicFile.write(folder.resolve(name), out -> renderer.write(picture, out));
+    return new FailureAttachment(name, title, Kind.IMAGE);
+  }
+
+  /** What a golden recording has where a test differs from it. */
+  private static Optional<ControllerState> recorded(Difference golden) {
+    try {
+      return Optional.of(
+          RecordingFile.open(golden.recording()).recording().atFrame(golden.frame()));
+    } catch (IOException | UncheckedIOException _) {
+      // it is gone since the test was compared with it
+      return Optional.empty();
+    }
   }
 
   private Optional<PictureRenderer> renderer() {
@@ -138,14 +185,17 @@ final class RedTests {
   private static final class Taking implements TestObserver {
     private final TestRecorder recorder;
     private final Optional<PictureRenderer> renderer;
+    private final long until;
     private ControllerState last;
 
     /** There is something to see. */
     private boolean moved;
 
-    Taking(FileDraft draft, Optional<PictureRenderer> renderer) {
+    /** Draws the arm as it stands in frame {@code until}, or in the last one before it. */
+    Taking(FileDraft draft, Optional<PictureRenderer> renderer, long until) {
       recorder = new TestRecorder(draft.out());
       this.renderer = renderer;
+      this.until = until;
     }
 
     @Override
@@ -156,9 +206,11 @@ final class RedTests {
 
     @Override
     public void sees(ControllerState state) {
-      last = state;
       moved |= state.arm().moving();
-      renderer.ifPresent(each -> each.trace(state.arm(), state.timeS()));
+      if (state.frame() <= until) {
+        last = state;
+        renderer.ifPresent(each -> each.trace(state.arm(), state.timeS()));
+      }
       recorder.sees(state);
     }
   }

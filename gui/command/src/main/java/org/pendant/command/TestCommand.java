@@ -174,7 +174,8 @@ final class TestCommand implements Subcommand {
     // again: by now it is known which programs the tests have read
     TestReports reports = TestReports.of(arguments, disk);
     Optional<TestMutation> mutation = TestMutation.of(arguments, options.settings());
-    reports.write(result, new RedTests(runner, plan, options.settings().controller(), services));
+    reports.write(
+        result, new RedTests(runner, plan, goldens, options.settings().controller(), services));
     ExitCode mutated = ExitCode.DONE;
     if (coverage.isPresent()) {
       CoverageReport reached = coverage.get().report();

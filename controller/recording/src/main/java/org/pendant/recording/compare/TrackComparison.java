@@ -125,7 +125,7 @@ public final class TrackComparison {
         frame,
         String.format(
             Locale.ROOT,
-            "at %.3f s joint %d has to be at %.3f°, was %.3f° (may differ by %s° and %s s)",
+            "at %.3f s the target of joint %d is %.3f°, was %.3f° (may differ by %s° and %s s)",
             timeS(frame),
             joint,
             Math.toDegrees(one.get(joint)),
@@ -141,8 +141,8 @@ public final class TrackComparison {
         frame,
         String.format(
             Locale.ROOT,
-            "at %.3f s the TCP has to be at %s mm, was %s mm: %.2f mm apart (may differ by %s mm"
-                + " and %s s)",
+            "at %.3f s the target of the TCP is %s mm, was %s mm: %.2f mm apart (may differ by %s"
+                + " mm and %s s)",
             timeS(frame),
             place(one),
             place(other),

@@ -1,6 +1,7 @@
 package org.pendant.recording.compare;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -81,9 +82,7 @@ final class TrackComparisonTest {
         difference(PROGRAM.replace("[0.1,", "[0.2,"), STANDARD).orElseThrow();
 
     assertEquals(4, difference.line());
-    assertEquals(
-        "joint 0 has to be at",
-        difference.words().substring(difference.words().indexOf("joint")).substring(0, 20));
+    assertTrue(difference.words().contains("the target of joint 0 is "), difference.words());
   }
 
   @Test
