@@ -3,6 +3,7 @@ package org.pendant.testing.run;
 import java.io.IOException;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -140,6 +141,14 @@ final class TestPrograms implements TestedPrograms {
   }
 
   private Loaded read(String name) {
+    if (!TreeFile.hasEnding(name) && !name.toLowerCase(Locale.ROOT).endsWith(TreeFile.SCRIPT)) {
+      return refused(
+          name
+              + " is no program, whose name ends with "
+              + TreeFile.SCRIPT
+              + ", "
+              + String.join(", ", TreeFile.ENDINGS));
+    }
     byte[] bytes;
     try {
       bytes = files.read(name);

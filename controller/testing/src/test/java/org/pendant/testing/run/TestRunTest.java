@@ -367,4 +367,16 @@ class TestRunTest {
         message.startsWith("assert_io_order: after DI5 on DO0 on did not come; DO0 on at 0.0"),
         message);
   }
+
+  @Test
+  void onlyProgramsAreStarted() {
+    TestResult result =
+        Suite.of("def test_reads():", "  start(\"../secret.txt\")", "end")
+            .with("secret.txt", "password")
+            .only();
+
+    assertEquals(
+        "start: secret.txt is no program, whose name ends with .script, .pendant, .urp",
+        failure(result).message());
+  }
 }
