@@ -16,7 +16,12 @@ final class ExampleTest {
   @Test
   void everyFileOfTheFolderIsAnExampleOrItsCompanion() throws IOException {
     try (Stream<Path> files = Files.list(FOLDER)) {
-      List<String> there = files.map(each -> each.getFileName().toString()).sorted().toList();
+      List<String> there =
+          files
+              .filter(Files::isRegularFile)
+              .map(each -> each.getFileName().toString())
+              .sorted()
+              .toList();
       List<String> listed =
           Example.all().stream()
               .flatMap(each -> Stream.concat(Stream.of(each.file()), each.companions().stream()))
