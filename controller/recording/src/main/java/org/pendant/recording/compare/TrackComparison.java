@@ -85,31 +85,50 @@ public final class TrackComparison {
   /** The first frame in which one run is where the other one was at no time nearby. */
   private Optional<Long> firstApart(ToDoubleBiFunction<Sample, Sample> distance, double most) {
     long last = Math.min(now.lastFrame(), before.lastFrame());
+    Search ofNow = new Search(before, distance, most);
+    Search ofBefore = new Search(now, distance, most);
     for (long frame = 0; frame <= last; frame++) {
-      Sample one = now.at(frame);
-      Sample other = before.at(frame);
-      if (distance.applyAsDouble(one, other) > most
-          && !(near(one, before, frame, distance, most)
-              && near(other, now, frame, distance, most))) {
+      if (!ofNow.finds(now.at(frame), frame) || !ofBefore.finds(before.at(frame), frame)) {
         return Optional.of(frame);
       }
     }
     return Optional.empty();
   }
 
-  private boolean near(
-      Sample sample,
-      RunTrack other,
-      long frame,
-      ToDoubleBiFunction<Sample, Sample> distance,
-      double most) {
-    for (long i = 1; i <= band; i++) {
-      if (distance.applyAsDouble(sample, other.at(frame - i)) <= most
-          || distance.applyAsDouble(sample, other.at(frame + i)) <= most) {
+  /** Search for places of one run in the other one, a little earlier or later. */
+  private final class Search {
+    private final RunTrack where;
+    private final ToDoubleBiFunction<Sample, Sample> distance;
+    private final double most;
+
+    /** How much later the last place was found: the next one probably is as well. */
+    private long later;
+
+    private Search(RunTrack where, ToDoubleBiFunction<Sample, Sample> distance, double most) {
+      this.where = where;
+      this.distance = distance;
+      this.most = most;
+    }
+
+    private boolean finds(Sample sample, long frame) {
+      if (near(sample, frame) || near(sample, frame + later)) {
         return true;
       }
+      for (long i = 1; i <= band; i++) {
+        for (long each : new long[] {i, -i}) {
+          if (near(sample, frame + each)) {
+            later = each;
+            return true;
+          }
+        }
+      }
+      return false;
     }
-    return false;
+
+    /** Never where a number is none. */
+    private boolean near(Sample sample, long frame) {
+      return distance.applyAsDouble(sample, where.at(frame)) <= most;
+    }
   }
 
   private void addJoint(long frame, double deg) {

@@ -86,6 +86,19 @@ final class TrackComparisonTest {
   }
 
   @Test
+  void anArmMayBeSomewhereMuchLaterWhereTheBandOfTimeIsWide() {
+    String later = PROGRAM.replace("(0.1)", "(0.4)");
+
+    assertEquals(
+        Optional.empty(),
+        difference(
+            later, new TrackTolerance(OptionalDouble.of(0.1), OptionalDouble.empty(), 0.31)));
+    assertTrue(
+        difference(later, new TrackTolerance(OptionalDouble.of(0.1), OptionalDouble.empty(), 0.29))
+            .isPresent());
+  }
+
+  @Test
   void aPlaceOfTheToolMayDifferByMillimetres() {
     String nearby = PROGRAM.replace("[0.1,", "[0.101,");
     OptionalDouble any = OptionalDouble.empty();

@@ -11,11 +11,15 @@ import java.util.regex.Pattern;
  *
  * @param deg how far each joint may be from where it was, degrees; empty where only the TCP counts
  * @param mm how far the TCP may be from where it was; empty where only joints count
- * @param seconds by how much everything may come earlier or later
+ * @param seconds by how much everything may come earlier or later, at most 5
  */
 public record GoldenMark(OptionalDouble deg, OptionalDouble mm, double seconds) {
   private static final double STANDARD_DEG = 0.1;
   private static final double STANDARD_S = 0.01;
+
+  /** What comes still later is looked for in too many frames. */
+  private static final double MAX_S = 5;
+
   private static final Pattern PART = Pattern.compile("(deg|mm|s)=(\\d+(?:\\.\\d*)?|\\.\\d+)");
 
   /** Reads what stands behind the word; empty where it is none of these. */
@@ -38,6 +42,6 @@ public record GoldenMark(OptionalDouble deg, OptionalDouble mm, double seconds) 
     if (deg.isEmpty() && mm.isEmpty()) {
       deg = OptionalDouble.of(STANDARD_DEG);
     }
-    return Optional.of(new GoldenMark(deg, mm, seconds));
+    return seconds <= MAX_S ? Optional.of(new GoldenMark(deg, mm, seconds)) : Optional.empty();
   }
 }

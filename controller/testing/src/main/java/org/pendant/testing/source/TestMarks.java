@@ -165,7 +165,8 @@ record TestMarks(
                 range,
                 "@golden is '"
                     + rest
-                    + "', may have deg=DEGREES, mm=MILLIMETRES and s=SECONDS, each 0 or more",
+                    + "', may have deg=DEGREES, mm=MILLIMETRES and s=SECONDS, each 0 or more, s at"
+                    + " most 5",
                 ""));
       }
     }

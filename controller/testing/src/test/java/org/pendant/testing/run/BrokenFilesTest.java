@@ -113,7 +113,9 @@ class BrokenFilesTest {
     assertEquals(
         List.of(
             "cell/pick_test.script:1:11: error: @golden is 'deg=-1', may have deg=DEGREES,"
-                + " mm=MILLIMETRES and s=SECONDS, each 0 or more"),
+                + " mm=MILLIMETRES and s=SECONDS, each 0 or more, s at most 5"),
         Suite.of("# @golden deg=-1", "def test_a():", "  sync()", "end").problems());
+    assertEquals(
+        1, Suite.of("# @golden s=6", "def test_a():", "  sync()", "end").problems().size());
   }
 }
