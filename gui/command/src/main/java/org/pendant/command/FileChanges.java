@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.command.service.TestFinder;
 
 /** Changes of files: whether one of several has changed, or a file of tests has come or gone. */
 final class FileChanges {

@@ -5,30 +5,20 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListSet;
+import org.pendant.command.service.GoldenComparison;
 import org.pendant.controller.Drive;
 import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.recording.RecordedProgram;
-import org.pendant.recording.Recording;
-import org.pendant.recording.RecordingException;
 import org.pendant.recording.RecordingFile;
-import org.pendant.recording.compare.RunTrack;
-import org.pendant.recording.compare.TrackComparison;
-import org.pendant.recording.compare.TrackDifference;
-import org.pendant.recording.compare.TrackTolerance;
 import org.pendant.testing.TestId;
 import org.pendant.testing.run.Goldens;
-import org.pendant.testing.source.GoldenMark;
 import org.pendant.testing.source.TestCase;
-import org.pendant.testing.source.TestSources;
 
 /**
  * Golden recordings: files {@code golden/*.rec} beside test files, which tests that are marked with
@@ -40,9 +30,6 @@ final class GoldenRecordings implements Goldens {
           .documented(
               "record each test that is marked with `@golden`, runs and is not red, in place of"
                   + " what it was compared with, see [testing.md](testing.md#golden-recordings)");
-
-  /** Characters of the arguments of a case that stand in the name of its file. */
-  private static final int MAX_ROW = 40;
 
   private final TestFilesOnDisk files;
   private final boolean update;
@@ -79,103 +66,28 @@ final class GoldenRecordings implements Goldens {
 
   @Override
   public Run begins(TestCase test) {
+    String name = GoldenComparison.name(test.id());
     return update
-        ? new Writing(name(test.id()))
-        : new Comparing(test.id(), test.golden().orElseThrow());
-  }
-
-  /** The name of the recording of a test, one that every file system takes. */
-  static String name(TestId id) {
-    String file = id.file().substring(id.file().lastIndexOf('/') + 1).replaceAll("\\.script$", "");
-    String row = "";
-    if (!id.row().isEmpty()) {
-      String plain = id.row().replaceAll("[^A-Za-z0-9.-]+", "_");
-      // by the number rows stay apart that look the same without their signs, or are long
-      row =
-          String.format(
-              ".%s.%08x",
-              plain.substring(0, Math.min(MAX_ROW, plain.length())), id.row().hashCode());
-    }
-    return TestSources.beside(id.file(), "golden/" + file + "." + id.function() + row + ".rec");
+        ? new Writing(name)
+        : new GoldenComparison(
+            name, new Compared(this, test.id(), name), test.golden().orElseThrow());
   }
 
   private static Problem trouble(String code, String message) {
     return new Problem(code, message, 0, "");
   }
 
-  /** Compares a run with its recording. */
-  private final class Comparing implements Run {
-    private final TestId test;
-    private final String name;
-    private final TrackTolerance tolerance;
-    private final RunTrack track;
-    private final List<RecordedProgram> programs = new ArrayList<>();
-    private Drive drive;
-
-    private Comparing(TestId test, GoldenMark mark) {
-      this.test = test;
-      name = name(test);
-      tolerance = new TrackTolerance(mark.deg(), mark.mm(), mark.seconds());
-      track = new RunTrack(mark.mm().isPresent());
+  /** Where the recording of a test is, and how the test differs from it. */
+  private record Compared(GoldenRecordings all, TestId test, String name)
+      implements GoldenComparison.Place {
+    @Override
+    public Path file() throws IOException {
+      return all.files.golden(name);
     }
 
     @Override
-    public void begins(Drive of) {
-      drive = of;
-      track.take(of.state());
-    }
-
-    @Override
-    public void sees(ControllerState state) {
-      track.take(state);
-      RecordedProgram.startedIn(state, drive::programSource).ifPresent(programs::add);
-    }
-
-    @Override
-    public Optional<Problem> passed() {
-      try {
-        Path file = files.golden(name);
-        if (!Files.exists(file)) {
-          return Optional.of(
-              trouble(
-                  "golden-missing",
-                  "there is no recording " + name + " to compare with; --update-golden makes it"));
-        }
-        Recording recording = RecordingFile.open(file).recording();
-        RunTrack before = RunTrack.of(recording, tolerance.mm().isPresent());
-        Optional<TrackDifference> first = TrackComparison.first(track, before, tolerance);
-        first.ifPresent(at -> differences.put(test, new Difference(at.frame(), file)));
-        return first.map(this::problem);
-      } catch (RecordingException e) {
-        return Optional.of(trouble("golden-unreadable", e.getMessage()));
-      } catch (IOException e) {
-        return Optional.of(trouble("golden-unreadable", name + ": " + FileTrouble.reason(e)));
-      } catch (UncheckedIOException e) {
-        return Optional.of(
-            trouble("golden-unreadable", name + ": " + FileTrouble.reason(e.getCause())));
-      }
-    }
-
-    private Problem problem(TrackDifference difference) {
-      String program =
-          programs.reversed().stream()
-              .filter(each -> each.frame() <= difference.frame())
-              .findFirst()
-              .map(each -> each.source().name())
-              .orElse("");
-      return new Problem(
-          "golden-differs",
-          difference.words()
-              + "\nfirst difference from "
-              + name
-              + "; --update-golden takes the new run in its place",
-          program.isEmpty() ? 0 : difference.line(),
-          program);
-    }
-
-    @Override
-    public void close() {
-      // nothing is open between frames
+    public void differs(long frame, Path recording) {
+      all.differences.put(test, new Difference(frame, recording));
     }
   }
 

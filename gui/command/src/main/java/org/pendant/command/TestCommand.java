@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.pendant.command.service.TestFinder;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.coverage.CoverageCollector;
 import org.pendant.testing.coverage.CoverageReport;

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.command.service.GoldenComparison;
 import org.pendant.testing.TestId;
 
 final class GoldenRecordingsTest {
@@ -122,8 +123,8 @@ final class GoldenRecordingsTest {
 
   @Test
   void casesHaveRecordingsOfTheirOwn() {
-    String one = GoldenRecordings.name(new TestId("cell/a_test.script", "test_a", "[1, \"x\"]"));
-    String other = GoldenRecordings.name(new TestId("cell/a_test.script", "test_a", "[1, x]"));
+    String one = GoldenComparison.name(new TestId("cell/a_test.script", "test_a", "[1, \"x\"]"));
+    String other = GoldenComparison.name(new TestId("cell/a_test.script", "test_a", "[1, x]"));
 
     assertTrue(one.startsWith("cell/golden/a_test.test_a._1_x_."), one);
     assertNotEquals(one, other);

@@ -336,7 +336,7 @@ public final class ScriptEditor implements View {
   }
 
   /** Opens the program of a place and selects it. */
-  void show(Place place) {
+  public void show(Place place) {
     navigation.left(current());
     Runnable select =
         () -> {

@@ -68,6 +68,8 @@ public final class HelpActions {
             () -> explain.accept(() -> panel.open(HelpPage.of(screen.get())))));
     actions.add(
         Action.of("help.shortcuts", "Keyboard shortcuts", "", () -> panel.open(HelpPage.KEYS)));
+    actions.add(
+        Action.of("help.tests", "How to write tests", "", () -> panel.open(HelpPage.TESTS)));
     for (Example each : Example.all()) {
       actions.add(Action.of(each.id(), each.title(), "", () -> open.accept(each)));
     }

@@ -19,6 +19,9 @@ record HelpPage(String name, String title) {
   /** Where reading begins. */
   static final HelpPage FIRST = new HelpPage("docs/desktop.md", "The window");
 
+  /** How tests are written. */
+  static final HelpPage TESTS = new HelpPage("docs/testing.md", "Tests");
+
   /** The page about a screen, by the id of its view; the first one where there is none. */
   static HelpPage of(String screen) {
     String name =
@@ -47,7 +50,7 @@ record HelpPage(String name, String title) {
         new HelpPage("docs/simulated-arm.md", "The simulated arm"),
         new HelpPage("docs/robots.md", "Robots"),
         new HelpPage("docs/recording.md", "Recordings"),
-        new HelpPage("docs/testing.md", "Tests"),
+        TESTS,
         new HelpPage("docs/testing-functions.md", "Functions of tests"),
         new HelpPage("docs/scene.md", "Scenes"),
         new HelpPage("docs/conveyors.md", "Conveyors"),

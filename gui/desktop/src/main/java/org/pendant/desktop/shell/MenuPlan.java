@@ -241,14 +241,9 @@ final class MenuPlan {
   private static List<Entry> view(List<String> screens, List<String> panels) {
     return list(
         sub("Screens", "Show", list(shows(screens), line(), places("Move a screen", screens))),
-        sub(
-            "Panels",
-            "Show",
-            list(
-                shows(panels.stream().filter(each -> !DEBUGGER.contains(each)).toList()),
-                sub("Debugger", "Show", shows(panels.stream().filter(DEBUGGER::contains).toList())),
-                line(),
-                places("Move a panel", panels))),
+        panels(
+            panels.stream().filter(each -> !DEBUGGER.contains(each)).toList(),
+            panels.stream().filter(DEBUGGER::contains).toList()),
         line(),
         sub("Docks", "", all("dock")),
         all("view"),
@@ -296,6 +291,20 @@ final class MenuPlan {
         all("look"));
   }
 
+  private static List<Entry> panels(List<String> panels, List<String> ofDebugger) {
+    return sub(
+        "Panels",
+        "Show",
+        list(
+            shows(panels),
+            sub(
+                "Debugger",
+                "Show",
+                list(shows(ofDebugger), line(), places("Move a panel", ofDebugger))),
+            line(),
+            places("Move a panel", panels)));
+  }
+
   private static List<Entry> program() {
     return list(
         all("program.run", "program.run-from", "program.pause", "program.stop"),
@@ -305,6 +314,7 @@ final class MenuPlan {
         sub("Speed", "", all("speed")),
         sub("Waveforms", "Waveforms", all("waveforms")),
         sub("What if", "What if", all("whatif")),
+        sub("Tests", "Tests", all("tests")),
         line(),
         all("program.ask-start"),
         one("editor.follow", "tree.follow"),

@@ -49,6 +49,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
+import org.pendant.desktop.tests.TestsView;
 import org.pendant.desktop.timeline.Pin;
 import org.pendant.desktop.waveform.WaveformView;
 import org.pendant.desktop.whatif.WhatIfView;
@@ -218,6 +219,7 @@ final class Views {
             panel(past.held(calls), Side.LOWER),
             panel(breakpoints, Side.BOTTOM),
             panel(past.timeline(), Side.BOTTOM),
+            panel(new TestsView(workbench, programs, editor, installation), Side.BOTTOM),
             panel(waveforms, Side.BOTTOM),
             panel(whatIf, Side.BOTTOM),
             panel(

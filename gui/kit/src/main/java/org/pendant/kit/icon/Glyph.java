@@ -27,7 +27,11 @@ public enum Glyph {
   INFO,
   QUESTION,
   ROBOT,
-  UNFOLD;
+  UNFOLD,
+  CHECK,
+  CROSS,
+  RING,
+  SKIP;
 
   /**
    * In the colour of the component's text.

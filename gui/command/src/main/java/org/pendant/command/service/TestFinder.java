@@ -1,4 +1,4 @@
-package org.pendant.command;
+package org.pendant.command.service;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -10,9 +10,9 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /** Finder of test files: files as they are named, and in folders all whose name ends so. */
-final class TestFinder {
+public final class TestFinder {
   /** What the names of test files end with. */
-  static final String ENDING = "_test.script";
+  public static final String ENDING = "_test.script";
 
   /** How deep folders are searched. */
   private static final int MAX_DEPTH = 32;
@@ -20,12 +20,12 @@ final class TestFinder {
   private TestFinder() {}
 
   /**
-   * The test files of a command line, sorted, none twice; names have {@code /} on every system.
+   * The test files of some paths, sorted, none twice; names have {@code /} on every system.
    *
    * @param paths files and folders
    * @throws IOException if one is not there, or a folder cannot be read; the message says which
    */
-  static List<String> find(List<String> paths) throws IOException {
+  public static List<String> find(List<String> paths) throws IOException {
     SortedSet<String> found = new TreeSet<>();
     for (String each : paths) {
       Path path = Path.of(each);

@@ -1,0 +1,120 @@
+package org.pendant.desktop.tests;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import org.pendant.command.service.GoldenComparison;
+import org.pendant.command.service.TestFinder;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.installation.Installation;
+import org.pendant.controller.installation.InstallationCheck;
+import org.pendant.controller.installation.InstallationProblem;
+import org.pendant.testing.run.Goldens;
+
+/**
+ * Folder files: the files of a folder as the window has them: those that are open with what is
+ * edited in them, all others as they are on disk. Each is read once.
+ */
+final class FolderFiles implements TestSetup.Files {
+  private static final int MAX_BYTES = 32 << 20;
+
+  private final Path folder;
+  private final Map<Path, byte[]> edited;
+  private final Map<String, byte[]> read = new ConcurrentHashMap<>();
+
+  /**
+   * Files of a folder.
+   *
+   * @param folder absolute
+   * @param edited the content of files that are open, by their absolute paths
+   */
+  FolderFiles(Path folder, Map<Path, byte[]> edited) {
+    this.folder = folder;
+    this.edited = Map.copyOf(edited);
+  }
+
+  @Override
+  public String folder() {
+    return folder.toString();
+  }
+
+  @Override
+  public List<String> find() throws IOException {
+    return TestFinder.find(List.of(folder.toString())).stream()
+        .map(each -> folder.relativize(Path.of(each)).toString().replace('\\', '/'))
+        .toList();
+  }
+
+  @Override
+  public boolean hasRead(String name) {
+    return read.containsKey(name);
+  }
+
+  @Override
+  public byte[] read(String name) throws IOException {
+    byte[] known = read.get(name);
+    if (known != null) {
+      return known;
+    }
+    byte[] bytes = content(name);
+    read.put(name, bytes);
+    return bytes;
+  }
+
+  private byte[] content(String name) throws IOException {
+    Path path;
+    try {
+      path = folder.resolve(name).normalize();
+    } catch (InvalidPathException e) {
+      throw new IOException("is no name of a file", e);
+    }
+    byte[] open = edited.get(path);
+    return open != null ? open : fromDisk(path);
+  }
+
+  private static byte[] fromDisk(Path path) throws IOException {
+    byte[] bytes;
+    try (InputStream in = Files.newInputStream(path)) {
+      bytes = in.readNBytes(MAX_BYTES + 1);
+    } catch (IOException e) {
+      throw new IOException(FileTrouble.reason(e), e);
+    }
+    if (bytes.length > MAX_BYTES) {
+      throw new IOException("has more than " + MAX_BYTES + " bytes, no program is that large");
+    }
+    return bytes;
+  }
+
+  @Override
+  public Goldens goldens() {
+    return test -> {
+      String name = GoldenComparison.name(test.id());
+      return new GoldenComparison(
+          name, () -> folder.resolve(name).normalize(), test.golden().orElseThrow());
+    };
+  }
+
+  /** The arm stays that of the window. */
+  @Override
+  public ControllerOptions setUp(ControllerOptions base, Installation own, Optional<String> robot)
+      throws IOException {
+    Optional<InstallationProblem> refusal = InstallationCheck.refusal(own, base.arm());
+    if (refusal.isPresent()) {
+      throw new IOException("the robot of the window cannot be set up so: " + refusal.get());
+    }
+    return base.withInstallation(own);
+  }
+
+  @Override
+  public ProgramsFolder folder(String name) {
+    return ProgramsFolder.of(folder.resolve(name).toString());
+  }
+}

@@ -1,0 +1,128 @@
+package org.pendant.desktop.tests;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import org.pendant.testing.BrokenTestFile;
+import org.pendant.testing.SuiteResult;
+import org.pendant.testing.TestId;
+import org.pendant.testing.TestResult;
+import org.pendant.testing.run.TestPlan;
+import org.pendant.testing.run.TestRunner;
+import org.pendant.testing.run.TestSettings;
+import org.pendant.testing.source.TestCase;
+
+/** Test job: looks for tests once, and runs those that are wanted. */
+final class TestJob {
+  private final TestSetup setup;
+  private final Set<TestId> chosen;
+  private final boolean runs;
+  private final long seed;
+  private final AtomicBoolean stopped = new AtomicBoolean();
+  private final AtomicReference<TestRunner> runner = new AtomicReference<>();
+
+  /** Hears what comes of it, in the thread of the job or one of its tests. */
+  interface Listener {
+    /** These files are there, or are looked at again. */
+    void found(List<FoundFile> files);
+
+    /** A test has ended. */
+    void ended(TestResult result);
+  }
+
+  /**
+   * A job.
+   *
+   * @param chosen the tests that are wanted; empty for all
+   * @param runs whether tests run, too
+   */
+  TestJob(TestSetup setup, Set<TestId> chosen, boolean runs, long seed) {
+    this.setup = setup;
+    this.chosen = Set.copyOf(chosen);
+    this.runs = runs;
+    this.seed = seed;
+  }
+
+  boolean runs() {
+    return runs;
+  }
+
+  /** Whether it looks at all files. */
+  boolean all() {
+    return chosen.isEmpty();
+  }
+
+  boolean wants(TestId test) {
+    return chosen.isEmpty() || chosen.contains(test);
+  }
+
+  /** No more test begins. */
+  void stop() {
+    stopped.set(true);
+    TestRunner started = runner.get();
+    if (started != null) {
+      started.cancel();
+    }
+  }
+
+  boolean stopped() {
+    return stopped.get();
+  }
+
+  /**
+   * Does it; takes long.
+   *
+   * @throws IOException if a folder cannot be read
+   */
+  Optional<SuiteResult> work(Listener listener) throws IOException {
+    List<String> names =
+        chosen.isEmpty()
+            ? setup.files().find()
+            : chosen.stream().map(TestId::file).distinct().sorted().toList();
+    List<TestCase> seen = new ArrayList<>();
+    TestRunner made =
+        new TestRunner(
+            setup.files(),
+            settings(),
+            test -> {
+              seen.add(test);
+              return wants(test.id());
+            },
+            listener::ended,
+            setup.files().goldens(),
+            Optional.empty());
+    runner.set(made);
+    if (stopped.get()) {
+      made.cancel();
+    }
+    TestPlan plan = made.plan(names);
+    listener.found(names.stream().map(name -> found(name, seen, plan.broken())).toList());
+    return runs ? Optional.of(made.run(plan)) : Optional.empty();
+  }
+
+  /** A file with what was found in it. */
+  private static FoundFile found(String name, List<TestCase> tests, List<BrokenTestFile> broken) {
+    return new FoundFile(
+        name,
+        tests.stream().filter(each -> each.id().file().equals(name)).toList(),
+        broken.stream()
+            .filter(each -> each.file().equals(name))
+            .flatMap(each -> each.problems().stream())
+            .toList());
+  }
+
+  /** Half of the processors are left to the robot in the window. */
+  private TestSettings settings() {
+    return new TestSettings(
+        setup.robot().withSeed(seed),
+        seed,
+        Math.max(1, Runtime.getRuntime().availableProcessors() / 2),
+        TestSettings.STANDARD_TIMEOUT_S,
+        TestSettings.STANDARD_WALL_TIMEOUT,
+        false);
+  }
+}

@@ -1,0 +1,364 @@
+package org.pendant.desktop.tests;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.ThreadLocalRandom;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.editor.ScriptEditor;
+import org.pendant.desktop.editor.text.Place;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.background.Background;
+import org.pendant.kit.layout.CodeArea;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Markup;
+import org.pendant.kit.theme.Palette;
+import org.pendant.testing.TestPlace;
+import org.pendant.testing.source.TestCase;
+
+/**
+ * Tests view: the tests beside the program in front, and what came of them. They run in controllers
+ * of their own, never in the one of the window.
+ */
+public final class TestsView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "tests";
+
+  private static final double SHARE = 0.55;
+  private static final int MAX_SEED = 1_000_000;
+  private static final Pattern PROBLEM = Pattern.compile("(.+?):(\\d{1,9}):(\\d{1,9}): .*");
+
+  private final Workbench workbench;
+  private final ScriptEditor editor;
+  private final OpenFolder folder;
+  private final TestsPresenter presenter;
+  private final TestsTree tree;
+  private final JTextArea details = new CodeArea();
+  private final JSplitPane split = new JSplitPane();
+  private final JLabel summary = new JLabel(" ");
+  private final JLabel note = new JLabel("", SwingConstants.CENTER);
+  private final JButton runAll = button("run-all", "Run all", "Runs all tests below the folder");
+  private final JButton runSelected =
+      button("run-selected", "Run selected", "Runs the selected tests and files (Ctrl+Enter)");
+  private final JButton stop =
+      button("stop", "Stop", "No more test begins; those that run come to their end");
+  private final CardLayout cards = new CardLayout();
+  private final JPanel middle = new JPanel(cards);
+  private final JPanel content = new JPanel(new BorderLayout());
+  private long shown = -1;
+  private boolean ran;
+
+  /** The panel; it adds its actions to the workbench. */
+  public TestsView(
+      Workbench workbench,
+      Programs programs,
+      ScriptEditor editor,
+      ActiveInstallation installation) {
+    this.workbench = workbench;
+    this.editor = editor;
+    folder = new OpenFolder(programs, workbench.session(), installation, this::knows);
+    presenter =
+        new TestsPresenter(
+            folder::setup,
+            Background::run,
+            EventQueue::invokeLater,
+            () -> ThreadLocalRandom.current().nextInt(1, MAX_SEED));
+    tree = new TestsTree(presenter);
+    content.setName("tests-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    content.add(bar(), BorderLayout.NORTH);
+    content.add(middle);
+    middle.add(parts(), "tests");
+    middle.add(empty(), "empty");
+    listen();
+    declareActions();
+    show();
+  }
+
+  private boolean knows(String name) {
+    return presenter.knows(name);
+  }
+
+  private static JButton button(String name, String text, String tip) {
+    JButton button = new JButton(text);
+    button.setName("tests-" + name);
+    button.setToolTipText(tip);
+    return button;
+  }
+
+  private JPanel bar() {
+    JPanel bar = new JPanel(new WrappingRow(6));
+    summary.setName("tests-summary");
+    bar.add(runAll);
+    bar.add(runSelected);
+    bar.add(stop);
+    bar.add(summary);
+    return bar;
+  }
+
+  private JComponent parts() {
+    details.setName("tests-details");
+    details.getAccessibleContext().setAccessibleName("What came of the selected test");
+    details.setEditable(false);
+    details.setLineWrap(true);
+    details.setWrapStyleWord(true);
+    details.setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
+    JScrollPane left = new JScrollPane(tree);
+    JScrollPane right = new JScrollPane(details);
+    left.setBorder(BorderFactory.createEmptyBorder());
+    right.setBorder(BorderFactory.createEmptyBorder());
+    split.setName("tests-split");
+    split.setBorder(null);
+    split.setLeftComponent(left);
+    split.setRightComponent(right);
+    split.setResizeWeight(SHARE);
+    split.addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            arrange();
+          }
+        });
+    return split;
+  }
+
+  /** What came of a test is below the tree; beside it where the panel is low. */
+  private void arrange() {
+    int wanted =
+        split.getWidth() > 2 * split.getHeight()
+            ? JSplitPane.HORIZONTAL_SPLIT
+            : JSplitPane.VERTICAL_SPLIT;
+    if (split.getOrientation() != wanted) {
+      split.setOrientation(wanted);
+      split.setDividerLocation(SHARE);
+    }
+  }
+
+  private JPanel empty() {
+    JPanel panel =
+        new JPanel(new MigLayout("insets 12, wrap 1, align center center", "[center, grow]"));
+    note.setName("tests-note");
+    JButton help = button("help", "How to write tests", "Opens the documentation of tests");
+    help.addActionListener(event -> workbench.actions().run("help.tests"));
+    panel.add(note, "growx, wmin 0");
+    panel.add(help);
+    return panel;
+  }
+
+  private void listen() {
+    stop.getAccessibleContext().setAccessibleName("Stop the tests");
+    runAll.addActionListener(event -> runAll());
+    runSelected.addActionListener(event -> runSelected());
+    stop.addActionListener(event -> stop());
+    tree.addTreeSelectionListener(event -> show());
+    key("ENTER", this::open);
+    key("control ENTER", this::runSelected);
+    tree.addMouseListener(
+        new MouseAdapter() {
+          @Override
+          public void mouseClicked(MouseEvent event) {
+            if (event.getClickCount() == 2 && tree.onRow(event)) {
+              open();
+            }
+          }
+        });
+  }
+
+  private void key(String keys, Runnable run) {
+    tree.registerKeyboardAction(
+        event -> run.run(), KeyStroke.getKeyStroke(keys), JComponent.WHEN_FOCUSED);
+  }
+
+  private void declareActions() {
+    var actions = workbench.actions();
+    actions.add(
+        Action.of(
+            ID + ".run-all",
+            "Tests: run all",
+            "",
+            () -> {
+              workbench.show(ID);
+              runAll();
+            }));
+    actions.add(
+        new Action(
+            ID + ".run-selected",
+            "Tests: run selected",
+            "",
+            () -> presenter.canRun() && !tree.chosenTests().isEmpty(),
+            this::runSelected));
+    actions.add(new Action(ID + ".stop", "Tests: stop", "", presenter::running, this::stop));
+    actions.add(
+        new Action(
+            ID + ".look",
+            "Tests: look for tests again",
+            "",
+            () -> !presenter.running(),
+            presenter::look));
+  }
+
+  private void runAll() {
+    ran = true;
+    presenter.runAll();
+    show();
+  }
+
+  private void runSelected() {
+    ran = true;
+    presenter.run(tree.chosenTests());
+    show();
+  }
+
+  private void stop() {
+    presenter.stop();
+    show();
+  }
+
+  private void open() {
+    tree.front()
+        .ifPresent(
+            each -> {
+              switch (each) {
+                case TestCase test -> go(presenter.target(test));
+                case FoundFile file -> go(place(file));
+                default -> {}
+              }
+            });
+  }
+
+  /** Where the first problem of a file is, or else its beginning. */
+  private static TestPlace place(FoundFile file) {
+    for (String each : file.problems()) {
+      Matcher form = PROBLEM.matcher(each);
+      if (form.matches() && form.group(1).equals(file.name())) {
+        return new TestPlace(
+            file.name(), Integer.parseInt(form.group(2)), Integer.parseInt(form.group(3)), "");
+      }
+    }
+    return new TestPlace(file.name(), 1, 1, "");
+  }
+
+  private void go(TestPlace place) {
+    presenter
+        .folder()
+        .map(where -> Path.of(where).resolve(place.file()).normalize())
+        .ifPresent(
+            file ->
+                editor.show(
+                    new Place(
+                        place.file(),
+                        Optional.of(file),
+                        place.line(),
+                        Math.max(1, place.column()),
+                        0,
+                        "")));
+  }
+
+  private void show() {
+    shown = presenter.changes();
+    tree.refresh();
+    boolean there = !presenter.files().isEmpty();
+    if (!there) {
+      note.setText("<html><center>" + Markup.escaped(TestWords.empty(presenter)));
+      note.setForeground(Palette.quiet());
+    }
+    showCard(there);
+    if (ran && !presenter.running()) {
+      ran = false;
+      if (tree.front().isEmpty()) {
+        presenter.firstRed().ifPresent(tree::choose);
+      }
+    }
+    summary.setText(there || presenter.running() ? TestWords.summary(presenter) : " ");
+    String more = TestWords.more(presenter);
+    summary.setToolTipText(more.isEmpty() ? null : more);
+    summary.setForeground(
+        presenter.firstRed().isPresent() && !presenter.running()
+            ? Palette.error()
+            : Palette.quiet());
+    runAll.setEnabled(presenter.canRun());
+    runSelected.setEnabled(presenter.canRun() && !tree.chosenTests().isEmpty());
+    stop.setVisible(presenter.running());
+    stop.setEnabled(!presenter.stopping());
+    showDetails();
+  }
+
+  /** Keys that went to the panel while it was empty go to the tree from then on. */
+  private void showCard(boolean tests) {
+    boolean came = tests && !tree.isShowing();
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    boolean within = owner != null && SwingUtilities.isDescendingFrom(owner, content);
+    cards.show(middle, tests ? "tests" : "empty");
+    if (came && within) {
+      tree.requestFocusInWindow();
+    }
+  }
+
+  private void showDetails() {
+    String text =
+        tree.front()
+            .map(
+                each ->
+                    switch (each) {
+                      case TestCase test -> TestWords.details(presenter, test);
+                      case FoundFile file -> TestWords.details(file);
+                      default -> "";
+                    })
+            .orElse("");
+    if (!text.equals(details.getText())) {
+      details.setText(text);
+      details.setCaretPosition(0);
+    }
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Tests";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    if (folder.changed(presenter.folder(), presenter.running())) {
+      presenter.look();
+    }
+    if (shown != presenter.changes()) {
+      show();
+    }
+  }
+}
