@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.service.RenameResult;
+import org.pendant.testing.builtin.TestCatalogue;
 
 final class AnalysedTextTest {
   /** Each accented letter is one character and two bytes. */
@@ -73,5 +74,25 @@ final class AnalysedTextTest {
     assertFalse(analysed.fixes(problem).isEmpty());
     List<Edit> edits = analysed.edits(analysed.fixes(problem).getFirst().edits());
     assertEquals("def main():\n  textmsg(\"\u00e9\")\nend\n", Edit.apply(analysed.text(), edits));
+  }
+
+  @Test
+  void aFileOfTestsMayCallWhatTestsMayAndWhatItImports() {
+    String text =
+        """
+        import_script("pick.script")
+        def test_grip():
+          assert_near(width_of(3), 0.1)
+          eventually(get_standard_digital_out(0), within=2)
+          assert_nera(1, 2, 3)
+        end
+        """;
+    AnalysedText tests = AnalysedText.of("pick_test.script", text, new TestCatalogue());
+    AnalysedText without =
+        AnalysedText.of(
+            "pick_test.script", text.substring(text.indexOf('\n') + 1), new TestCatalogue());
+
+    assertEquals(List.of(), tests.problems());
+    assertEquals(2, without.problems().size());
   }
 }
