@@ -71,6 +71,7 @@ final class TestRun {
     ControllerOptions options =
         programs
             .controller(test)
+            .withSeed(settings.controller().seed())
             .withOperator(Operator.present())
             .withOutside(new Connectors(bench.peers(), bench.rpc()));
     controller = new Controller(options, builtins);
