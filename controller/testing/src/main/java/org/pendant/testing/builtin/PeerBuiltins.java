@@ -1,7 +1,6 @@
 package org.pendant.testing.builtin;
 
 import java.util.Optional;
-import org.pendant.controller.bench.Mock;
 import org.pendant.controller.bench.Peer;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
@@ -19,7 +18,6 @@ import org.pendant.script.value.Value;
 /** Peers: the computers that programs open sockets to, played by the test in robot time. */
 final class PeerBuiltins {
   private static final String SECTION = "Peers at sockets";
-  private static final String PROCEDURES = "Remote procedures";
   private static final int MAX_PORT = 65_535;
 
   /** Characters of what was received that a message shows. */
@@ -74,7 +72,6 @@ final class PeerBuiltins {
         .needs("text", Type.STRING)
         .does(call -> send(call, "\n"));
     declareFaults(builtins);
-    declareProcedures(builtins);
   }
 
   private static void declareFaults(Builtins<ControlBox> builtins) {
@@ -108,41 +105,6 @@ final class PeerBuiltins {
               peer(call).setRefuses(call.bool(1));
               return call.answer();
             });
-  }
-
-  private static void declareProcedures(Builtins<ControlBox> builtins) {
-    TestBuiltins.declare(builtins, "rpc_answer", PROCEDURES)
-        .doc(
-            "Has the test be the server that rpc_factory reaches, at whatever address, and answer"
-                + " this to a procedure; of a list it answers one element after the other, and the"
-                + " last one from then on.")
-        .needs("procedure", Type.STRING)
-        .takes("answer", Type.ANY, NoneValue.NONE)
-        .does(
-            call -> {
-              TestBuiltins.bench(call).rpc().answer(call.text(0), call.value(1));
-              return call.answer();
-            });
-    TestBuiltins.declare(builtins, "rpc_calls", PROCEDURES)
-        .doc("How often programs have called a procedure of the test.")
-        .needs("procedure", Type.STRING)
-        .returns(Type.INT)
-        .effect(Effect.SENSES)
-        .does(call -> call.answerInt((int) Math.min(Integer.MAX_VALUE, procedure(call).count())));
-    TestBuiltins.declare(builtins, "rpc_argument", PROCEDURES)
-        .doc("An argument that a procedure of the test was called with; both count from 0.")
-        .needs("procedure", Type.STRING)
-        .needs("call", Type.INT)
-        .takes("argument", Type.INT, Value.of(0))
-        .returns(Type.ANY)
-        .effect(Effect.SENSES)
-        .does(call -> call.answer(procedure(call).argument(call.integer(1), call.integer(2))));
-  }
-
-  private static Mock procedure(Call<ControlBox> call) throws ScriptError {
-    Optional<Mock> mock = TestBuiltins.bench(call).rpc().procedure(call.text(0));
-    return mock.orElseThrow(
-        () -> call.failure("not-mocked", "rpc_answer(...) has given the procedure no answer"));
   }
 
   private static Peer peer(Call<ControlBox> call) throws ScriptError {

@@ -33,6 +33,7 @@ public final class TestBuiltins {
     OperatorTestBuiltins.declareIn(builtins);
     MockBuiltins.declareIn(builtins);
     PeerBuiltins.declareIn(builtins);
+    ProcedureBuiltins.declareIn(builtins);
     GeneratorBuiltins.declareIn(builtins);
     return builtins;
   }
