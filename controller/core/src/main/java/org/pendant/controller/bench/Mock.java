@@ -2,20 +2,23 @@ package org.pendant.controller.bench;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.NumberList;
 import org.pendant.script.value.ObjectList;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /**
- * Mock: stands in for one function of the programs under test, answers in its place and keeps what
- * it was called with.
+ * Mock: stands in for one function of the programs under test, answers in its place, or says which
+ * function of the test does, and keeps what it was called with.
  */
 public final class Mock {
   /** Most calls whose arguments are kept; more are only counted. */
   public static final int MAX_KEPT = 10_000;
 
   private final String function;
+  private final Optional<String> by;
   private final List<Value> answers;
   private final List<List<Value>> calls = new ArrayList<>();
   private long count;
@@ -28,6 +31,28 @@ public final class Mock {
   Mock(String function, List<Value> answers) {
     this.function = function;
     this.answers = List.copyOf(answers);
+    by = Optional.empty();
+  }
+
+  /**
+   * A mock whose answers a function of the test gives.
+   *
+   * @param by its name
+   */
+  Mock(String function, String by) {
+    this.function = function;
+    this.by = Optional.of(by);
+    answers = List.of(NoneValue.NONE);
+  }
+
+  /** The function of the test that answers, where one does. */
+  public Optional<String> by() {
+    return by;
+  }
+
+  /** The name of what it stands in for. */
+  public String function() {
+    return function;
   }
 
   /**
@@ -37,11 +62,20 @@ public final class Mock {
    */
   public Value answer(List<Value> arguments) {
     int number = (int) Math.min(count, answers.size() - 1L);
+    note(arguments);
+    return answers.get(number).copy();
+  }
+
+  /**
+   * Keeps a call that a function of the test is going to answer.
+   *
+   * @param arguments copies of them
+   */
+  void note(List<Value> arguments) {
     count++;
     if (calls.size() < MAX_KEPT) {
       calls.add(List.copyOf(arguments));
     }
-    return answers.get(number).copy();
   }
 
   /** How often it was called. */

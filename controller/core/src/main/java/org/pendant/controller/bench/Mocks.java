@@ -11,6 +11,7 @@ import org.pendant.script.value.Value;
 /** Mocks: which functions of the programs under test are replaced just now. */
 public final class Mocks {
   private final Map<String, Mock> active = new HashMap<>();
+  private final MockedCalls calls = new MockedCalls();
 
   Mocks() {}
 
@@ -26,6 +27,20 @@ public final class Mocks {
   /** As {@link #replace}, with a single answer that may be a list itself. */
   public void replaceByOne(String function, Value answer) {
     active.put(function, new Mock(function, List.of(answer.copy())));
+  }
+
+  /**
+   * Replaces a function by one of the test, which gets the arguments of each call and answers.
+   *
+   * @param by its name
+   */
+  public void replaceByFunction(String function, String by) {
+    active.put(function, new Mock(function, by));
+  }
+
+  /** The calls that functions of the test have to answer. */
+  public MockedCalls calls() {
+    return calls;
   }
 
   /** Has a function do again what it does. */

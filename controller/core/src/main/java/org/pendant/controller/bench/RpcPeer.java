@@ -13,12 +13,16 @@ import org.pendant.script.value.Value;
 
 /**
  * RPC peer: the server of remote procedures that programs under test reach at any address, played
- * by their test: each procedure that the test has given an answer is there. Answers come at once.
+ * by their test: each procedure that the test has given an answer is there. Answers come at once,
+ * those of functions in the next frame.
  */
 public final class RpcPeer implements RpcConnector {
   private final Map<String, Mock> procedures = new HashMap<>();
+  private final MockedCalls calls;
 
-  RpcPeer() {}
+  RpcPeer(MockedCalls calls) {
+    this.calls = calls;
+  }
 
   /**
    * Answers calls of a procedure from now on.
@@ -27,6 +31,11 @@ public final class RpcPeer implements RpcConnector {
    */
   public void answer(String procedure, Value answer) throws ScriptError {
     procedures.put(procedure, new Mock(procedure, Mock.answersOf(answer)));
+  }
+
+  /** Has a function of the test answer calls of a procedure from now on. */
+  public void answerBy(String procedure, String by) {
+    procedures.put(procedure, new Mock(procedure, by));
   }
 
   /** What answers a procedure, and how it was called. */
@@ -59,7 +68,10 @@ public final class RpcPeer implements RpcConnector {
             "no-such-procedure",
             method + ": the test has no answer to this procedure; rpc_answer(...) gives one");
       }
-      return new Answered(mock.answer(arguments.stream().map(Value::copy).toList()));
+      List<Value> copies = arguments.stream().map(Value::copy).toList();
+      return mock.by().isPresent()
+          ? calls.ask(mock, copies.size(), copies)
+          : new Answered(mock.answer(copies));
     }
 
     @Override

@@ -26,7 +26,7 @@ public final class TestBench {
   private final Expected expected = new Expected();
   private final PreparedAnswers answers = new PreparedAnswers();
   private final TestPeers peers = new TestPeers();
-  private final RpcPeer rpc = new RpcPeer();
+  private final RpcPeer rpc = new RpcPeer(mocks.calls());
   private final IoChanges changes = new IoChanges();
   private final List<OutputFollower> followers = new ArrayList<>();
   private List<Command> commands = new ArrayList<>();

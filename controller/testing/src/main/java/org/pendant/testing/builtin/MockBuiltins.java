@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.bench.Mock;
+import org.pendant.controller.bench.MockedCall;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
@@ -12,6 +13,7 @@ import org.pendant.script.function.Call;
 import org.pendant.script.function.Declaration;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
+import org.pendant.script.function.Wait;
 import org.pendant.script.value.NoneValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
@@ -29,6 +31,9 @@ public final class MockBuiltins {
 
   /** The function of tests that replaces another one. */
   public static final String MOCK = "mock";
+
+  /** The function of tests that replaces another one by one of the test. */
+  public static final String MOCK_BY = "mock_by";
 
   /** Most parameters of a function of a program that can be replaced. */
   public static final int MAX_PARAMETERS = 16;
@@ -57,6 +62,19 @@ public final class MockBuiltins {
         .does(
             call -> {
               TestBuiltins.bench(call).mocks().replaceByOne(call.text(0), call.value(1));
+              return call.answer();
+            });
+    TestBuiltins.declare(builtins, MOCK_BY, SECTION)
+        .doc(
+            "Replaces a function, of a program or a built-in one, by a function of the test file"
+                + " from now on: that gets the arguments of each call, as many of them as it takes,"
+                + " and what it returns is the answer, one frame later. Both names stand in"
+                + " quotes.")
+        .needs("function", Type.STRING)
+        .needs("by", Type.STRING)
+        .does(
+            call -> {
+              TestBuiltins.bench(call).mocks().replaceByFunction(call.text(0), call.text(1));
               return call.answer();
             });
     TestBuiltins.declare(builtins, "unmock", SECTION)
@@ -95,24 +113,51 @@ public final class MockBuiltins {
         TestBuiltins.declare(builtins, ANSWER, SECTION)
             .doc("The answer of what replaces a function.")
             .needs("function", Type.STRING)
+            .needs("needed", Type.INT)
             .returns(Type.ANY);
     for (int i = 1; i <= MAX_PARAMETERS; i++) {
       answer.mayTake("a" + i, Type.ANY, Unit.NONE, "none");
     }
-    answer.does(call -> answer(call, mock(call), 1, MAX_PARAMETERS));
+    answer.does(call -> answer(call, mock(call), call.integer(1), 2, MAX_PARAMETERS));
   }
 
   /**
    * Has a mock answer a call whose arguments for it are {@code count} from number {@code first}.
+   *
+   * @param needed how many of them each call has
    */
-  static Outcome answer(Call<ControlBox> call, Mock mock, int first, int count) {
+  static Outcome answer(Call<ControlBox> call, Mock mock, int needed, int first, int count)
+      throws ScriptError {
+    // what is run ahead of the arm must take no answer away
+    call.program().foreseesSetting(false);
     List<Value> arguments = new ArrayList<>();
     for (int i = first; i < first + count && call.given(i); i++) {
       Value argument = call.value(i).copy();
       call.charge(argument.sizeBytes());
       arguments.add(argument);
     }
-    return call.answer(mock.answer(arguments));
+    if (mock.by().isEmpty()) {
+      return call.answer(mock.answer(arguments));
+    }
+    if (!call.program().mayWait()) {
+      throw call.failure(
+          "must-not-wait",
+          "the function " + mock.by().get() + " of the test cannot answer where nothing may wait");
+    }
+    return new Answer(TestBuiltins.bench(call).mocks().calls().ask(mock, needed, arguments));
+  }
+
+  /** Waits for the answer of a function of the test. */
+  private record Answer(MockedCall asked) implements Wait {
+    @Override
+    public Optional<Value> poll(long frame) {
+      return asked.over() ? Optional.of(asked.result()) : Optional.empty();
+    }
+
+    @Override
+    public void cancel() {
+      asked.cancel();
+    }
   }
 
   private static Mock mock(Call<ControlBox> call) throws ScriptError {

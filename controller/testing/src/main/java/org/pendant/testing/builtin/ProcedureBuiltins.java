@@ -12,7 +12,10 @@ import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
 /** Remote procedures: the XML-RPC server that programs reach, played by the test in robot time. */
-final class ProcedureBuiltins {
+public final class ProcedureBuiltins {
+  /** The function of tests that has one of the test answer a remote procedure. */
+  public static final String RPC_ANSWER_BY = "rpc_answer_by";
+
   private static final String SECTION = "Remote procedures";
 
   private ProcedureBuiltins() {}
@@ -28,6 +31,18 @@ final class ProcedureBuiltins {
         .does(
             call -> {
               TestBuiltins.bench(call).rpc().answer(call.text(0), call.value(1));
+              return call.answer();
+            });
+    TestBuiltins.declare(builtins, RPC_ANSWER_BY, SECTION)
+        .doc(
+            "As rpc_answer, with a function of the test file, named in quotes: that gets the"
+                + " arguments of each call, as many of them as it takes, and what it returns is the"
+                + " answer.")
+        .needs("procedure", Type.STRING)
+        .needs("by", Type.STRING)
+        .does(
+            call -> {
+              TestBuiltins.bench(call).rpc().answerBy(call.text(0), call.text(1));
               return call.answer();
             });
     TestBuiltins.declare(builtins, "rpc_calls", SECTION)

@@ -8,6 +8,7 @@ import org.pendant.controller.bench.Mock;
 import org.pendant.controller.bench.TestBench;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.language.signature.Parameter;
 import org.pendant.script.function.Builtin;
 import org.pendant.script.function.BuiltinCode;
 import org.pendant.script.function.Builtins;
@@ -32,6 +33,7 @@ public final class TestBuiltins {
     StopBuiltins.declareIn(builtins);
     OperatorTestBuiltins.declareIn(builtins);
     MockBuiltins.declareIn(builtins);
+    AnsweringBuiltins.declareIn(builtins);
     PeerBuiltins.declareIn(builtins);
     ProcedureBuiltins.declareIn(builtins);
     GeneratorBuiltins.declareIn(builtins);
@@ -73,10 +75,14 @@ public final class TestBuiltins {
   private static BuiltinCode<ControlBox> mockable(Builtin<ControlBox> builtin) {
     BuiltinCode<ControlBox> own = builtin.code();
     int parameters = builtin.signature().parameters().size();
+    int needed =
+        (int) builtin.signature().parameters().stream().filter(Parameter::required).count();
     String name = builtin.name();
     return call -> {
       Optional<Mock> mock = bench(call).mocks().of(name);
-      return mock.isEmpty() ? own.run(call) : MockBuiltins.answer(call, mock.get(), 0, parameters);
+      return mock.isEmpty()
+          ? own.run(call)
+          : MockBuiltins.answer(call, mock.get(), needed, 0, parameters);
     };
   }
 }

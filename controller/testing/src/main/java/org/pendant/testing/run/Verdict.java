@@ -69,7 +69,13 @@ final class Verdict {
   }
 
   private String functionOf(ScriptFailure why) {
-    return why.stack().isEmpty() ? "" : why.stack().getFirst().function();
+    String function = why.stack().isEmpty() ? "" : why.stack().getFirst().function();
+    return made(function) ? "" : function;
+  }
+
+  /** Whether no text of people has a function of this name. */
+  private static boolean made(String function) {
+    return function.startsWith("$");
   }
 
   /** Where the failing function was called from, made lines left out. */
@@ -77,7 +83,7 @@ final class Verdict {
     List<TestPlace> places = new ArrayList<>();
     for (ScriptFailure.StackEntry each : why.stack().stream().skip(1).toList()) {
       TestPlace place = file.composition().placeOfLine(each.line(), each.function());
-      if (place.column() == 0) {
+      if (place.column() == 0 && !made(each.function())) {
         places.add(place);
       }
     }

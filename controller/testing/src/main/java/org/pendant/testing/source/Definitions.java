@@ -79,7 +79,10 @@ final class Definitions {
     }
     SourceRange head = definition.nameRange();
     Expression name = new StringLiteral(definition.name(), head);
-    List<Expression> arguments = new ArrayList<>(List.of(name));
+    long needed =
+        definition.parameters().stream().filter(each -> each.defaultValue().isEmpty()).count();
+    List<Expression> arguments =
+        new ArrayList<>(List.of(name, new Expression.IntLiteral((int) needed, head)));
     for (ParameterDeclaration parameter : definition.parameters()) {
       arguments.add(new Name(parameter.name(), head));
     }

@@ -92,6 +92,7 @@ public final class TestFileReader {
     private final Source source;
     private final Composition composition = new Composition();
     private final List<String> problems = new ArrayList<>();
+    private AnsweringFunctions answering = new AnsweringFunctions(List.of());
     private final Map<String, List<String>> starts = new HashMap<>();
 
     Reading(Source source) {
@@ -104,6 +105,7 @@ public final class TestFileReader {
       report(parsed.diagnostics());
       List<Statement> own = parsed.script().statements();
       List<SourceRange> imported = imports(own);
+      answering = new AnsweringFunctions(own);
       Set<String> mocked = mocked(own);
       List<TestCase> tests = tests(own);
       stopIfBroken();
@@ -175,11 +177,15 @@ public final class TestFileReader {
     }
 
     private Set<String> mocked(List<Statement> own) {
-      Set<String> names = new TreeSet<>();
+      Set<String> names = new TreeSet<>(answering.mocked());
       SyntaxWalk.all(
           own,
           each -> {
             if (each instanceof Call call
+                && AnsweringFunction.says(call)
+                && AnsweringFunction.of(call).isEmpty()) {
+              report(call.range(), call.function() + " needs the names of two functions in quotes");
+            } else if (each instanceof Call call
                 && (call.function().equals(MockBuiltins.MOCK)
                     || call.function().equals("mock_list"))) {
               Optional<String> name = literal(call);
@@ -258,10 +264,20 @@ public final class TestFileReader {
         }
       }
       List<Statement> all = new ArrayList<>(constants);
+      answering.check(joined(functions, rest), builtins, this::report);
+      List<Statement> first = new ArrayList<>();
+      answering.into(functions, first);
       all.addAll(functions);
+      all.addAll(first);
       all.addAll(rest);
       return new Script(
           script.source(), new Expectations(script.source()).asLoops(all), script.range());
+    }
+
+    private static List<Statement> joined(List<Statement> one, List<Statement> other) {
+      List<Statement> both = new ArrayList<>(one);
+      both.addAll(other);
+      return both;
     }
 
     private static Script within(Script script, SourceRange range) {

@@ -50,6 +50,7 @@ final class TestReach {
           started.computeIfAbsent(from, _ -> new TreeSet<>()).add(ByteText.decoded(file.value()));
         }
         called.computeIfAbsent(from, _ -> new HashSet<>()).add(call.function());
+        AnsweringFunction.of(call).ifPresent(each -> called.get(from).add(each.by()));
         if (builtins.find(call.function()).filter(TestReach::moving).isPresent()) {
           moves.putIfAbsent(from, call);
         }
