@@ -27,6 +27,7 @@ public final class TestBench {
   private final PreparedAnswers answers = new PreparedAnswers();
   private final TestPeers peers = new TestPeers();
   private final RpcPeer rpc = new RpcPeer(mocks.calls());
+  private final ModbusDevices devices = new ModbusDevices();
   private final IoChanges changes = new IoChanges();
   private final List<OutputFollower> followers = new ArrayList<>();
   private List<Command> commands = new ArrayList<>();
@@ -84,6 +85,11 @@ public final class TestBench {
   /** The server of remote procedures that programs reach. */
   public RpcPeer rpc() {
     return rpc;
+  }
+
+  /** The Modbus devices that programs reach. */
+  public ModbusDevices devices() {
+    return devices;
   }
 
   /** The changes of digital signals so far. */

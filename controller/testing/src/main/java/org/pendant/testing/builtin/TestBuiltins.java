@@ -36,6 +36,7 @@ public final class TestBuiltins {
     AnsweringBuiltins.declareIn(builtins);
     PeerBuiltins.declareIn(builtins);
     ProcedureBuiltins.declareIn(builtins);
+    DeviceBuiltins.declareIn(builtins);
     GeneratorBuiltins.declareIn(builtins);
     return builtins;
   }

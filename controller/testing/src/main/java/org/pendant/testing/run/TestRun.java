@@ -73,7 +73,7 @@ final class TestRun {
             .controller(test)
             .withSeed(settings.controller().seed())
             .withOperator(Operator.present())
-            .withOutside(new Connectors(bench.peers(), bench.rpc()));
+            .withOutside(new Connectors(bench.peers(), bench.rpc(), bench.devices()));
     controller = new Controller(options, builtins);
     controller.attach(bench);
     operator = new TestOperator(bench.answers(), test.watches());
@@ -173,6 +173,7 @@ final class TestRun {
     ControllerState state = controller.state();
     observer.sees(state);
     bench.peers().step(state.frame());
+    bench.devices().step(state.frame());
     bench.changes().see(state.io(), state.timeS());
     output.take(state);
     wires.step(state, this::post);
