@@ -2,7 +2,6 @@ package org.pendant.command;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
@@ -12,17 +11,21 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListSet;
 import org.pendant.command.service.GoldenComparison;
 import org.pendant.controller.Drive;
-import org.pendant.controller.disk.FileDraft;
+import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.recording.RecordingFile;
+import org.pendant.recording.compare.RunTrack;
+import org.pendant.recording.compare.TrackText;
+import org.pendant.recording.compare.TrackTolerance;
 import org.pendant.testing.TestId;
 import org.pendant.testing.run.Goldens;
+import org.pendant.testing.source.GoldenMark;
 import org.pendant.testing.source.TestCase;
 
 /**
- * Golden recordings: files {@code golden/*.rec} beside test files, which tests that are marked with
- * {@code @golden} are compared with, or written to.
+ * Golden recordings: files {@code golden/*.golden} beside test files, which tests that are marked
+ * with {@code @golden} are compared with, or written to.
  */
 final class GoldenRecordings implements Goldens {
   static final Option UPDATE =
@@ -68,9 +71,8 @@ final class GoldenRecordings implements Goldens {
   public Run begins(TestCase test) {
     String name = GoldenComparison.name(test.id());
     return update
-        ? new Writing(name)
-        : new GoldenComparison(
-            name, new Compared(this, test.id(), name), test.golden().orElseThrow());
+        ? new Writing(name, test.golden().orElseThrow())
+        : new GoldenComparison(name, new Compared(this, test.id()), test.golden().orElseThrow());
   }
 
   private static Problem trouble(String code, String message) {
@@ -78,10 +80,9 @@ final class GoldenRecordings implements Goldens {
   }
 
   /** Where the recording of a test is, and how the test differs from it. */
-  private record Compared(GoldenRecordings all, TestId test, String name)
-      implements GoldenComparison.Place {
+  private record Compared(GoldenRecordings all, TestId test) implements GoldenComparison.Place {
     @Override
-    public Path file() throws IOException {
+    public Path file(String name) throws IOException {
       return all.files.golden(name);
     }
 
@@ -94,80 +95,56 @@ final class GoldenRecordings implements Goldens {
   /** Writes the recording of a run. */
   private final class Writing implements Run {
     private final String name;
-    private Optional<FileDraft> draft = Optional.empty();
-    private Optional<TestRecorder> recorder = Optional.empty();
-    private Optional<String> trouble = Optional.empty();
+    private final TrackTolerance tolerance;
+    private final RunTrack track;
 
-    private Writing(String name) {
+    private Writing(String name, GoldenMark mark) {
       this.name = name;
+      tolerance = GoldenComparison.tolerance(mark);
+      track = new RunTrack(mark.mm().isPresent());
     }
 
     @Override
     public void begins(Drive drive) {
-      try {
-        Path file = files.golden(name);
-        if (Files.exists(file) && !isRecording(file)) {
-          trouble = Optional.of(name + " is no recording, so it is not replaced");
-          return;
-        }
-        Files.createDirectories(file.toAbsolutePath().getParent());
-        draft = Optional.of(FileDraft.replacing(file));
-        recorder = Optional.of(new TestRecorder(draft.get().out()));
-        recorder.get().begins(drive);
-      } catch (IOException e) {
-        failed(e);
-      } catch (UncheckedIOException e) {
-        failed(e.getCause());
-      }
-    }
-
-    private static boolean isRecording(Path file) throws IOException {
-      try (InputStream in = Files.newInputStream(file)) {
-        return RecordingFile.begins(in.readNBytes(RecordingFile.MARK_BYTES));
-      }
-    }
-
-    private void failed(IOException why) {
-      trouble = Optional.of(name + ": cannot be written, " + FileTrouble.reason(why));
+      track.take(drive.state());
     }
 
     @Override
     public void sees(ControllerState state) {
-      if (trouble.isEmpty()) {
-        try {
-          recorder.orElseThrow().sees(state);
-        } catch (UncheckedIOException e) {
-          failed(e.getCause());
-        }
-      }
+      track.take(state);
     }
 
     @Override
     public Optional<Problem> passed() {
-      if (trouble.isEmpty()) {
-        try {
-          recorder.orElseThrow().close();
-          draft.orElseThrow().commit();
-          written.add(name);
-        } catch (IOException e) {
-          failed(e);
+      try {
+        Path file = files.golden(name);
+        if (Files.exists(file) && !TrackText.begins(head(file, TrackText.MARK_BYTES))) {
+          return Optional.of(
+              trouble("golden-unwritten", name + " is no recording, so it is not replaced"));
         }
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        AtomicFile.write(file, TrackText.of(track, tolerance));
+        Path whole = files.golden(GoldenComparison.wholeName(name));
+        if (Files.exists(whole) && RecordingFile.begins(head(whole, RecordingFile.MARK_BYTES))) {
+          Files.delete(whole);
+        }
+        written.add(name);
+        return Optional.empty();
+      } catch (IOException e) {
+        return Optional.of(
+            trouble("golden-unwritten", name + ": cannot be written, " + FileTrouble.reason(e)));
       }
-      return trouble.map(why -> trouble("golden-unwritten", why));
+    }
+
+    private static byte[] head(Path file, int bytes) throws IOException {
+      try (InputStream in = Files.newInputStream(file)) {
+        return in.readNBytes(bytes);
+      }
     }
 
     @Override
     public void close() {
-      try {
-        if (recorder.isPresent()) {
-          recorder.get().close();
-        }
-        if (draft.isPresent()) {
-          draft.get().close();
-        }
-      } catch (IOException _) {
-        // what is left is a hidden file beside the recording; the test has its verdict
-      }
+      // nothing is open between frames
     }
   }
 }

@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.command.GoldenRecordings.Difference;
+import org.pendant.command.service.GoldenComparison;
 import org.pendant.command.service.GraphicsUnavailable;
 import org.pendant.command.service.Picture;
 import org.pendant.command.service.PictureRenderer;
@@ -20,8 +21,11 @@ import org.pendant.controller.Drive;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileDraft;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.recording.RecordingFile;
+import org.pendant.controller.state.SafetyStatus;
+import org.pendant.recording.compare.MalformedTrack;
+import org.pendant.recording.compare.RunTrack;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestResult;
@@ -112,11 +116,11 @@ final class RedTests {
       draft.commit();
       files.add(new FailureAttachment(name + ".rec", "Recording, for pendant open", Kind.LINK));
       if (renderer.isPresent() && taking.moved) {
-        Optional<ControllerState> before = golden.flatMap(RedTests::recorded);
+        Optional<ArmState> before = golden.flatMap(each -> recorded(each, taking.last.arm()));
         if (before.isPresent()) {
           files.addFirst(
               draw(
-                  before.get(),
+                  picture(before.get(), taking.last.safety()),
                   folder,
                   name + "-golden.png",
                   "The arm in the golden recording then; the line is the way of this run",
@@ -126,7 +130,8 @@ final class RedTests {
             golden
                 .map(_ -> atDifference(taking.last.timeS()))
                 .orElse("The arm at the end of the test");
-        files.addFirst(draw(taking.last, folder, name + ".png", title, renderer.get()));
+        Picture picture = picture(taking.last.arm(), taking.last.safety());
+        files.addFirst(draw(picture, folder, name + ".png", title, renderer.get()));
       }
     } finally {
       renderer.ifPresent(PictureRenderer::close);
@@ -140,19 +145,18 @@ final class RedTests {
   }
 
   private FailureAttachment draw(
-      ControllerState state, Path folder, String name, String title, PictureRenderer renderer)
+      Picture picture, Path folder, String name, String title, PictureRenderer renderer)
       throws IOException {
-    Picture picture = picture(state);
     AtomicFile.write(folder.resolve(name), out -> renderer.write(picture, out));
     return new FailureAttachment(name, title, Kind.IMAGE);
   }
 
-  /** What a golden recording has where a test differs from it. */
-  private static Optional<ControllerState> recorded(Difference golden) {
+  /** The arm as a golden recording has it where a test differs from it. */
+  private static Optional<ArmState> recorded(Difference golden, ArmState arm) {
     try {
-      return Optional.of(
-          RecordingFile.open(golden.recording()).recording().atFrame(golden.frame()));
-    } catch (IOException | UncheckedIOException _) {
+      RunTrack track = GoldenComparison.read(golden.recording(), false);
+      return Optional.of(arm.withActualPosition(track.target(golden.frame())));
+    } catch (IOException | UncheckedIOException | MalformedTrack _) {
       // it is gone since the test was compared with it
       return Optional.empty();
     }
@@ -168,13 +172,13 @@ final class RedTests {
     }
   }
 
-  private Picture picture(ControllerState state) {
+  private Picture picture(ArmState arm, SafetyStatus safety) {
     return new Picture(
         options.robotId(),
-        state.arm(),
+        arm,
         options.scene(),
         Optional.empty(),
-        state.safety(),
+        safety,
         StandardView.ISO,
         false,
         WIDTH_PX,

@@ -63,16 +63,16 @@ final class GoldenRecordingsTest {
   @Test
   void aTestWithARecordingToCompareWithNeedsOneThatIsMadeOnlyWhenAskedFor() throws IOException {
     golden(PICK);
-    Path recording = folder.resolve("golden/pick_test.test_runs.rec");
+    Path recording = folder.resolve("golden/pick_test.test_runs.golden");
 
     assertEquals(1, test(folder.toString()));
     assertTrue(
-        said().contains("there is no recording golden/pick_test.test_runs.rec to compare with"),
+        said().contains("there is no recording golden/pick_test.test_runs.golden to compare with"),
         said());
     assertFalse(Files.exists(recording));
 
     assertEquals(0, test(folder.toString(), "--update-golden"));
-    assertTrue(said().contains("recorded golden/pick_test.test_runs.rec"), said());
+    assertTrue(said().contains("recorded golden/pick_test.test_runs.golden"), said());
     assertTrue(Files.exists(recording));
     assertEquals(0, test(folder.toString(), "--seed", "77"));
   }
@@ -85,7 +85,7 @@ final class GoldenRecordingsTest {
 
     assertEquals(1, test(folder.toString()));
     assertTrue(said().contains("pick.script:3: error: at 0."), said());
-    assertTrue(said().contains("first difference from golden/pick_test.test_runs.rec"), said());
+    assertTrue(said().contains("first difference from golden/pick_test.test_runs.golden"), said());
 
     assertEquals(0, test(folder.toString(), "--update-golden"));
     assertEquals(0, test(folder.toString()));
@@ -94,7 +94,7 @@ final class GoldenRecordingsTest {
   @Test
   void aFileThatIsNoRecordingIsNotReplacedByOne() throws IOException {
     golden(PICK);
-    Path file = folder.resolve("golden/pick_test.test_runs.rec");
+    Path file = folder.resolve("golden/pick_test.test_runs.golden");
     Files.createDirectories(file.getParent());
     Files.writeString(file, "something else");
 
@@ -102,7 +102,7 @@ final class GoldenRecordingsTest {
     assertTrue(said().contains("is no recording, so it is not replaced"), said());
     assertEquals("something else", Files.readString(file));
     assertEquals(1, test(folder.toString()));
-    assertTrue(said().contains("is no recording of Pendant"), said());
+    assertTrue(said().contains("is no golden recording"), said());
   }
 
   @Test
@@ -119,6 +119,41 @@ final class GoldenRecordingsTest {
     assertTrue(
         page.contains("The arm at the first difference from the golden recording, 0."), page);
     assertTrue(renderer.lastS() < 0.5);
+  }
+
+  @Test
+  void aWholeRecordingOfAnEarlierVersionIsComparedWithUntilAnotherTakesItsPlace()
+      throws IOException {
+    Path red = folder.resolve("red");
+    Path whole = folder.resolve("golden/pick_test.test_runs.rec");
+    Files.createDirectories(whole.getParent());
+    golden(PICK);
+    Path broken = folder.resolve("pick_test.script");
+    Files.writeString(
+        broken, Files.readString(broken).replace("wait_for_end()\n", "wait_for_end()\n  fail()\n"));
+    assertEquals(1, test(folder.toString(), "--record-on-failure", red.toString()));
+    Files.copy(red.resolve("1-pick_test.test_runs.rec"), whole);
+    golden(PICK);
+    assertEquals(0, test(folder.toString()));
+    golden(PICK.replace("[0.05,", "[0.15,"));
+    assertEquals(1, test(folder.toString()));
+    assertTrue(said().contains("pick.script:3: error: at 0."), said());
+
+    assertEquals(0, test(folder.toString(), "--update-golden"));
+    assertFalse(Files.exists(whole));
+    assertEquals(0, test(folder.toString()));
+  }
+
+  @Test
+  void aRecordingThatWasMadeForLargerDifferencesIsMadeAnew() throws IOException {
+    golden(PICK);
+    Path tests = folder.resolve("pick_test.script");
+    Files.writeString(tests, Files.readString(tests).replace("@golden", "@golden deg=2"));
+    assertEquals(0, test(folder.toString(), "--update-golden"));
+    golden(PICK);
+
+    assertEquals(1, test(folder.toString()));
+    assertTrue(said().contains("was recorded for larger differences"), said());
   }
 
   @Test

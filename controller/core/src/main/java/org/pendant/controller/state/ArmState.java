@@ -44,7 +44,7 @@ public record ArmState(
     Optional<MotionFailure> fault) {
 
   /** The same with its joints read elsewhere. */
-  ArmState withActualPosition(Joints positionRad) {
+  public ArmState withActualPosition(Joints positionRad) {
     return new ArmState(
         targetPositionRad,
         targetSpeedRadPerS,

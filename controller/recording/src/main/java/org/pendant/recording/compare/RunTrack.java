@@ -25,7 +25,18 @@ public final class RunTrack {
   private final List<Switch> switches = new ArrayList<>();
   private final List<Text> texts = new ArrayList<>();
   private DigitalLevels levels = DigitalLevels.ALL_LOW;
+  private final Within within;
   private long lastFrame;
+
+  /**
+   * By how much the places of a track may be off.
+   *
+   * @param deg joints, degrees
+   * @param mm the TCP
+   */
+  public record Within(double deg, double mm) {
+    private static final Within NOTHING = new Within(0, 0);
+  }
 
   /**
    * An empty track.
@@ -34,6 +45,18 @@ public final class RunTrack {
    */
   public RunTrack(boolean withTcp) {
     this.withTcp = withTcp;
+    within = Within.NOTHING;
+  }
+
+  /** One that was written down. */
+  RunTrack(
+      List<Sample> samples, List<Switch> switches, List<Text> texts, long lastFrame, Within off) {
+    withTcp = samples.getFirst().tcp().isPresent();
+    this.samples.addAll(samples);
+    this.switches.addAll(switches);
+    this.texts.addAll(texts);
+    this.lastFrame = lastFrame;
+    within = off;
   }
 
   /** What holds from a frame on, until the next one. */
@@ -112,6 +135,30 @@ public final class RunTrack {
   /** Whether nothing has been taken. */
   public boolean isEmpty() {
     return samples.isEmpty();
+  }
+
+  /** By how much its places may be off. */
+  public Within within() {
+    return within;
+  }
+
+  /** Whether it has where the TCP has to be. */
+  public boolean hasTcp() {
+    return withTcp;
+  }
+
+  /** Where the joints have to be in a frame. */
+  public Joints target(long frame) {
+    return at(frame).target();
+  }
+
+  long firstFrame() {
+    return samples.getFirst().frame();
+  }
+
+  /** The changes of all outputs, oldest first. */
+  List<Switch> switches() {
+    return switches;
   }
 
   long lastFrame() {

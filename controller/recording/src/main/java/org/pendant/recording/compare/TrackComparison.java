@@ -68,12 +68,14 @@ public final class TrackComparison {
             deg ->
                 firstApart(
                         (one, other) -> one.target().maxAbsDifference(other.target()),
-                        Math.toRadians(deg))
+                        Math.toRadians(deg + before.within().deg()))
                     .ifPresent(frame -> addJoint(frame, deg)));
     tolerance
         .mm()
         .ifPresent(
-            mm -> firstApart(TrackComparison::tcpMm, mm).ifPresent(frame -> addTcp(frame, mm)));
+            mm ->
+                firstApart(TrackComparison::tcpMm, mm + before.within().mm())
+                    .ifPresent(frame -> addTcp(frame, mm)));
   }
 
   private static double tcpMm(Sample one, Sample other) {

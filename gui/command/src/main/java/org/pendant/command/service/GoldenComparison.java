@@ -1,22 +1,26 @@
 package org.pendant.command.service;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.pendant.controller.Drive;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.recording.RecordedProgram;
-import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingException;
 import org.pendant.recording.RecordingFile;
+import org.pendant.recording.compare.MalformedTrack;
 import org.pendant.recording.compare.RunTrack;
 import org.pendant.recording.compare.TrackComparison;
 import org.pendant.recording.compare.TrackDifference;
+import org.pendant.recording.compare.TrackText;
 import org.pendant.recording.compare.TrackTolerance;
 import org.pendant.testing.TestId;
 import org.pendant.testing.run.Goldens;
@@ -31,6 +35,12 @@ public final class GoldenComparison implements Goldens.Run {
   /** Characters of the arguments of a case that stand in the name of its file. */
   private static final int MAX_ROW = 40;
 
+  private static final String ENDING = ".golden";
+  private static final int MAX_BYTES = 64 << 20;
+
+  /** What places are written with at the finest, degrees or mm. */
+  private static final double MIN_FINE = 1e-3;
+
   private final String name;
   private final Place place;
   private final TrackTolerance tolerance;
@@ -42,11 +52,11 @@ public final class GoldenComparison implements Goldens.Run {
   @FunctionalInterface
   public interface Place {
     /**
-     * The file of the recording.
+     * The file of a name.
      *
      * @throws IOException if it may not be used; its message says why, for people
      */
-    Path file() throws IOException;
+    Path file(String name) throws IOException;
 
     /**
      * The run differs from its recording.
@@ -66,7 +76,7 @@ public final class GoldenComparison implements Goldens.Run {
   public GoldenComparison(String name, Place place, GoldenMark mark) {
     this.name = name;
     this.place = place;
-    tolerance = new TrackTolerance(mark.deg(), mark.mm(), mark.seconds());
+    tolerance = tolerance(mark);
     track = new RunTrack(mark.mm().isPresent());
   }
 
@@ -85,26 +95,70 @@ public final class GoldenComparison implements Goldens.Run {
   @Override
   public Optional<Goldens.Problem> passed() {
     try {
-      Path file = place.file();
+      Path file = place.file(name);
+      if (!Files.exists(file)) {
+        file = place.file(wholeName(name));
+      }
       if (!Files.exists(file)) {
         return Optional.of(
             trouble(
                 "golden-missing",
                 "there is no recording " + name + " to compare with; --update-golden makes it"));
       }
-      Recording recording = RecordingFile.open(file).recording();
-      RunTrack before = RunTrack.of(recording, tolerance.mm().isPresent());
+      RunTrack before = read(file, tolerance.mm().isPresent());
+      Optional<String> coarse = tooCoarse(before);
+      if (coarse.isPresent()) {
+        return Optional.of(trouble("golden-unreadable", name + " " + coarse.get()));
+      }
+      Path compared = file;
       Optional<TrackDifference> first = TrackComparison.first(track, before, tolerance);
-      first.ifPresent(at -> place.differs(at.frame(), file));
+      first.ifPresent(at -> place.differs(at.frame(), compared));
       return first.map(this::problem);
     } catch (RecordingException e) {
       return Optional.of(trouble("golden-unreadable", e.getMessage()));
+    } catch (MalformedTrack e) {
+      return Optional.of(
+          trouble("golden-unreadable", name + " " + e.getMessage() + "; --update-golden replaces"));
     } catch (IOException e) {
       return Optional.of(trouble("golden-unreadable", name + ": " + FileTrouble.reason(e)));
     } catch (UncheckedIOException e) {
       return Optional.of(
           trouble("golden-unreadable", name + ": " + FileTrouble.reason(e.getCause())));
     }
+  }
+
+  /**
+   * Reads a golden recording, one of the compact form or a whole one of earlier versions.
+   *
+   * @param withTcp whether it has to have the TCP as well
+   * @throws RecordingException if it is a whole one that cannot be read
+   */
+  public static RunTrack read(Path file, boolean withTcp) throws IOException, MalformedTrack {
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] head = in.readNBytes(RecordingFile.MARK_BYTES);
+      if (RecordingFile.begins(head)) {
+        return RunTrack.of(RecordingFile.open(file).recording(), withTcp);
+      }
+      byte[] rest = in.readNBytes(MAX_BYTES);
+      byte[] all = Arrays.copyOf(head, head.length + rest.length);
+      System.arraycopy(rest, 0, all, head.length, rest.length);
+      return TrackText.read(all);
+    }
+  }
+
+  /** Why a recording cannot be compared as closely as the test wants; empty where it can. */
+  private Optional<String> tooCoarse(RunTrack before) {
+    boolean deg = tolerance.deg().isPresent() && before.within().deg() > fine(tolerance.deg());
+    boolean mm =
+        tolerance.mm().isPresent()
+            && (!before.hasTcp() || before.within().mm() > fine(tolerance.mm()));
+    return deg || mm
+        ? Optional.of("was recorded for larger differences; --update-golden records it anew")
+        : Optional.empty();
+  }
+
+  private static double fine(OptionalDouble most) {
+    return Math.max(MIN_FINE, most.getAsDouble() / 2);
   }
 
   private Goldens.Problem problem(TrackDifference difference) {
@@ -133,6 +187,11 @@ public final class GoldenComparison implements Goldens.Run {
     return new Goldens.Problem(code, message, 0, "");
   }
 
+  /** What a mark allows. */
+  public static TrackTolerance tolerance(GoldenMark mark) {
+    return new TrackTolerance(mark.deg(), mark.mm(), mark.seconds());
+  }
+
   /** The name of the recording of a test, one that every file system takes. */
   public static String name(TestId id) {
     String file = id.file().substring(id.file().lastIndexOf('/') + 1).replaceAll("\\.script$", "");
@@ -145,6 +204,11 @@ public final class GoldenComparison implements Goldens.Run {
               ".%s.%08x",
               plain.substring(0, Math.min(MAX_ROW, plain.length())), id.row().hashCode());
     }
-    return TestSources.beside(id.file(), "golden/" + file + "." + id.function() + row + ".rec");
+    return TestSources.beside(id.file(), "golden/" + file + "." + id.function() + row + ENDING);
+  }
+
+  /** The name of the recording of an earlier version, which was a whole one. */
+  public static String wholeName(String name) {
+    return name.substring(0, name.length() - ENDING.length()) + ".rec";
   }
 }

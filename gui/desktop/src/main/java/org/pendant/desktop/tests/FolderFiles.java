@@ -98,7 +98,7 @@ final class FolderFiles implements TestSetup.Files {
     return test -> {
       String name = GoldenComparison.name(test.id());
       return new GoldenComparison(
-          name, () -> folder.resolve(name).normalize(), test.golden().orElseThrow());
+          name, each -> folder.resolve(each).normalize(), test.golden().orElseThrow());
     };
   }
 
