@@ -13,6 +13,9 @@ import org.pendant.testing.TestStatus;
 record TestOutcome(TestStatus status, String skipped, Optional<TestFailure> failure) {
   static final TestOutcome PASSED = new TestOutcome(TestStatus.PASSED, "", Optional.empty());
 
+  /** People have ended the run before there was a verdict. */
+  static final TestOutcome STOPPED = skipped("stopped");
+
   static TestOutcome skipped(String reason) {
     return new TestOutcome(TestStatus.SKIPPED, reason, Optional.empty());
   }

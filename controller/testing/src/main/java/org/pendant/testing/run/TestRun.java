@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
@@ -44,6 +45,7 @@ final class TestRun {
   private final TestSettings settings;
   private final Optional<CoverageCollector> coverage;
   private final TestObserver observer;
+  private final BooleanSupplier stopped;
   private final Controller controller;
   private final TestBench bench;
   private final TestOperator operator;
@@ -60,13 +62,15 @@ final class TestRun {
       TestSettings settings,
       Optional<CoverageCollector> coverage,
       Choices choices,
-      TestObserver observer) {
+      TestObserver observer,
+      BooleanSupplier stopped) {
     this.file = file;
     this.test = test;
     this.programs = programs;
     this.settings = settings;
     this.coverage = coverage;
     this.observer = observer;
+    this.stopped = stopped;
     bench = new TestBench(test.number(), choices, programs, this::globals);
     ControllerOptions options =
         programs
@@ -93,6 +97,9 @@ final class TestRun {
     Verdict verdict = new Verdict(file, test, programs, bench);
     ControllerState state;
     do {
+      if (stopped.getAsBoolean()) {
+        return result(TestOutcome.STOPPED, controller.state(), beganNs);
+      }
       state = step();
       Optional<TestOutcome> outcome = outcome(state, verdict);
       if (outcome.isPresent()) {

@@ -48,6 +48,7 @@ public final class TestRunner {
   private final Builtins<ControlBox> ofTests;
   private final Map<TestId, List<Double>> reported = new ConcurrentHashMap<>();
   private final AtomicBoolean cancelled;
+  private final AtomicBoolean stopped;
   private final int mostSimpler;
 
   /**
@@ -75,6 +76,7 @@ public final class TestRunner {
     ofPrograms = StandardBuiltins.create();
     ofTests = TestBuiltins.create();
     cancelled = new AtomicBoolean();
+    stopped = new AtomicBoolean();
     mostSimpler = PropertyRun.MAX_SIMPLER;
   }
 
@@ -88,6 +90,7 @@ public final class TestRunner {
     ofPrograms = of.ofPrograms;
     ofTests = of.ofTests;
     cancelled = of.cancelled;
+    stopped = of.stopped;
     mostSimpler = 0;
   }
 
@@ -108,6 +111,15 @@ public final class TestRunner {
   /** Ends the suite as soon as possible: no more test begins. */
   public void cancel() {
     cancelled.set(true);
+  }
+
+  /**
+   * Ends the suite now: those tests that run are given up where they are, and count as not run; no
+   * more test begins.
+   */
+  public void stop() {
+    stopped.set(true);
+    cancel();
   }
 
   /** Whether it is to end. */
@@ -179,6 +191,9 @@ public final class TestRunner {
             }
             int which = order.get(i);
             TestResult result = run(chosen.get(which));
+            if (stopped.get()) {
+              return;
+            }
             results.set(which, result);
             tell(result);
           }
@@ -283,6 +298,9 @@ public final class TestRunner {
 
   private TestResult run(
       Chosen one, Choices choices, Optional<CoverageCollector> covers, TestObserver observer) {
+    if (stopped.get()) {
+      return result(one.test(), TestOutcome.STOPPED);
+    }
     return new TestRun(
             one.file(),
             one.test(),
@@ -291,7 +309,8 @@ public final class TestRunner {
             one.test().golden().isPresent() ? settings.withoutSeed() : settings,
             covers,
             choices,
-            observer)
+            observer,
+            stopped::get)
         .run();
   }
 

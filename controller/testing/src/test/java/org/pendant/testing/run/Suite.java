@@ -7,8 +7,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Drive;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.state.ControllerState;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.coverage.CoverageCollector;
@@ -63,6 +66,32 @@ final class Suite {
   /** The settings that it has. */
   TestSettings settings() {
     return settings;
+  }
+
+  /** What comes of it where people end it in the first frame of a test that is marked. */
+  SuiteResult stopped() {
+    AtomicReference<TestRunner> runner = new AtomicReference<>();
+    goldens =
+        test ->
+            new Goldens.Run() {
+              @Override
+              public void begins(Drive drive) {
+                runner.get().stop();
+              }
+
+              @Override
+              public void sees(ControllerState state) {}
+
+              @Override
+              public Optional<Goldens.Problem> passed() {
+                return Optional.empty();
+              }
+
+              @Override
+              public void close() {}
+            };
+    runner.set(runner());
+    return runner.get().run(runner.get().plan(names()));
   }
 
   private TestRunner runner() {

@@ -210,6 +210,25 @@ class SuiteTest {
     assertEquals("1/2", shown(report.branchWays()));
   }
 
+  @Test
+  void whoStopsASuiteDoesNotWaitForTheTestsThatRun() {
+    SuiteResult result =
+        Suite.of(
+                "# @golden",
+                "def test_endless():",
+                "  while True:",
+                "    sync()",
+                "  end",
+                "end",
+                "# @golden",
+                "def test_other():",
+                "end")
+            .stopped();
+
+    assertEquals(List.of(), result.results());
+    assertEquals(2, result.notRun());
+  }
+
   private static String shown(Share share) {
     return share.reached() + "/" + share.total();
   }

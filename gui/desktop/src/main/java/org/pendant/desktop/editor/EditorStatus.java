@@ -25,6 +25,7 @@ final class EditorStatus extends JPanel {
           + " completions come when they are asked for (Ctrl+Space), long texts are not folded";
 
   private final JButton problems = new JButton(" ");
+  private final JLabel cover = new JLabel(" ");
   private final JLabel place = new JLabel(" ");
   private final JLabel format = new JLabel(" ");
   private List<Problem> counted = List.of();
@@ -35,9 +36,14 @@ final class EditorStatus extends JPanel {
    * @param showProblems asked when the user wants to see the problems
    */
   EditorStatus(Runnable showProblems) {
-    super(new MigLayout("insets 1 8 1 12, gap 16, fillx", "[][grow, right][right]", "[center]"));
+    super(
+        new MigLayout(
+            "insets 1 8 1 12, gap 16, fillx",
+            "[][grow, fill, shrinkprio 200][right][right]",
+            "[center]"));
     setName("editor-status");
     setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
+    cover.setForeground(Palette.quiet());
     place.setForeground(Palette.quiet());
     format.setForeground(Palette.quiet());
     problems.setName("editor-problems");
@@ -49,12 +55,16 @@ final class EditorStatus extends JPanel {
     format.setName("editor-format");
     format.setToolTipText(FORMAT_TIP);
     add(problems);
+    cover.setName("editor-cover");
+    cover.getAccessibleContext().setAccessibleName("What tests have reached of the line");
+    add(cover, "wmin 0");
     add(place, "wmin 0");
     add(format, "wmin 0");
   }
 
   void show(ProgramEditor editor) {
     place.setText(place(editor.area()));
+    cover.setText(editor.coverAtCaret().map(LineCover::about).orElse(" "));
     format.setText(format(editor.program()) + (editor.isLong() ? LONG : ""));
     format.setToolTipText(editor.isLong() ? LONG_TIP : FORMAT_TIP);
     List<Problem> now = editor.analysed().map(AnalysedText::problems).orElse(counted);

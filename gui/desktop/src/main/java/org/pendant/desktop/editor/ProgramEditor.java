@@ -41,7 +41,7 @@ final class ProgramEditor extends JPanel {
   private final AnalysisSchedule schedule;
   private final ScriptArea area;
   private final RTextScrollPane scroll;
-  private final HeatBar heat;
+  private final LineBars bars;
   private final ProblemNotices notices = new ProblemNotices();
   private final NoticeBar notice = new NoticeBar();
   private final GutterMarks marks;
@@ -80,7 +80,6 @@ final class ProgramEditor extends JPanel {
             System::nanoTime);
     area = new ScriptArea(colours, schedule::current, takenKeys);
     scroll = new RTextScrollPane(area, true);
-    heat = new HeatBar(area, area.notes());
     scroll.setFoldIndicatorEnabled(true);
     scroll.setBorder(null);
     area.addParser(notices);
@@ -120,7 +119,8 @@ final class ProgramEditor extends JPanel {
     follower = new LineFollower(area, scroll, following);
     area.addHierarchyListener(this::shown);
     add(head(), BorderLayout.NORTH);
-    scroll.setRowHeaderView(header());
+    bars = new LineBars(area, scroll.getGutter());
+    scroll.setRowHeaderView(bars);
     add(scroll);
     add(stripe(), BorderLayout.LINE_END);
     applyTheme();
@@ -196,18 +196,20 @@ final class ProgramEditor extends JPanel {
     }
   }
 
-  /** The gutter, and how warm its lines are. */
-  private JPanel header() {
-    JPanel header = new JPanel(new BorderLayout());
-    header.add(scroll.getGutter());
-    header.add(heat, BorderLayout.LINE_END);
-    return header;
-  }
-
   /** Shows what stands behind lines. */
   void showNotes(Map<Integer, LineNote> notes) {
-    area.notes().set(notes);
-    heat.refresh();
+    bars.showNotes(notes);
+  }
+
+  /** Shows what tests have reached of lines. */
+  void showCover(Map<Integer, LineCover> lines) {
+    bars.cover().set(lines);
+    editorHost.changed(this);
+  }
+
+  /** What tests have reached of the line of the caret. */
+  Optional<LineCover> coverAtCaret() {
+    return bars.cover().line(area.lineAt(area.getCaretPosition()));
   }
 
   private ErrorStrip stripe() {

@@ -218,6 +218,11 @@ public final class ScriptEditor implements View {
     editor(program).ifPresent(editor -> editor.showNotes(notes));
   }
 
+  /** Shows what tests have reached of the lines of a program, by their numbers. */
+  public void showCover(ProgramDocument program, Map<Integer, LineCover> lines) {
+    editor(program).ifPresent(editor -> editor.showCover(lines));
+  }
+
   /** Asks {@code known} for the breakpoints of programs that are open, or opened again. */
   public void setBreakpointMemory(Function<ProgramDocument, SortedSet<Integer>> known) {
     breakpointMemory = known;

@@ -7,7 +7,7 @@ import java.util.List;
  * Kept lines: where the lines of a text are after it was edited, as long as they say the same;
  * blanks around them do not matter. Lines count from 1.
  */
-final class KeptLines {
+public final class KeptLines {
   /** What is compared line by line at most; in more only lines that have not moved are found. */
   private static final int MAX_CELLS = 250_000;
 
@@ -19,7 +19,7 @@ final class KeptLines {
   }
 
   /** From {@code old} to {@code next}. */
-  static KeptLines between(String old, String next) {
+  public static KeptLines between(String old, String next) {
     List<String> before = old.lines().map(String::strip).toList();
     List<String> after = next.lines().map(String::strip).toList();
     int[] now = new int[before.size() + 1];
@@ -76,7 +76,7 @@ final class KeptLines {
   }
 
   /** Where a line is now; 0 if it is gone or says something else. */
-  int now(int old) {
+  public int now(int old) {
     return old >= 1 && old < now.length ? now[old] : 0;
   }
 

@@ -83,6 +83,7 @@ final class Views {
   private final Consumer<String> tell;
   private final StartMove startMove;
   private final WaveformView waveforms;
+  private final TestsView tests;
   private final StartChoice start;
   private final PastViews past;
   private TreeRuns runs;
@@ -188,6 +189,7 @@ final class Views {
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
+    tests = new TestsView(workbench, programs, editor, installation);
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
     ClientsView clients = new ClientsView(workbench, desktopPorts, past::show);
     past.timeline().markClients(clients::marks, clients::showMessage);
@@ -219,7 +221,7 @@ final class Views {
             panel(past.held(calls), Side.LOWER),
             panel(breakpoints, Side.BOTTOM),
             panel(past.timeline(), Side.BOTTOM),
-            panel(new TestsView(workbench, programs, editor, installation), Side.BOTTOM),
+            panel(tests, Side.BOTTOM),
             panel(waveforms, Side.BOTTOM),
             panel(whatIf, Side.BOTTOM),
             panel(
@@ -433,6 +435,7 @@ final class Views {
         });
     Faults.guard(() -> startMove.refresh(state));
     Faults.guard(strip::refresh);
+    Faults.guard(tests::follow);
   }
 
   /** Has what people see of each file last until they open it again. */

@@ -11,6 +11,8 @@ import org.pendant.testing.BrokenTestFile;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestResult;
+import org.pendant.testing.coverage.CoverageCollector;
+import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.run.TestPlan;
 import org.pendant.testing.run.TestRunner;
 import org.pendant.testing.run.TestSettings;
@@ -22,8 +24,16 @@ final class TestJob {
   private final Set<TestId> chosen;
   private final boolean runs;
   private final long seed;
+  private final Optional<CoverageCollector> coverage;
   private final AtomicBoolean stopped = new AtomicBoolean();
   private final AtomicReference<TestRunner> runner = new AtomicReference<>();
+
+  /**
+   * What came of tests.
+   *
+   * @param coverage what they have reached; empty where that was not counted
+   */
+  record Outcome(SuiteResult result, Optional<CoverageReport> coverage) {}
 
   /** Hears what comes of it, in the thread of the job or one of its tests. */
   interface Listener {
@@ -39,12 +49,14 @@ final class TestJob {
    *
    * @param chosen the tests that are wanted; empty for all
    * @param runs whether tests run, too
+   * @param covered whether it is counted what they reach
    */
-  TestJob(TestSetup setup, Set<TestId> chosen, boolean runs, long seed) {
+  TestJob(TestSetup setup, Set<TestId> chosen, boolean runs, long seed, boolean covered) {
     this.setup = setup;
     this.chosen = Set.copyOf(chosen);
     this.runs = runs;
     this.seed = seed;
+    coverage = covered && runs ? Optional.of(new CoverageCollector()) : Optional.empty();
   }
 
   boolean runs() {
@@ -60,12 +72,12 @@ final class TestJob {
     return chosen.isEmpty() || chosen.contains(test);
   }
 
-  /** No more test begins. */
+  /** Ends it now; tests that run are given up. */
   void stop() {
     stopped.set(true);
     TestRunner started = runner.get();
     if (started != null) {
-      started.cancel();
+      started.stop();
     }
   }
 
@@ -78,7 +90,7 @@ final class TestJob {
    *
    * @throws IOException if a folder cannot be read
    */
-  Optional<SuiteResult> work(Listener listener) throws IOException {
+  Optional<Outcome> work(Listener listener) throws IOException {
     List<String> names =
         chosen.isEmpty()
             ? setup.files().find()
@@ -94,14 +106,18 @@ final class TestJob {
             },
             listener::ended,
             setup.files().goldens(),
-            Optional.empty());
+            coverage);
     runner.set(made);
     if (stopped.get()) {
-      made.cancel();
+      made.stop();
     }
     TestPlan plan = made.plan(names);
     listener.found(names.stream().map(name -> found(name, seen, plan.broken())).toList());
-    return runs ? Optional.of(made.run(plan)) : Optional.empty();
+    if (!runs) {
+      return Optional.empty();
+    }
+    SuiteResult result = made.run(plan);
+    return Optional.of(new Outcome(result, coverage.map(CoverageCollector::report)));
   }
 
   /** A file with what was found in it. */

@@ -1,6 +1,7 @@
 package org.pendant.desktop.tests;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -10,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -18,6 +20,8 @@ import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestPlace;
 import org.pendant.testing.TestResult;
+import org.pendant.testing.coverage.CoverageReport;
+import org.pendant.testing.coverage.FileCoverage;
 import org.pendant.testing.source.TestCase;
 
 /**
@@ -29,12 +33,15 @@ final class TestsPresenter {
   private final Worker worker;
   private final Executor dispatch;
   private final LongSupplier seeds;
+  private final BooleanSupplier covered;
   private final Map<TestId, TestResult> results = new HashMap<>();
+  private final Map<Path, CoverStrip.Reached> reached = new HashMap<>();
   private final Set<TestId> waiting = new HashSet<>();
   private List<FoundFile> files = List.of();
   private Optional<TestSetup> shown = Optional.empty();
   private Optional<TestJob> job = Optional.empty();
   private Optional<SuiteResult> last = Optional.empty();
+  private Optional<CoverageReport> coverage = Optional.empty();
   private String trouble = "";
   private int done;
   private long changes;
@@ -50,13 +57,19 @@ final class TestsPresenter {
    * @param setup what is looked at from now on; empty where the program in front has no folder
    * @param dispatch takes what is told while tests run
    * @param seeds gives each run another one
+   * @param covered whether it is counted what tests reach
    */
   TestsPresenter(
-      Supplier<Optional<TestSetup>> setup, Worker worker, Executor dispatch, LongSupplier seeds) {
+      Supplier<Optional<TestSetup>> setup,
+      Worker worker,
+      Executor dispatch,
+      LongSupplier seeds,
+      BooleanSupplier covered) {
     this.setup = setup;
     this.worker = worker;
     this.dispatch = dispatch;
     this.seeds = seeds;
+    this.covered = covered;
   }
 
   /** Looks for tests. What runs of another folder is given up; of the same it goes on. */
@@ -81,7 +94,7 @@ final class TestsPresenter {
     }
   }
 
-  /** No more test begins; those that run come to their end. */
+  /** Ends what runs: the tests that are under way count as not run. */
   void stop() {
     job.ifPresent(TestJob::stop);
     changes++;
@@ -97,12 +110,14 @@ final class TestsPresenter {
       files = List.of();
       results.clear();
       last = Optional.empty();
+      takeCoverage(Optional.empty());
     }
     waiting.clear();
     trouble = "";
     done = 0;
     shown = now;
-    job = shown.map(of -> new TestJob(of, chosen, runs, seeds.getAsLong()));
+    boolean counts = covered.getAsBoolean();
+    job = shown.map(of -> new TestJob(of, chosen, runs, seeds.getAsLong(), counts));
     changes++;
     job.ifPresent(
         started ->
@@ -167,11 +182,15 @@ final class TestsPresenter {
     changes++;
   }
 
-  private void finished(TestJob of, Optional<SuiteResult> result) {
+  private void finished(TestJob of, Optional<TestJob.Outcome> outcome) {
     if (isCurrent(of)) {
       job = Optional.empty();
       waiting.clear();
-      last = result.or(() -> last);
+      outcome.ifPresent(
+          each -> {
+            last = Optional.of(each.result());
+            takeCoverage(each.coverage());
+          });
       changes++;
     }
   }
@@ -244,6 +263,29 @@ final class TestsPresenter {
   /** What came of the last run. */
   Optional<SuiteResult> last() {
     return last;
+  }
+
+  /** What the last run has reached of programs; empty where that is not wanted, or not known. */
+  Optional<CoverageReport> coverage() {
+    return coverage.filter(_ -> covered.getAsBoolean());
+  }
+
+  /** What the last run has reached of a file, by its path. */
+  Optional<CoverStrip.Reached> reached(Path file) {
+    return Optional.ofNullable(reached.get(file));
+  }
+
+  private void takeCoverage(Optional<CoverageReport> report) {
+    coverage = report;
+    reached.clear();
+    if (report.isPresent()) {
+      Path folder = Path.of(shown.orElseThrow().files().folder());
+      int tests = report.get().tests().size();
+      for (FileCoverage each : report.get().files()) {
+        reached.put(
+            folder.resolve(each.file()).normalize(), new CoverStrip.Reached(each, tests));
+      }
+    }
   }
 
   /** What came of a test when it ran last. */

@@ -20,9 +20,10 @@ import javax.swing.tree.TreePath;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Palette;
 import org.pendant.testing.TestId;
+import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.source.TestCase;
 
-/** Tests tree: files and the tests in them. */
+/** Tests tree: files and the tests in them, and below what these have reached of programs. */
 @SuppressWarnings("serial") // never written to a stream
 final class TestsTree extends JTree {
   private static final int ROW = 24;
@@ -32,6 +33,7 @@ final class TestsTree extends JTree {
   private final DefaultMutableTreeNode root = new DefaultMutableTreeNode("tests");
   private final DefaultTreeModel model = new DefaultTreeModel(root);
   private List<FoundFile> shown = List.of();
+  private Optional<CoverageReport> covered = Optional.empty();
 
   TestsTree(TestsPresenter presenter) {
     this.presenter = presenter;
@@ -54,7 +56,7 @@ final class TestsTree extends JTree {
 
   /** Shows what has changed. */
   void refresh() {
-    if (!presenter.files().equals(shown)) {
+    if (!presenter.files().equals(shown) || !presenter.coverage().equals(covered)) {
       rebuild();
     }
     treeDidChange();
@@ -65,10 +67,8 @@ final class TestsTree extends JTree {
     Set<String> folded = new HashSet<>();
     for (int i = 0; i < root.getChildCount(); i++) {
       DefaultMutableTreeNode each = (DefaultMutableTreeNode) root.getChildAt(i);
-      if (!isExpanded(new TreePath(each.getPath()))
-          && each.getUserObject() instanceof FoundFile file
-          && !file.tests().isEmpty()) {
-        folded.add(file.name());
+      if (!isExpanded(new TreePath(each.getPath())) && each.getChildCount() > 0) {
+        folded.add(key(each.getUserObject()));
       }
     }
     Set<String> selected = new HashSet<>();
@@ -80,12 +80,19 @@ final class TestsTree extends JTree {
       file.tests().forEach(each -> node.add(new DefaultMutableTreeNode(each)));
       root.add(node);
     }
+    covered = presenter.coverage();
+    covered.ifPresent(
+        report -> {
+          DefaultMutableTreeNode node = new DefaultMutableTreeNode(report);
+          CoveredFile.of(report).forEach(each -> node.add(new DefaultMutableTreeNode(each)));
+          root.add(node);
+        });
     model.reload();
     List<TreePath> again = new ArrayList<>();
     for (Enumeration<?> all = root.preorderEnumeration(); all.hasMoreElements(); ) {
       DefaultMutableTreeNode node = (DefaultMutableTreeNode) all.nextElement();
       TreePath path = new TreePath(node.getPath());
-      if (node.getUserObject() instanceof FoundFile file && !folded.contains(file.name())) {
+      if (node.getLevel() == 1 && !folded.contains(key(node.getUserObject()))) {
         expandPath(path);
       }
       if (selected.contains(key(node.getUserObject()))) {
@@ -99,6 +106,8 @@ final class TestsTree extends JTree {
     return switch (node) {
       case FoundFile file -> file.name();
       case TestCase test -> test.id().file() + ":" + test.id().name();
+      case CoverageReport _ -> "coverage";
+      case CoveredFile file -> "coverage:" + file.name();
       default -> "";
     };
   }
@@ -158,6 +167,8 @@ final class TestsTree extends JTree {
     return switch (((DefaultMutableTreeNode) value).getUserObject()) {
       case FoundFile file -> TestWords.row(presenter, file);
       case TestCase test -> TestWords.row(presenter, test);
+      case CoverageReport report -> CoverageWords.row(report);
+      case CoveredFile file -> CoverageWords.row(file);
       default -> "";
     };
   }
@@ -203,9 +214,15 @@ final class TestsTree extends JTree {
         int row,
         boolean focused) {
       super.getTreeCellRendererComponent(tree, value, selected, expanded, leaf, row, focused);
-      TestMark mark = mark(((DefaultMutableTreeNode) value).getUserObject());
-      setIcon(icon(mark, selected));
-      getAccessibleContext().setAccessibleName(getText() + ", " + TestWords.of(mark));
+      Object node = ((DefaultMutableTreeNode) value).getUserObject();
+      if (node instanceof CoverageReport || node instanceof CoveredFile) {
+        setIcon(selected ? Glyph.PLOT.icon(ICON) : Glyph.PLOT.icon(ICON, Palette.quiet()));
+        getAccessibleContext().setAccessibleName(getText());
+      } else {
+        TestMark mark = mark(node);
+        setIcon(icon(mark, selected));
+        getAccessibleContext().setAccessibleName(getText() + ", " + TestWords.of(mark));
+      }
       return this;
     }
 

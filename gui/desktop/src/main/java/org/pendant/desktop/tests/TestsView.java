@@ -16,6 +16,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -30,6 +31,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
@@ -40,6 +42,7 @@ import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 import org.pendant.testing.TestPlace;
+import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.source.TestCase;
 
 /**
@@ -51,23 +54,27 @@ public final class TestsView implements View {
   public static final String ID = "tests";
 
   private static final double SHARE = 0.55;
+  private static final String COVERAGE = "tests.coverage";
   private static final int MAX_SEED = 1_000_000;
   private static final Pattern PROBLEM = Pattern.compile("(.+?):(\\d{1,9}):(\\d{1,9}): .*");
 
   private final Workbench workbench;
   private final ScriptEditor editor;
   private final OpenFolder folder;
+  private final Programs programs;
   private final TestsPresenter presenter;
   private final TestsTree tree;
   private final JTextArea details = new CodeArea();
   private final JSplitPane split = new JSplitPane();
   private final JLabel summary = new JLabel(" ");
   private final JLabel note = new JLabel("", SwingConstants.CENTER);
+  private final JCheckBox coverage = new JCheckBox("Coverage");
+  private final CoverStrip strip;
   private final JButton runAll = button("run-all", "Run all", "Runs all tests below the folder");
   private final JButton runSelected =
       button("run-selected", "Run selected", "Runs the selected tests and files (Ctrl+Enter)");
   private final JButton stop =
-      button("stop", "Stop", "No more test begins; those that run come to their end");
+      button("stop", "Stop", "Ends the tests that run; no more begins");
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
@@ -88,7 +95,10 @@ public final class TestsView implements View {
             folder::setup,
             Background::run,
             EventQueue::invokeLater,
-            () -> ThreadLocalRandom.current().nextInt(1, MAX_SEED));
+            () -> ThreadLocalRandom.current().nextInt(1, MAX_SEED),
+            this::covers);
+    strip = new CoverStrip(programs, this::covers, this::reached, editor::showCover);
+    this.programs = programs;
     tree = new TestsTree(presenter);
     content.setName("tests-view");
     content.getAccessibleContext().setAccessibleName(title());
@@ -99,6 +109,14 @@ public final class TestsView implements View {
     listen();
     declareActions();
     show();
+  }
+
+  private boolean covers() {
+    return workbench.settings().get(COVERAGE).map(Boolean::parseBoolean).orElse(false);
+  }
+
+  private Optional<CoverStrip.Reached> reached(ProgramDocument program) {
+    return program.file().flatMap(each -> presenter.reached(each.toAbsolutePath().normalize()));
   }
 
   private boolean knows(String name) {
@@ -118,6 +136,7 @@ public final class TestsView implements View {
     bar.add(runAll);
     bar.add(runSelected);
     bar.add(stop);
+    bar.add(coverage);
     bar.add(summary);
     return bar;
   }
@@ -176,6 +195,10 @@ public final class TestsView implements View {
     runAll.addActionListener(event -> runAll());
     runSelected.addActionListener(event -> runSelected());
     stop.addActionListener(event -> stop());
+    coverage.setName("tests-coverage");
+    coverage.setToolTipText(
+        "Counts what tests reach of programs, and shows it here and beside the lines of scripts");
+    coverage.addActionListener(event -> turnCoverage());
     tree.addTreeSelectionListener(event -> show());
     key("ENTER", this::open);
     key("control ENTER", this::runSelected);
@@ -221,6 +244,35 @@ public final class TestsView implements View {
             "",
             () -> !presenter.running(),
             presenter::look));
+    actions.add(
+        Action.of(ID + ".coverage", "Tests: coverage", "", this::turnCoverage)
+            .checked(this::covers));
+    actions.add(
+        new Action(
+            ID + ".next-uncovered",
+            "Tests: next line that is not covered",
+            "",
+            () -> strip.shows(programs.current()),
+            this::nextUncovered));
+  }
+
+  private void turnCoverage() {
+    workbench.settings().put(COVERAGE, String.valueOf(!covers()));
+    strip.refresh();
+    show();
+  }
+
+  private void nextUncovered() {
+    ProgramDocument program = programs.current();
+    strip
+        .next(program, editor.caretLine())
+        .ifPresentOrElse(
+            line -> {
+              workbench.show(ScriptEditor.ID);
+              editor.show(line, 1);
+              editor.focus();
+            },
+            () -> workbench.notify("The tests reach all of " + program.name()));
   }
 
   private void runAll() {
@@ -247,6 +299,8 @@ public final class TestsView implements View {
               switch (each) {
                 case TestCase test -> go(presenter.target(test));
                 case FoundFile file -> go(place(file));
+                case CoveredFile file ->
+                    go(new TestPlace(file.name(), file.firstMissing(), 1, ""));
                 default -> {}
               }
             });
@@ -304,6 +358,7 @@ public final class TestsView implements View {
             : Palette.quiet());
     runAll.setEnabled(presenter.canRun());
     runSelected.setEnabled(presenter.canRun() && !tree.chosenTests().isEmpty());
+    coverage.setSelected(covers());
     stop.setVisible(presenter.running());
     stop.setEnabled(!presenter.stopping());
     showDetails();
@@ -328,6 +383,8 @@ public final class TestsView implements View {
                     switch (each) {
                       case TestCase test -> TestWords.details(presenter, test);
                       case FoundFile file -> TestWords.details(file);
+                      case CoverageReport report -> CoverageWords.details(report);
+                      case CoveredFile file -> CoverageWords.details(file);
                       default -> "";
                     })
             .orElse("");
@@ -360,5 +417,21 @@ public final class TestsView implements View {
     if (shown != presenter.changes()) {
       show();
     }
+    takeFocus();
+  }
+
+  /** What shows the panel gives the focus to what is around it while there is no test yet. */
+  private void takeFocus() {
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    if (tree.isShowing()
+        && owner instanceof JComponent
+        && SwingUtilities.isDescendingFrom(content, owner)) {
+      tree.requestFocusInWindow();
+    }
+  }
+
+  /** Shows coverage beside the lines of scripts, whether or not the panel is visible. */
+  public void follow() {
+    strip.refresh();
   }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Optional;
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.kit.background.Background;
 import org.pendant.testing.TestId;
+import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.run.Goldens;
 import org.pendant.testing.source.TestCase;
 
@@ -27,6 +29,7 @@ final class TestsPresenterTest {
   private final SortedMap<String, String> disk = new TreeMap<>();
   private final Queue<Runnable> work = new ArrayDeque<>();
   private final Queue<Runnable> told = new ConcurrentLinkedQueue<>();
+  private boolean covered;
   private Optional<String> folder = Optional.of("/cell");
   private Optional<String> unreadable = Optional.empty();
   private final TestsPresenter presenter =
@@ -34,7 +37,8 @@ final class TestsPresenterTest {
           () -> folder.map(name -> new TestSetup(new Files(name), ControllerOptions.headless())),
           new Later(),
           told::add,
-          () -> 4711);
+          () -> 4711,
+          () -> covered);
 
   /** Does nothing until it is asked to. */
   private final class Later implements TestsPresenter.Worker {
@@ -260,6 +264,43 @@ final class TestsPresenterTest {
     assertFalse(presenter.running());
     assertEquals("0 passed, 3 not run", TestWords.summary(presenter));
     assertEquals(TestMark.NEW, presenter.mark(test("test_open").id()));
+  }
+
+  @Test
+  void whatTestsReachIsCountedWhileThatIsWanted() {
+    write(
+        "grip.script",
+        "def grip():",
+        "  if get_standard_digital_in(0):",
+        "    sleep(0.1)",
+        "  end",
+        "end");
+    write(
+        "grip_test.script", "def test_a():", "  start(\"grip.script\")", "  wait_for_end()", "end");
+    presenter.runAll();
+    work();
+    assertTrue(presenter.coverage().isEmpty());
+    covered = true;
+    presenter.runAll();
+    work();
+    CoverageReport report = presenter.coverage().orElseThrow();
+    assertEquals("Coverage   50.0 % of statements", CoverageWords.row(report));
+    CoveredFile file = CoveredFile.of(report).getFirst();
+    assertEquals("grip.script   50.0 %", CoverageWords.row(file));
+    assertEquals(
+        """
+        What the tests reach of grip.script
+        Statements: 50.0 %, 1 of 2
+        Ways of branches: 50.0 %, 1 of 2
+        Truths of conditions: there are none
+        Functions: 100 %, 1 of 1
+        Lines that are not reached: 3\
+        """,
+        CoverageWords.details(file));
+    assertEquals(3, file.firstMissing());
+    assertEquals(1, presenter.reached(Path.of("/cell/grip.script")).orElseThrow().tests());
+    covered = false;
+    assertTrue(presenter.coverage().isEmpty());
   }
 
   @Test
