@@ -98,6 +98,13 @@ final class TestPrograms implements TestedPrograms {
         .orElse(controller);
   }
 
+  /** Whether a program that was loaded here is what a tree generates. */
+  boolean isTree(Program program) {
+    return loaded.values().stream()
+        .anyMatch(
+            each -> each.tree().isPresent() && each.program().filter(program::equals).isPresent());
+  }
+
   /** Where a program that was loaded here may read files. */
   ProgramsFolder folder(Program program) {
     return loaded.entrySet().stream()

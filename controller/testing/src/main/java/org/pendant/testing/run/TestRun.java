@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
@@ -46,13 +47,17 @@ final class TestRun {
   private final Optional<CoverageCollector> coverage;
   private final TestObserver observer;
   private final BooleanSupplier stopped;
+  private final ControllerOptions options;
   private final Controller controller;
+  private final Verdict verdict;
+  private final long mostFrames;
   private final TestBench bench;
   private final TestOperator operator;
   private final Wires wires;
   private final TestOutput output = new TestOutput();
   private final List<CompletableFuture<Reply>> replies = new ArrayList<>();
   private Optional<String> loss = Optional.empty();
+  private Function<Command, CompletableFuture<Reply>> submit;
 
   TestRun(
       TestFile file,
@@ -72,7 +77,7 @@ final class TestRun {
     this.observer = observer;
     this.stopped = stopped;
     bench = new TestBench(test.number(), choices, programs, this::globals);
-    ControllerOptions options =
+    options =
         programs
             .controller(test)
             .withSeed(settings.controller().seed())
@@ -80,6 +85,9 @@ final class TestRun {
             .withOutside(new Connectors(bench.peers(), bench.rpc(), bench.devices()));
     controller = new Controller(options, builtins);
     controller.attach(bench);
+    submit = controller::submit;
+    verdict = new Verdict(file, test, programs, bench);
+    mostFrames = FrameTime.framesFor(test.timeoutS().orElse(settings.timeoutS()));
     operator = new TestOperator(bench.answers(), test.watches());
     wires = new Wires(bench.followers());
   }
@@ -92,24 +100,19 @@ final class TestRun {
   TestResult run() {
     long beganNs = System.nanoTime();
     long wallNs = settings.wallTimeout().toNanos();
-    long mostFrames = FrameTime.framesFor(test.timeoutS().orElse(settings.timeoutS()));
     begin();
-    Verdict verdict = new Verdict(file, test, programs, bench);
     ControllerState state;
     do {
       if (stopped.getAsBoolean()) {
         return result(TestOutcome.STOPPED, controller.state(), beganNs);
       }
-      state = step();
-      Optional<TestOutcome> outcome = outcome(state, verdict);
+      prepare();
+      controller.advance();
+      state = controller.state();
+      see(state);
+      Optional<TestOutcome> outcome = outcome(state);
       if (outcome.isPresent()) {
         return result(outcome.get(), state, beganNs);
-      }
-      if (state.frame() >= mostFrames) {
-        return result(
-            verdict.late(place(state), "ran longer than " + FrameTime.FRAME_S * mostFrames + " s"),
-            state,
-            beganNs);
       }
     } while (state.frame() % FRAMES_PER_LOOK != 0 || System.nanoTime() - beganNs < wallNs);
     return result(
@@ -125,7 +128,23 @@ final class TestRun {
     return test.watches() ? 0 : state.program().line();
   }
 
-  private void begin() {
+  /** The controller that it runs on. */
+  Controller controller() {
+    return controller;
+  }
+
+  /** What that was switched on with. */
+  ControllerOptions options() {
+    return options;
+  }
+
+  /** Has its commands submitted by another way than that of its controller itself. */
+  void submitBy(Function<Command, CompletableFuture<Reply>> way) {
+    submit = way;
+  }
+
+  /** Begins it; no frame has gone by. */
+  void begin() {
     observer.begins(controller);
     Program program = file.program();
     if (test.watches()) {
@@ -170,14 +189,17 @@ final class TestRun {
   }
 
   private void post(Command command) {
-    replies.add(controller.submit(command));
+    replies.add(submit.apply(command));
   }
 
-  private ControllerState step() {
+  /** What is to be done before the next frame. */
+  void prepare() {
     bench.takeStart().ifPresent(this::start);
     bench.takeCommands().forEach(this::post);
-    controller.advance();
-    ControllerState state = controller.state();
+  }
+
+  /** Takes note of a frame that has gone by. */
+  void see(ControllerState state) {
     observer.sees(state);
     bench.peers().step(state.frame());
     bench.devices().step(state.frame());
@@ -185,10 +207,10 @@ final class TestRun {
     output.take(state);
     wires.step(state, this::post);
     loss = operator.look(state, this::post);
-    return state;
   }
 
-  private Optional<TestOutcome> outcome(ControllerState state, Verdict verdict) {
+  /** What has come of it by the end of a frame; empty while it goes on. */
+  Optional<TestOutcome> outcome(ControllerState state) {
     if (loss.isPresent()) {
       return Optional.of(verdict.error("no-answer", loss.get(), place(state)));
     }
@@ -209,7 +231,10 @@ final class TestRun {
       // it waits for itself to unlock the stop
       return Optional.of(verdict.stopped(state));
     }
-    return Optional.empty();
+    return state.frame() >= mostFrames
+        ? Optional.of(
+            verdict.late(place(state), "ran longer than " + FrameTime.FRAME_S * mostFrames + " s"))
+        : Optional.empty();
   }
 
   private static boolean over(ControllerState state) {
@@ -230,7 +255,8 @@ final class TestRun {
     return complaint;
   }
 
-  private TestResult result(TestOutcome outcome, ControllerState state, long beganNs) {
+  /** The report of an outcome. */
+  TestResult result(TestOutcome outcome, ControllerState state, long beganNs) {
     takeCoverage();
     takeOwnCoverage();
     return new TestResult(

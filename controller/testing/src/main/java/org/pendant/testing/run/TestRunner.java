@@ -288,12 +288,27 @@ public final class TestRunner {
    * @throws IllegalArgumentException if the plan has no such test
    */
   public void repeat(TestPlan plan, TestId id, TestObserver observer) {
-    Chosen one =
-        plan.chosen().stream()
-            .filter(each -> each.test().id().equals(id))
-            .findFirst()
-            .orElseThrow(() -> new IllegalArgumentException("no test " + id + " is planned"));
+    Chosen one = chosen(plan, id);
     var _ = run(one, choices(one.test()), Optional.empty(), observer);
+  }
+
+  /**
+   * Prepares a test of a plan for a debugger; nothing has run.
+   *
+   * @throws DebuggedTest.NotDebugged if the debugger cannot see what it runs
+   * @throws IllegalArgumentException if the plan has no such test
+   */
+  public DebuggedTest debug(TestPlan plan, TestId id) throws DebuggedTest.NotDebugged {
+    Chosen one = chosen(plan, id);
+    return DebuggedTest.of(
+        one, prepared(one, choices(one.test()), Optional.empty(), TestObserver.NONE));
+  }
+
+  private static Chosen chosen(TestPlan plan, TestId id) {
+    return plan.chosen().stream()
+        .filter(each -> each.test().id().equals(id))
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException("no test " + id + " is planned"));
   }
 
   private TestResult run(
@@ -301,17 +316,21 @@ public final class TestRunner {
     if (stopped.get()) {
       return result(one.test(), TestOutcome.STOPPED);
     }
+    return prepared(one, choices, covers, observer).run();
+  }
+
+  private TestRun prepared(
+      Chosen one, Choices choices, Optional<CoverageCollector> covers, TestObserver observer) {
     return new TestRun(
-            one.file(),
-            one.test(),
-            one.programs(),
-            ofTests,
-            one.test().golden().isPresent() ? settings.withoutSeed() : settings,
-            covers,
-            choices,
-            observer,
-            stopped::get)
-        .run();
+        one.file(),
+        one.test(),
+        one.programs(),
+        ofTests,
+        one.test().golden().isPresent() ? settings.withoutSeed() : settings,
+        covers,
+        choices,
+        observer,
+        stopped::get);
   }
 
   /** Those of the only run of a test, or of the one that was reported. */

@@ -68,6 +68,13 @@ final class Suite {
     return settings;
   }
 
+  /** Its first test, for a debugger. */
+  DebuggedTest debugged() throws DebuggedTest.NotDebugged {
+    TestRunner runner = runner();
+    TestPlan plan = runner.plan(names());
+    return runner.debug(plan, plan.tests().getFirst().id());
+  }
+
   /** What comes of it where people end it in the first frame of a test that is marked. */
   SuiteResult stopped() {
     AtomicReference<TestRunner> runner = new AtomicReference<>();

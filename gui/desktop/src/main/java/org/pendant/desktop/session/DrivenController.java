@@ -46,6 +46,7 @@ final class DrivenController implements AutoCloseable {
               ControllerState state = drive.state();
               // A fault here would end the loop, and with it the robot.
               Faults.guard(() -> on.ring().take(state));
+              Faults.guard(() -> on.guest().frame(state));
               listeners.forEach(each -> Faults.guard(() -> each.frame(state)));
             });
   }

@@ -6,6 +6,7 @@ import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
+import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
@@ -15,6 +16,7 @@ import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.io.InputWaveforms;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -235,6 +237,32 @@ public final class RobotSession implements AutoCloseable {
     } finally {
       switching.unlock();
     }
+  }
+
+  /**
+   * Has a controller that others have made take the place of the present one, as {@link #restart}
+   * does, with robot time paused. It stays until {@link #restart}. Not for the dispatch thread.
+   *
+   * @param options that it was made with
+   * @param made has run no frame, and is driven by nobody
+   * @param guest sees its frames before all others
+   */
+  public void lend(ControllerOptions options, Controller made, FrameListener guest) {
+    SwitchedOn next = SwitchedOn.of(options, made, guest);
+    cancelBranch();
+    switching.lock();
+    try {
+      exchange(next, new Pace.Paused());
+    } finally {
+      switching.unlock();
+    }
+    // what people have drawn for their own robot is not for this one
+    var _ = driven.submit(new IoCommand.PlayInputs(InputWaveforms.NONE));
+  }
+
+  /** Starts a program for the user: it is none of those that others send. */
+  public CompletableFuture<Reply> start(ProgramCommand.StartProgram command) {
+    return origin.expect(() -> submit(command));
   }
 
   private void exchange(SwitchedOn next, Pace pace) {

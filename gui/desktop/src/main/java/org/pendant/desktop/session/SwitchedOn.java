@@ -22,13 +22,15 @@ import org.pendant.script.function.Builtins;
  * @param tool the serial line of its tool connector
  * @param journal the commands that it got so far
  * @param ring what it did so far
+ * @param guest sees its frames before all others, in the thread that drives it
  */
 record SwitchedOn(
     ControllerOptions options,
     ScriptConnectors scriptConnectors,
     ToolSerialLine tool,
     Journal journal,
-    RecordingRing ring)
+    RecordingRing ring,
+    FrameListener guest)
     implements AutoCloseable {
   /** Makes the journal of a controller that was just switched on. */
   private interface Begin {
@@ -72,7 +74,8 @@ record SwitchedOn(
               options.withOutside(scriptConnectors.connectors().withToolSerial(tool)), builtins);
       RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
       SwitchedOn on =
-          new SwitchedOn(options, scriptConnectors, tool, begin.of(controller, ring), ring);
+          new SwitchedOn(
+              options, scriptConnectors, tool, begin.of(controller, ring), ring, state -> {});
       made = true;
       return on;
     } finally {
@@ -81,6 +84,21 @@ record SwitchedOn(
         tool.close();
       }
     }
+  }
+
+  /**
+   * One that others have made and that reaches nothing outside.
+   *
+   * @param controller has run no frame
+   */
+  static SwitchedOn of(ControllerOptions options, Controller controller, FrameListener guest) {
+    return new SwitchedOn(
+        options,
+        new ScriptConnectors(AllowedHosts.ANY),
+        new ToolSerialLine(),
+        Journal.of(controller),
+        new RecordingRing(controller.state(), controller::programSource),
+        guest);
   }
 
   Controller controller() {

@@ -247,6 +247,12 @@ final class ProgramRunner {
     then.run();
   }
 
+  /** A program is about to be started by somebody else, for the user, as {@code script}. */
+  void startsElsewhere(ProgramDocument document, RunScript script) {
+    running = Optional.of(new Running(document, script.source()));
+    beforeRun.accept(document, script);
+  }
+
   /** Has the controller do something. */
   void send(Command command) {
     tellRefusal(session.submit(command));

@@ -189,7 +189,7 @@ final class Views {
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
-    tests = new TestsView(workbench, programs, editor, installation);
+    tests = new TestsView(workbench, programs, editor, installation, runner::startsElsewhere);
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
     ClientsView clients = new ClientsView(workbench, desktopPorts, past::show);
     past.timeline().markClients(clients::marks, clients::showMessage);
@@ -287,6 +287,10 @@ final class Views {
 
   /** Lets a program start when it can, and the arm is where it goes first or people want it so. */
   private void gate(ProgramDocument document, long from, Runnable run) {
+    if (tests.debugging()) {
+      tell.accept("A test is being debugged: it ends, or is stopped in the panel Tests, first");
+      return;
+    }
     program.whenReady(document, () -> ask(document, from, run));
   }
 

@@ -99,7 +99,7 @@ final class TestJob {
     TestRunner made =
         new TestRunner(
             setup.files(),
-            settings(),
+            settings(setup, seed),
             test -> {
               seen.add(test);
               return wants(test.id());
@@ -132,7 +132,7 @@ final class TestJob {
   }
 
   /** Half of the processors are left to the robot in the window. */
-  private TestSettings settings() {
+  static TestSettings settings(TestSetup setup, long seed) {
     return new TestSettings(
         setup.robot().withSeed(seed),
         seed,

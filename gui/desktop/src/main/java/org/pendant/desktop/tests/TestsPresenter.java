@@ -282,10 +282,20 @@ final class TestsPresenter {
       Path folder = Path.of(shown.orElseThrow().files().folder());
       int tests = report.get().tests().size();
       for (FileCoverage each : report.get().files()) {
-        reached.put(
-            folder.resolve(each.file()).normalize(), new CoverStrip.Reached(each, tests));
+        reached.put(folder.resolve(each.file()).normalize(), new CoverStrip.Reached(each, tests));
       }
     }
+  }
+
+  /** The files and the robot of tests as they are now. */
+  Optional<TestSetup> setup() {
+    return setup.get();
+  }
+
+  /** A test ran somewhere else. */
+  void ran(TestResult result) {
+    results.put(result.id(), result);
+    changes++;
   }
 
   /** What came of a test when it ran last. */

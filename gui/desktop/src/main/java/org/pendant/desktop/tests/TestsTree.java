@@ -156,6 +156,14 @@ final class TestsTree extends JTree {
     }
   }
 
+  /** Selects what a mouse is on, unless it is selected. */
+  void chooseAt(MouseEvent event) {
+    TreePath path = getPathForLocation(event.getX(), event.getY());
+    if (path != null && !isPathSelected(path)) {
+      setSelectionPath(path);
+    }
+  }
+
   /** Whether a mouse is on a row. */
   boolean onRow(MouseEvent event) {
     return getPathForLocation(event.getX(), event.getY()) != null;

@@ -5,15 +5,14 @@ import java.awt.CardLayout;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ThreadLocalRandom;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.function.BiConsumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -28,20 +27,18 @@ import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.editor.ScriptEditor;
-import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
-import org.pendant.kit.action.Action;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.layout.CodeArea;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
-import org.pendant.testing.TestPlace;
 import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.source.TestCase;
 
@@ -54,14 +51,10 @@ public final class TestsView implements View {
   public static final String ID = "tests";
 
   private static final double SHARE = 0.55;
-  private static final String COVERAGE = "tests.coverage";
   private static final int MAX_SEED = 1_000_000;
-  private static final Pattern PROBLEM = Pattern.compile("(.+?):(\\d{1,9}):(\\d{1,9}): .*");
 
   private final Workbench workbench;
-  private final ScriptEditor editor;
   private final OpenFolder folder;
-  private final Programs programs;
   private final TestsPresenter presenter;
   private final TestsTree tree;
   private final JTextArea details = new CodeArea();
@@ -73,22 +66,33 @@ public final class TestsView implements View {
   private final JButton runAll = button("run-all", "Run all", "Runs all tests below the folder");
   private final JButton runSelected =
       button("run-selected", "Run selected", "Runs the selected tests and files (Ctrl+Enter)");
-  private final JButton stop =
-      button("stop", "Stop", "Ends the tests that run; no more begins");
+  private final JButton debug =
+      button(
+          "debug",
+          "Debug",
+          "Runs the selected test in the window, where breakpoints stop it (Ctrl+Shift+Enter)");
+  private final JButton stop = button("stop", "Stop", "Ends the tests that run; no more begins");
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
   private long shown = -1;
+  private Optional<TestCase> debugged = Optional.empty();
   private boolean ran;
+  private boolean arranged;
+  private final TestCommands commands;
 
-  /** The panel; it adds its actions to the workbench. */
+  /**
+   * The panel; it adds its actions to the workbench.
+   *
+   * @param starts told before a test that is debugged, or the program of one, starts
+   */
   public TestsView(
       Workbench workbench,
       Programs programs,
       ScriptEditor editor,
-      ActiveInstallation installation) {
+      ActiveInstallation installation,
+      BiConsumer<ProgramDocument, RunScript> starts) {
     this.workbench = workbench;
-    this.editor = editor;
     folder = new OpenFolder(programs, workbench.session(), installation, this::knows);
     presenter =
         new TestsPresenter(
@@ -98,8 +102,10 @@ public final class TestsView implements View {
             () -> ThreadLocalRandom.current().nextInt(1, MAX_SEED),
             this::covers);
     strip = new CoverStrip(programs, this::covers, this::reached, editor::showCover);
-    this.programs = programs;
     tree = new TestsTree(presenter);
+    TestDebugger debugger =
+        new TestDebugger(workbench.session(), programs, starts, workbench::notify, presenter::ran);
+    commands = new TestCommands(workbench, programs, editor, presenter, tree, strip, debugger);
     content.setName("tests-view");
     content.getAccessibleContext().setAccessibleName(title());
     content.add(bar(), BorderLayout.NORTH);
@@ -107,12 +113,13 @@ public final class TestsView implements View {
     middle.add(parts(), "tests");
     middle.add(empty(), "empty");
     listen();
-    declareActions();
+    commands.addActions();
+    commands.whenChanged(this::show);
     show();
   }
 
   private boolean covers() {
-    return workbench.settings().get(COVERAGE).map(Boolean::parseBoolean).orElse(false);
+    return TestCommands.covers(workbench.settings());
   }
 
   private Optional<CoverStrip.Reached> reached(ProgramDocument program) {
@@ -135,6 +142,7 @@ public final class TestsView implements View {
     summary.setName("tests-summary");
     bar.add(runAll);
     bar.add(runSelected);
+    bar.add(debug);
     bar.add(stop);
     bar.add(coverage);
     bar.add(summary);
@@ -173,7 +181,8 @@ public final class TestsView implements View {
         split.getWidth() > 2 * split.getHeight()
             ? JSplitPane.HORIZONTAL_SPLIT
             : JSplitPane.VERTICAL_SPLIT;
-    if (split.getOrientation() != wanted) {
+    if (!arranged || split.getOrientation() != wanted) {
+      arranged = true;
       split.setOrientation(wanted);
       split.setDividerLocation(SHARE);
     }
@@ -192,25 +201,53 @@ public final class TestsView implements View {
 
   private void listen() {
     stop.getAccessibleContext().setAccessibleName("Stop the tests");
-    runAll.addActionListener(event -> runAll());
-    runSelected.addActionListener(event -> runSelected());
-    stop.addActionListener(event -> stop());
+    runAll.addActionListener(event -> commands.runAll());
+    runSelected.addActionListener(event -> commands.runSelected());
+    debug.addActionListener(event -> commands.debug());
+    stop.addActionListener(event -> commands.stop());
     coverage.setName("tests-coverage");
     coverage.setToolTipText(
         "Counts what tests reach of programs, and shows it here and beside the lines of scripts");
-    coverage.addActionListener(event -> turnCoverage());
+    coverage.addActionListener(event -> commands.turnCoverage());
     tree.addTreeSelectionListener(event -> show());
-    key("ENTER", this::open);
-    key("control ENTER", this::runSelected);
+    key("ENTER", commands::open);
+    key("control ENTER", commands::runSelected);
+    key("control shift ENTER", commands::debug);
+    key("CONTEXT_MENU", this::menuAtSelection);
+    key("shift F10", this::menuAtSelection);
     tree.addMouseListener(
         new MouseAdapter() {
           @Override
           public void mouseClicked(MouseEvent event) {
             if (event.getClickCount() == 2 && tree.onRow(event)) {
-              open();
+              commands.open();
+            }
+          }
+
+          @Override
+          public void mousePressed(MouseEvent event) {
+            menu(event);
+          }
+
+          @Override
+          public void mouseReleased(MouseEvent event) {
+            menu(event);
+          }
+
+          private void menu(MouseEvent event) {
+            if (event.isPopupTrigger() && tree.onRow(event)) {
+              tree.chooseAt(event);
+              commands.menu().show(tree, event.getX(), event.getY());
             }
           }
         });
+  }
+
+  private void menuAtSelection() {
+    Rectangle row = tree.getRowBounds(tree.getLeadSelectionRow());
+    if (row != null) {
+      commands.menu().show(tree, row.x, row.y + row.height);
+    }
   }
 
   private void key(String keys, Runnable run) {
@@ -218,124 +255,9 @@ public final class TestsView implements View {
         event -> run.run(), KeyStroke.getKeyStroke(keys), JComponent.WHEN_FOCUSED);
   }
 
-  private void declareActions() {
-    var actions = workbench.actions();
-    actions.add(
-        Action.of(
-            ID + ".run-all",
-            "Tests: run all",
-            "",
-            () -> {
-              workbench.show(ID);
-              runAll();
-            }));
-    actions.add(
-        new Action(
-            ID + ".run-selected",
-            "Tests: run selected",
-            "",
-            () -> presenter.canRun() && !tree.chosenTests().isEmpty(),
-            this::runSelected));
-    actions.add(new Action(ID + ".stop", "Tests: stop", "", presenter::running, this::stop));
-    actions.add(
-        new Action(
-            ID + ".look",
-            "Tests: look for tests again",
-            "",
-            () -> !presenter.running(),
-            presenter::look));
-    actions.add(
-        Action.of(ID + ".coverage", "Tests: coverage", "", this::turnCoverage)
-            .checked(this::covers));
-    actions.add(
-        new Action(
-            ID + ".next-uncovered",
-            "Tests: next line that is not covered",
-            "",
-            () -> strip.shows(programs.current()),
-            this::nextUncovered));
-  }
-
-  private void turnCoverage() {
-    workbench.settings().put(COVERAGE, String.valueOf(!covers()));
-    strip.refresh();
-    show();
-  }
-
-  private void nextUncovered() {
-    ProgramDocument program = programs.current();
-    strip
-        .next(program, editor.caretLine())
-        .ifPresentOrElse(
-            line -> {
-              workbench.show(ScriptEditor.ID);
-              editor.show(line, 1);
-              editor.focus();
-            },
-            () -> workbench.notify("The tests reach all of " + program.name()));
-  }
-
-  private void runAll() {
-    ran = true;
-    presenter.runAll();
-    show();
-  }
-
-  private void runSelected() {
-    ran = true;
-    presenter.run(tree.chosenTests());
-    show();
-  }
-
-  private void stop() {
-    presenter.stop();
-    show();
-  }
-
-  private void open() {
-    tree.front()
-        .ifPresent(
-            each -> {
-              switch (each) {
-                case TestCase test -> go(presenter.target(test));
-                case FoundFile file -> go(place(file));
-                case CoveredFile file ->
-                    go(new TestPlace(file.name(), file.firstMissing(), 1, ""));
-                default -> {}
-              }
-            });
-  }
-
-  /** Where the first problem of a file is, or else its beginning. */
-  private static TestPlace place(FoundFile file) {
-    for (String each : file.problems()) {
-      Matcher form = PROBLEM.matcher(each);
-      if (form.matches() && form.group(1).equals(file.name())) {
-        return new TestPlace(
-            file.name(), Integer.parseInt(form.group(2)), Integer.parseInt(form.group(3)), "");
-      }
-    }
-    return new TestPlace(file.name(), 1, 1, "");
-  }
-
-  private void go(TestPlace place) {
-    presenter
-        .folder()
-        .map(where -> Path.of(where).resolve(place.file()).normalize())
-        .ifPresent(
-            file ->
-                editor.show(
-                    new Place(
-                        place.file(),
-                        Optional.of(file),
-                        place.line(),
-                        Math.max(1, place.column()),
-                        0,
-                        "")));
-  }
-
   private void show() {
     shown = presenter.changes();
+    debugged = commands.debugging();
     tree.refresh();
     boolean there = !presenter.files().isEmpty();
     if (!there) {
@@ -343,13 +265,18 @@ public final class TestsView implements View {
       note.setForeground(Palette.quiet());
     }
     showCard(there);
-    if (ran && !presenter.running()) {
-      ran = false;
+    boolean over = ran && !presenter.running();
+    ran = presenter.running();
+    if (over) {
       if (tree.front().isEmpty()) {
         presenter.firstRed().ifPresent(tree::choose);
       }
     }
-    summary.setText(there || presenter.running() ? TestWords.summary(presenter) : " ");
+    summary.setText(
+        commands
+            .debugging()
+            .map(test -> "Debugging " + test.id().name())
+            .orElse(there || presenter.running() ? TestWords.summary(presenter) : " "));
     String more = TestWords.more(presenter);
     summary.setToolTipText(more.isEmpty() ? null : more);
     summary.setForeground(
@@ -359,7 +286,8 @@ public final class TestsView implements View {
     runAll.setEnabled(presenter.canRun());
     runSelected.setEnabled(presenter.canRun() && !tree.chosenTests().isEmpty());
     coverage.setSelected(covers());
-    stop.setVisible(presenter.running());
+    debug.setEnabled(commands.canDebug());
+    stop.setVisible(presenter.running() || commands.debugging().isPresent());
     stop.setEnabled(!presenter.stopping());
     showDetails();
   }
@@ -414,7 +342,7 @@ public final class TestsView implements View {
     if (folder.changed(presenter.folder(), presenter.running())) {
       presenter.look();
     }
-    if (shown != presenter.changes()) {
+    if (shown != presenter.changes() || !debugged.equals(commands.debugging())) {
       show();
     }
     takeFocus();
@@ -428,6 +356,11 @@ public final class TestsView implements View {
         && SwingUtilities.isDescendingFrom(content, owner)) {
       tree.requestFocusInWindow();
     }
+  }
+
+  /** Whether a test has the robot of the window. */
+  public boolean debugging() {
+    return commands.debugging().isPresent();
   }
 
   /** Shows coverage beside the lines of scripts, whether or not the panel is visible. */
