@@ -4,7 +4,7 @@ package org.pendant.protocols.primary;
  * Robot message: what the box tells primary clients as it happens. Texts are bytes, one {@code
  * char} a byte; times are controller time in µs.
  */
-sealed interface RobotMessage {
+public sealed interface RobotMessage {
 
   /** The first message on a new connection: which software this is. */
   record Version() implements RobotMessage {}
@@ -79,7 +79,8 @@ sealed interface RobotMessage {
       this.number = number;
     }
 
-    int number() {
+    /** Its number in packages. */
+    public int number() {
       return number;
     }
   }
@@ -98,7 +99,8 @@ sealed interface RobotMessage {
       this.number = number;
     }
 
-    int number() {
+    /** Its number in packages. */
+    public int number() {
       return number;
     }
   }

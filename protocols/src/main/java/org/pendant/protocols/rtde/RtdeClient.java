@@ -222,6 +222,62 @@ public final class RtdeClient implements Closeable {
         "there is no answer within " + ANSWER_MS / 1000 + " s, as a controller would give it");
   }
 
+  /**
+   * Has no fields come any more, until {@link #start}.
+   *
+   * @throws IOException if the controller refuses or the connection is lost
+   */
+  void pause() throws IOException {
+    if (!accepted(ask(PacketType.PAUSE, ReplyCodec.packet(PacketType.PAUSE, 0).array()))) {
+      throw new IOException("the controller refuses to pause" + reasons());
+    }
+  }
+
+  /**
+   * Takes inputs, which only this client may write then.
+   *
+   * @return the number of the recipe, and the types of the inputs
+   * @throws IOException if the controller refuses the wish, or the connection is lost
+   */
+  InputsGranted takeInputs(List<String> names) throws IOException {
+    byte[] text = String.join(",", names).getBytes(StandardCharsets.ISO_8859_1);
+    byte[] request = ReplyCodec.packet(PacketType.SETUP_INPUTS, text.length).put(text).array();
+    ByteBuffer answer = ask(PacketType.SETUP_INPUTS, request);
+    if (!answer.hasRemaining()) {
+      throw new IOException("the answer to the inputs is empty");
+    }
+    int number = Byte.toUnsignedInt(answer.get());
+    String[] types = StandardCharsets.ISO_8859_1.decode(answer).toString().split(",", -1);
+    List<FieldType> granted = new ArrayList<>();
+    for (int i = 0; i < Math.min(types.length, names.size()); i++) {
+      switch (types[i]) {
+        case NOT_FOUND -> throw new IOException("the controller has no input " + names.get(i));
+        case "IN_USE" -> throw new IOException(names.get(i) + " is written by another client");
+        default -> granted.add(type(names.get(i), types[i]));
+      }
+    }
+    if (granted.size() != names.size() || number == 0) {
+      throw new IOException("the controller refuses the inputs" + reasons());
+    }
+    return new InputsGranted(number, granted);
+  }
+
+  /**
+   * Inputs that this client may write.
+   *
+   * @param number of their recipe
+   */
+  record InputsGranted(int number, List<FieldType> types) {
+    InputsGranted {
+      types = List.copyOf(types);
+    }
+  }
+
+  /** Sends a data package. */
+  void send(byte[] packet) throws IOException {
+    socket.getOutputStream().write(packet);
+  }
+
   private static boolean accepted(ByteBuffer answer) {
     return answer.hasRemaining() && answer.get() != 0;
   }
