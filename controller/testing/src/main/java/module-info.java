@@ -12,6 +12,7 @@ module org.pendant.testing {
   exports org.pendant.testing.coverage;
   exports org.pendant.testing.mutation.report;
   exports org.pendant.testing.mutation;
+  exports org.pendant.testing.remote;
   exports org.pendant.testing.report;
   exports org.pendant.testing.run;
   exports org.pendant.testing.source;

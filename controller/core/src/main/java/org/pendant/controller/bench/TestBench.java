@@ -35,6 +35,7 @@ public final class TestBench {
   private String programName = "";
   private boolean starting;
   private boolean started;
+  private boolean elsewhere;
   private ProgramState state = ProgramState.STOPPED;
   private Optional<Ending> ending = Optional.empty();
 
@@ -161,8 +162,26 @@ public final class TestBench {
     return taken;
   }
 
+  /**
+   * Has the program under test run elsewhere: {@link #seeElsewhere} tells how it is, not this box.
+   */
+  public void runElsewhere() {
+    elsewhere = true;
+  }
+
+  /** Tells how the program under test is that runs elsewhere. */
+  public void seeElsewhere(ProgramState now, Optional<Ending> howEnded) {
+    take(now, howEnded);
+  }
+
   /** Tells how the program under test is in this frame, before the test has its part of it. */
   public void see(ProgramState now, Optional<Ending> howEnded) {
+    if (!elsewhere) {
+      take(now, howEnded);
+    }
+  }
+
+  private void take(ProgramState now, Optional<Ending> howEnded) {
     starting = false;
     state = now;
     ending = howEnded;

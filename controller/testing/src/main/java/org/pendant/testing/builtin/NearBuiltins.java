@@ -59,7 +59,7 @@ final class NearBuiltins {
         .needs("opposite", Type.ANY)
         .returns(Type.BOOL)
         .effect(Effect.SENSES)
-        .does(NearBuiltins::inside);
+        .does(call -> inside(call, call.host().kinematics().actualTcpInBase()));
     TestBuiltins.declare(builtins, "robot_time", SECTION)
         .doc("How long the test has been running, in s of robot time.")
         .returns(Unit.SECOND)
@@ -165,10 +165,10 @@ final class NearBuiltins {
     return Math.round(value * 1e4) / 1e4;
   }
 
-  private static Outcome inside(Call<ControlBox> call) throws ScriptError {
+  /** Whether the TCP is inside the box that the arguments are. */
+  static Outcome inside(Call<ControlBox> call, Pose tcp) throws ScriptError {
     double[] one = corner(call, 0);
     double[] other = corner(call, 1);
-    Pose tcp = call.host().kinematics().actualTcpInBase();
     double[] at = {tcp.x(), tcp.y(), tcp.z()};
     boolean inside = true;
     for (int i = 0; i < at.length; i++) {

@@ -38,7 +38,8 @@ final class TestOutput {
         : entry.level().name().toLowerCase(Locale.ROOT) + ": " + entry.text();
   }
 
-  private void add(double timeS, String text) {
+  /** Adds a line; bytes, one {@code char} a byte. */
+  void add(double timeS, String text) {
     if (lines.size() == MAX_LINES) {
       lines.removeFirst();
     }

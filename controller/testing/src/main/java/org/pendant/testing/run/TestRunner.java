@@ -80,6 +80,25 @@ public final class TestRunner {
     mostSimpler = PropertyRun.MAX_SIMPLER;
   }
 
+  /** A runner that plans tests which call these functions, and runs none. */
+  TestRunner(
+      TestSources files,
+      TestSettings settings,
+      Predicate<TestCase> wanted,
+      Builtins<ControlBox> ofTests) {
+    this.files = files;
+    this.settings = settings;
+    this.wanted = wanted;
+    this.ofTests = ofTests;
+    listener = _ -> {};
+    goldens = Goldens.NONE;
+    coverage = Optional.empty();
+    ofPrograms = StandardBuiltins.create();
+    cancelled = new AtomicBoolean();
+    stopped = new AtomicBoolean();
+    mostSimpler = 0;
+  }
+
   private TestRunner(TestRunner of, TestSources files) {
     this.files = files;
     settings = of.settings;
@@ -347,7 +366,7 @@ public final class TestRunner {
         : settings.seed() * 31 + test.id().hashCode();
   }
 
-  private static TestResult result(TestCase test, TestOutcome outcome) {
+  static TestResult result(TestCase test, TestOutcome outcome) {
     return new TestResult(
         test.id(),
         test.place(),

@@ -16,6 +16,7 @@ import org.pendant.script.vm.Program;
  * @param mocked the functions that its tests replace
  * @param functions the functions and builtins that it could replace by itself
  * @param starts the names of programs that each test may start, by its function
+ * @param calls the functions that each test may call, by its function, what it imports included
  */
 public record TestFile(
     String name,
@@ -24,11 +25,13 @@ public record TestFile(
     List<TestCase> tests,
     Set<String> mocked,
     Set<String> functions,
-    Map<String, List<String>> starts) {
+    Map<String, List<String>> starts,
+    Map<String, List<String>> calls) {
   public TestFile {
     tests = List.copyOf(tests);
     mocked = Set.copyOf(mocked);
     functions = Set.copyOf(functions);
     starts = Map.copyOf(starts);
+    calls = Map.copyOf(calls);
   }
 }

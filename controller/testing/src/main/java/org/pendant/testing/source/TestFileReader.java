@@ -111,6 +111,7 @@ public final class TestFileReader {
       stopIfBroken();
       Source composed = composition.source();
       Set<String> functions = new HashSet<>(mocked);
+      Map<String, List<String>> calls = new HashMap<>();
       functions.removeIf(each -> builtins.find(each).isEmpty());
       LoadResult loaded =
           ProgramLoader.load(
@@ -118,6 +119,8 @@ public final class TestFileReader {
               script -> {
                 Script whole = arranged(script, imported);
                 Definitions.each(whole.statements(), each -> functions.add(each.name()));
+                TestReach reach = new TestReach(written(whole, imported), builtins);
+                starts.keySet().forEach(test -> calls.put(test, reach.all(test)));
                 return Definitions.mockable(whole, mocked);
               },
               TestBuiltins.mockable(builtins, mocked),
@@ -131,7 +134,8 @@ public final class TestFileReader {
           tests,
           mocked,
           functions,
-          starts);
+          starts,
+          calls);
     }
 
     private void stopIfBroken() throws Broken {
@@ -244,6 +248,12 @@ public final class TestFileReader {
             source.name() + ": error: it holds no test; a test is a function test_...() in it");
       }
       return numbering.tests();
+    }
+
+    /** What people have written, and not the lines that choose a test. */
+    private List<Statement> written(Script whole, List<SourceRange> imported) {
+      int end = imported.isEmpty() ? source.text().length() : imported.getLast().end();
+      return whole.statements().stream().filter(each -> each.range().start() < end).toList();
     }
 
     /** The whole text as one program: imported values, own statements, and the choice of a test. */

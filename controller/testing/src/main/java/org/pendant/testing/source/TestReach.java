@@ -3,7 +3,7 @@ package org.pendant.testing.source;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -49,14 +49,14 @@ final class TestReach {
             && call.arguments().getFirst().value() instanceof Expression.StringLiteral file) {
           started.computeIfAbsent(from, _ -> new TreeSet<>()).add(ByteText.decoded(file.value()));
         }
-        called.computeIfAbsent(from, _ -> new HashSet<>()).add(call.function());
+        called.computeIfAbsent(from, _ -> new LinkedHashSet<>()).add(call.function());
         AnsweringFunction.of(call).ifPresent(each -> called.get(from).add(each.by()));
         if (builtins.find(call.function()).filter(TestReach::moving).isPresent()) {
           moves.putIfAbsent(from, call);
         }
       }
       case Expression.Run run ->
-          called.computeIfAbsent(from, _ -> new HashSet<>()).add(run.thread());
+          called.computeIfAbsent(from, _ -> new LinkedHashSet<>()).add(run.thread());
       default -> {}
     }
   }
@@ -68,7 +68,7 @@ final class TestReach {
 
   /** The functions that a test may run, itself and what runs around it included. */
   private Set<String> from(String test) {
-    Set<String> seen = new HashSet<>();
+    Set<String> seen = new LinkedHashSet<>();
     Deque<String> open = new ArrayDeque<>(List.of(test, "before_each", "after_each", ""));
     while (!open.isEmpty()) {
       String next = open.pop();
@@ -77,6 +77,11 @@ final class TestReach {
       }
     }
     return seen;
+  }
+
+  /** The functions that a test may run, those that it calls itself first. */
+  List<String> all(String test) {
+    return List.copyOf(from(test));
   }
 
   /** Whether a test may start a program. */

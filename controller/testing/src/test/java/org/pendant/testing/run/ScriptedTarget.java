@@ -1,0 +1,136 @@
+package org.pendant.testing.run;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.pendant.controller.command.Command;
+import org.pendant.models.time.FrameTime;
+import org.pendant.testing.remote.TargetEvent;
+import org.pendant.testing.remote.TargetState;
+import org.pendant.testing.remote.TargetTrouble;
+import org.pendant.testing.remote.TestTarget;
+
+/** A target that tells what it was told to tell, a state every 2 ms of its own time. */
+final class ScriptedTarget implements TestTarget {
+  private static final double STOPPED = 1;
+  private static final double PLAYING = 2;
+
+  private record Step(int frames, Optional<TargetEvent> event, Map<String, double[]> change) {}
+
+  private final Map<String, double[]> values = new HashMap<>();
+  private final Deque<Step> steps = new ArrayDeque<>();
+  private final List<TargetEvent> events = new ArrayList<>();
+  private Optional<String> lossAfterSteps = Optional.empty();
+  private Optional<String> notReady = Optional.empty();
+  private boolean playing;
+  private long frame;
+  private int wait;
+
+  /** What it was asked, in order. */
+  final List<String> asked = new ArrayList<>();
+
+  ScriptedTarget() {
+    values.put(TargetState.RUN_STATE, new double[] {STOPPED});
+    values.put(TargetState.SAFETY_STATUS, new double[] {1});
+  }
+
+  /** It tells this from the beginning. */
+  ScriptedTarget telling(String quantity, double... numbers) {
+    values.put(quantity, numbers);
+    return this;
+  }
+
+  /** As soon as a program was sent, and what was to come before has come, this happens. */
+  ScriptedTarget then(TargetEvent event) {
+    steps.add(new Step(0, Optional.of(event), Map.of()));
+    return this;
+  }
+
+  /** A quantity changes after some frames. */
+  ScriptedTarget after(int frames, String quantity, double... numbers) {
+    steps.add(new Step(frames, Optional.empty(), Map.of(quantity, numbers)));
+    return this;
+  }
+
+  /** After all that it is gone. */
+  ScriptedTarget isLost(String why) {
+    lossAfterSteps = Optional.of(why);
+    return this;
+  }
+
+  /** It cannot be used. */
+  ScriptedTarget isNotReady(String why) {
+    notReady = Optional.of(why);
+    return this;
+  }
+
+  @Override
+  public void watch(Set<String> quantities) {
+    asked.add("watch " + quantities.size());
+  }
+
+  @Override
+  public void begin() throws TargetTrouble {
+    if (notReady.isPresent()) {
+      throw new TargetTrouble(notReady.get());
+    }
+    asked.add("begin");
+  }
+
+  @Override
+  public void start(String script) {
+    asked.add(script);
+    playing = true;
+  }
+
+  @Override
+  public Optional<String> carryOut(Command command) {
+    asked.add(command.toString());
+    return Optional.empty();
+  }
+
+  @Override
+  public TargetState next() throws TargetTrouble {
+    frame++;
+    while (playing && !steps.isEmpty() && wait >= steps.peek().frames()) {
+      Step step = steps.poll();
+      wait = 0;
+      step.event().ifPresent(this::happen);
+      values.putAll(step.change());
+    }
+    if (playing) {
+      wait++;
+      if (steps.isEmpty() && lossAfterSteps.isPresent()) {
+        throw new TargetTrouble(lossAfterSteps.get());
+      }
+    }
+    values.put(TargetState.TIME, new double[] {100 + FrameTime.FRAME_S * frame});
+    return new TargetState(values);
+  }
+
+  private void happen(TargetEvent event) {
+    events.add(event);
+    switch (event) {
+      case TargetEvent.Started _ -> values.put(TargetState.RUN_STATE, new double[] {PLAYING});
+      case TargetEvent.Ended _ -> values.put(TargetState.RUN_STATE, new double[] {STOPPED});
+      default -> {}
+    }
+  }
+
+  @Override
+  public List<TargetEvent> events() {
+    List<TargetEvent> taken = List.copyOf(events);
+    events.clear();
+    return taken;
+  }
+
+  @Override
+  public void end() {
+    asked.add("end");
+  }
+}
