@@ -26,10 +26,9 @@ final class TestCommand implements Subcommand {
   /** How often files are looked at, ms. */
   private static final long WATCH_MS = 300;
 
-  private static final Option LIST =
-      Option.flag("--list", "print the names of the tests and run none");
+  static final Option LIST = Option.flag("--list", "print the names of the tests and run none");
   private static final Option VERBOSE = Option.flag("--verbose", "a line for each test");
-  private static final Option WATCH =
+  static final Option WATCH =
       Option.flag("--watch", "run them again whenever a file changes")
           .documented(
               "run the tests again whenever one of the files changes that they have read, or a file"
@@ -78,6 +77,7 @@ final class TestCommand implements Subcommand {
   public List<Option> options() {
     return Stream.of(
             List.of(LIST, WATCH, VERBOSE, QUIET, COLOR, GITHUB, GoldenRecordings.UPDATE),
+            List.of(TargetTests.TARGET),
             TestReports.ALL,
             TestMutation.ALL,
             TestOptions.ALL)
@@ -94,6 +94,9 @@ final class TestCommand implements Subcommand {
       throw new UsageException("--update-golden records programs, and --mutate breaks them");
     }
     TestOptions options = TestOptions.of(arguments);
+    if (arguments.has(TargetTests.TARGET)) {
+      return TargetTests.of(arguments).run(options, arguments, console);
+    }
     InstallationOption.tell(arguments, console);
     try (Interruption interruption = Interruption.listen("the test run")) {
       TestFilesOnDisk disk = new TestFilesOnDisk(arguments);
@@ -176,7 +179,9 @@ final class TestCommand implements Subcommand {
     TestReports reports = TestReports.of(arguments, disk);
     Optional<TestMutation> mutation = TestMutation.of(arguments, options.settings());
     reports.write(
-        result, new RedTests(runner, plan, goldens, options.settings().controller(), services));
+        result,
+        Optional.of(
+            new RedTests(runner, plan, goldens, options.settings().controller(), services)));
     ExitCode mutated = ExitCode.DONE;
     if (coverage.isPresent()) {
       CoverageReport reached = coverage.get().report();
@@ -192,7 +197,7 @@ final class TestCommand implements Subcommand {
     return code(result).or(mutated);
   }
 
-  private static List<String> files(Arguments arguments) throws UsageException {
+  static List<String> files(Arguments arguments) throws UsageException {
     List<String> paths = arguments.operands().isEmpty() ? List.of(".") : arguments.operands();
     try {
       List<String> files = TestFinder.find(paths);
@@ -216,22 +221,29 @@ final class TestCommand implements Subcommand {
 
   /** Has a runner do something, which Ctrl-C cancels. */
   static <T> T cancellable(Interruption interruption, TestRunner runner, Supplier<T> work) {
-    interruption.hold();
-    Thread watch = Thread.ofVirtual().unstarted(() -> cancelWhenAsked(interruption, runner));
-    watch.start();
+    Thread watch = watch(interruption, runner::cancel);
     T result = work.get();
     watch.interrupt();
     return result;
   }
 
-  private static void cancelWhenAsked(Interruption interruption, TestRunner runner) {
-    // the wait ends as well where the work has
-    if (interruption.awaitRequest(Long.MAX_VALUE) && interruption.requested()) {
-      runner.cancel();
-    }
+  /** Has Ctrl-C do something, until the thread is interrupted that is answered. */
+  static Thread watch(Interruption interruption, Runnable cancel) {
+    interruption.hold();
+    Thread watch =
+        Thread.ofVirtual()
+            .unstarted(
+                () -> {
+                  // the wait ends as well where the work has
+                  if (interruption.awaitRequest(Long.MAX_VALUE) && interruption.requested()) {
+                    cancel.run();
+                  }
+                });
+    watch.start();
+    return watch;
   }
 
-  private static ExitCode list(TestPlan plan, Console console) {
+  static ExitCode list(TestPlan plan, Console console) {
     for (TestCase each : plan.tests()) {
       console.print(each.id().file() + ":" + each.id().name());
     }
@@ -239,11 +251,11 @@ final class TestCommand implements Subcommand {
     return plan.broken().isEmpty() ? ExitCode.DONE : ExitCode.DOES_NOT_COMPILE;
   }
 
-  private static boolean github(Arguments arguments) {
+  static boolean github(Arguments arguments) {
     return arguments.has(GITHUB) || "true".equals(System.getenv("GITHUB_ACTIONS"));
   }
 
-  private static ConsoleStyle style(Arguments arguments) throws UsageException {
+  static ConsoleStyle style(Arguments arguments) throws UsageException {
     Set<Feature> features = EnumSet.of(Feature.WALL_TIME);
     boolean terminal = isTerminal();
     String colour = arguments.word(COLOR).orElseThrow();
@@ -274,7 +286,7 @@ final class TestCommand implements Subcommand {
     return System.getenv("NO_COLOR") == null && !"dumb".equals(System.getenv("TERM"));
   }
 
-  private static ExitCode code(SuiteResult result) {
+  static ExitCode code(SuiteResult result) {
     Optional<ExitCode> red = result.firstRed().map(_ -> ExitCode.TESTS_FAILED);
     return red.orElse(result.broken().isEmpty() ? ExitCode.DONE : ExitCode.DOES_NOT_COMPILE);
   }

@@ -147,11 +147,11 @@ record TestReports(
   /**
    * Writes those that are asked for.
    *
-   * @param red makes recordings and pictures of red tests
+   * @param red makes recordings and pictures of red tests; empty where they cannot be run again
    */
-  void write(SuiteResult result, RedTests red) throws UsageException {
-    if (recordings.isPresent()) {
-      var _ = red.record(result, recordings.get(), "", false);
+  void write(SuiteResult result, Optional<RedTests> red) throws UsageException {
+    if (recordings.isPresent() && red.isPresent()) {
+      var _ = red.get().record(result, recordings.get(), "", false);
     }
     if (junit.isPresent()) {
       junit.get().write(out -> JunitReport.write(result, files::source, out));
@@ -162,7 +162,7 @@ record TestReports(
     if (html.isPresent()) {
       try {
         Map<TestId, List<FailureAttachment>> attached =
-            red.record(result, html.get(), "red/", true);
+            red.isPresent() ? red.get().record(result, html.get(), "red/", true) : Map.of();
         new HtmlReport(result, files::source, attached).write(html.get());
       } catch (IOException e) {
         throw new UsageException(html.get() + ": cannot be written, " + FileTrouble.reason(e));

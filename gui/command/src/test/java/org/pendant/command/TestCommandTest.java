@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -101,6 +103,37 @@ final class TestCommandTest {
     assertEquals("pick_test.script:test_runs\n", said());
 
     assertEquals(2, test(folder.toString(), "--filter", "nothing has this"));
+  }
+
+  @Test
+  void aTargetThatNothingListensAtIsTold() throws IOException {
+    int port;
+    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      port = free.getLocalPort();
+    }
+
+    assertEquals(69, test(folder.toString(), "--target", "127.0.0.1:" + (port - 30_004)));
+    assertEquals(
+        "pendant test: 127.0.0.1: port "
+            + port
+            + " (RTDE): cannot be reached, nothing listens there or it is off\n",
+        errors.toString(StandardCharsets.UTF_8));
+  }
+
+  @Test
+  void noTargetIsAskedForWhereNothingCanRunThere() {
+    assertEquals(
+        0, test(folder.toString(), "--target", "127.0.0.1:1", "--filter", "height", "--verbose"));
+    assertTrue(
+        said().contains("test_height: --target: it starts no program, so that nothing"), said());
+  }
+
+  @Test
+  void whatNeedsAControllerHereIsRefusedForATarget() {
+    assertEquals(2, test(folder.toString(), "--target", "127.0.0.1", "--coverage"));
+    assertEquals(2, test(folder.toString(), "--target", "127.0.0.1", "--watch"));
+    assertEquals(2, test(folder.toString(), "--target", "127.0.0.1", "--mutate"));
+    assertEquals(2, test(folder.toString(), "--target", "http://robot"));
   }
 
   @Test
