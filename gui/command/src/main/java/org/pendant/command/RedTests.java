@@ -4,7 +4,10 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -24,6 +27,7 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.models.time.FrameTime;
 import org.pendant.recording.compare.MalformedTrack;
 import org.pendant.recording.compare.RunTrack;
 import org.pendant.testing.SuiteResult;
@@ -31,6 +35,7 @@ import org.pendant.testing.TestId;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.report.FailureAttachment;
 import org.pendant.testing.report.FailureAttachment.Kind;
+import org.pendant.testing.report.FailurePlot;
 import org.pendant.testing.run.TestObserver;
 import org.pendant.testing.run.TestPlan;
 import org.pendant.testing.run.TestRunner;
@@ -52,6 +57,7 @@ final class RedTests {
   private final GoldenRecordings goldens;
   private final ControllerOptions options;
   private final DesktopServices services;
+  private final Map<TestId, FailurePlot> plots = new HashMap<>();
 
   RedTests(
       TestRunner runner,
@@ -94,6 +100,11 @@ final class RedTests {
     return files;
   }
 
+  /** What was around the failures of the tests that were recorded with pictures. */
+  Map<TestId, FailurePlot> plots() {
+    return plots;
+  }
+
   /** A name that every file system takes, and that cannot lead elsewhere. */
   private static String name(TestId id) {
     String file = id.file().substring(id.file().lastIndexOf('/') + 1).replaceAll("\\.script$", "");
@@ -114,6 +125,9 @@ final class RedTests {
       runner.repeat(plan, id, taking);
       taking.recorder.close();
       draft.commit();
+      if (pictures) {
+        plots.put(id, taking.plot(golden));
+      }
       files.add(new FailureAttachment(name + ".rec", "Recording, for pendant open", Kind.LINK));
       if (renderer.isPresent() && taking.moved) {
         Optional<ArmState> before = golden.flatMap(each -> recorded(each, taking.last.arm()));
@@ -190,6 +204,7 @@ final class RedTests {
     private final TestRecorder recorder;
     private final Optional<PictureRenderer> renderer;
     private final long until;
+    private final Deque<FailurePlot.Frame> frames = new ArrayDeque<>();
     private ControllerState last;
 
     /** There is something to see. */
@@ -202,9 +217,16 @@ final class RedTests {
       this.until = until;
     }
 
+    /** What was around the moment of the failure. */
+    private FailurePlot plot(Optional<Difference> golden) {
+      double momentS = golden.map(each -> each.frame() * FrameTime.FRAME_S).orElse(last.timeS());
+      return new FailurePlot(momentS, List.copyOf(frames));
+    }
+
     @Override
     public void begins(Drive of) {
       last = of.state();
+      frames.add(FailurePlot.Frame.of(last));
       recorder.begins(of);
     }
 
@@ -214,6 +236,12 @@ final class RedTests {
       if (state.frame() <= until) {
         last = state;
         renderer.ifPresent(each -> each.trace(state.arm(), state.timeS()));
+      }
+      if (state.timeS() <= last.timeS() + FailurePlot.AFTER_S) {
+        frames.add(FailurePlot.Frame.of(state));
+        while (frames.getFirst().timeS() < last.timeS() - FailurePlot.BEFORE_S) {
+          frames.removeFirst();
+        }
       }
       recorder.sees(state);
     }

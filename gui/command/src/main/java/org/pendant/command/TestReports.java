@@ -19,6 +19,7 @@ import org.pendant.testing.coverage.report.CoberturaCoverage;
 import org.pendant.testing.coverage.report.HtmlCoverage;
 import org.pendant.testing.coverage.report.LcovCoverage;
 import org.pendant.testing.report.FailureAttachment;
+import org.pendant.testing.report.FailurePlot;
 import org.pendant.testing.report.HtmlReport;
 import org.pendant.testing.report.JunitReport;
 import org.pendant.testing.report.TapReport;
@@ -163,7 +164,8 @@ record TestReports(
       try {
         Map<TestId, List<FailureAttachment>> attached =
             red.isPresent() ? red.get().record(result, html.get(), "red/", true) : Map.of();
-        new HtmlReport(result, files::source, attached).write(html.get());
+        Map<TestId, FailurePlot> plots = red.map(RedTests::plots).orElse(Map.of());
+        new HtmlReport(result, files::source, attached, plots).write(html.get());
       } catch (IOException e) {
         throw new UsageException(html.get() + ": cannot be written, " + FileTrouble.reason(e));
       }

@@ -51,20 +51,24 @@ public final class HtmlReport {
   private final SuiteResult result;
   private final Function<String, Optional<Source>> sources;
   private final Map<TestId, List<FailureAttachment>> attachments;
+  private final Map<TestId, FailurePlot> plots;
 
   /**
    * A report of one run.
    *
    * @param sources the text of a file by its name in places, if it can be had
    * @param attachments files that are in the folder of the report or will be
+   * @param plots of red tests
    */
   public HtmlReport(
       SuiteResult result,
       Function<String, Optional<Source>> sources,
-      Map<TestId, List<FailureAttachment>> attachments) {
+      Map<TestId, List<FailureAttachment>> attachments,
+      Map<TestId, FailurePlot> plots) {
     this.result = result;
     this.sources = sources;
     this.attachments = Map.copyOf(attachments);
+    this.plots = Map.copyOf(plots);
   }
 
   /**
@@ -103,7 +107,10 @@ public final class HtmlReport {
       beginFile(html, each.getKey(), each.getValue());
       for (TestResult one : each.getValue()) {
         test.write(
-            one, redNumbers.getOrDefault(one, 0), attachments.getOrDefault(one.id(), List.of()));
+            one,
+            redNumbers.getOrDefault(one, 0),
+            attachments.getOrDefault(one.id(), List.of()),
+            Optional.ofNullable(plots.get(one.id())));
       }
       html.raw("</ul>\n</details>\n");
     }

@@ -29,7 +29,11 @@ final class HtmlTest {
    *
    * @param redNumber which of the red tests it is, from 1; 0 if it is none
    */
-  void write(TestResult test, int redNumber, List<FailureAttachment> attachments)
+  void write(
+      TestResult test,
+      int redNumber,
+      List<FailureAttachment> attachments,
+      Optional<FailurePlot> plot)
       throws IOException {
     if (!test.status().red()) {
       boolean skipped = test.status() == TestStatus.SKIPPED;
@@ -44,9 +48,11 @@ final class HtmlTest {
     html.element("pre", "message", String.join("\n", ReportText.message(test))).raw("\n");
     source(test.failure().flatMap(TestFailure::place));
     stack(FailureText.calls(test));
-    for (FailureAttachment each : attachments) {
-      attachment(each);
+    attachments(attachments, FailureAttachment.Kind.IMAGE);
+    if (plot.isPresent() && plot.get().tells()) {
+      new PlotMarkup(html, plot.get()).write();
     }
+    attachments(attachments, FailureAttachment.Kind.LINK);
     output(ReportText.output(test, OUTPUT_LINES, OUTPUT_CHARACTERS));
     html.raw("</details></li>\n");
   }
@@ -103,6 +109,15 @@ final class HtmlTest {
     }
     html.raw("<h3>Call stack</h3>\n");
     html.element("pre", "stack", String.join("\n", calls)).raw("\n");
+  }
+
+  private void attachments(List<FailureAttachment> attachments, FailureAttachment.Kind kind)
+      throws IOException {
+    for (FailureAttachment each : attachments) {
+      if (each.kind() == kind) {
+        attachment(each);
+      }
+    }
   }
 
   private void attachment(FailureAttachment attachment) throws IOException {

@@ -150,7 +150,8 @@ class HtmlReportTest {
   @Test
   void writesPageAndStyleIntoAFolderAndTheSameBytesAgain(@TempDir Path folder) throws Exception {
     Path report = folder.resolve("build/report");
-    HtmlReport html = new HtmlReport(SampleSuite.suite(), SampleSuite::source, ATTACHMENTS);
+    HtmlReport html =
+        new HtmlReport(SampleSuite.suite(), SampleSuite::source, ATTACHMENTS, Map.of());
     html.write(report);
     byte[] first = Files.readAllBytes(report.resolve("index.html"));
     assertTrue(
@@ -174,7 +175,7 @@ class HtmlReportTest {
   private static String page(SuiteResult suite, Map<TestId, List<FailureAttachment>> attachments)
       throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    new HtmlReport(suite, SampleSuite::source, attachments).writePage(out);
+    new HtmlReport(suite, SampleSuite::source, attachments, Map.of()).writePage(out);
     return out.toString(StandardCharsets.UTF_8);
   }
 }
