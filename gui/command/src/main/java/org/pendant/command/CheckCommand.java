@@ -7,6 +7,9 @@ import org.pendant.language.source.Source;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.ProgramLoader;
+import org.pendant.testing.builtin.TestBuiltins;
+import org.pendant.testing.builtin.TestCatalogue;
+import org.pendant.testing.source.TestFileReader;
 
 /** Command {@code pendant check FILE...}: finds mistakes without running anything. */
 final class CheckCommand implements Subcommand {
@@ -42,11 +45,26 @@ final class CheckCommand implements Subcommand {
     ExitCode code = ExitCode.DONE;
     for (RunnableFile file : files) {
       file.tell(console);
-      if (file.source().isEmpty() || !compiles(file, builtins, console)) {
+      if (TestCatalogue.isFor(file.file())) {
+        code = code.or(tests(file.file(), arguments, console));
+      } else if (file.source().isEmpty() || !compiles(file, builtins, console)) {
         code = code.or(ExitCode.DOES_NOT_COMPILE);
       }
     }
     return code;
+  }
+
+  /** Checks a file of tests, which may call more than programs may. */
+  private static ExitCode tests(String name, Arguments arguments, Console console) {
+    TestFileReader reader =
+        new TestFileReader(new TestFilesOnDisk(arguments), TestBuiltins.create(), false);
+    try {
+      reader.read(name).warnings().forEach(console::complain);
+      return ExitCode.DONE;
+    } catch (TestFileReader.Broken e) {
+      e.file().problems().forEach(console::complain);
+      return ExitCode.DOES_NOT_COMPILE;
+    }
   }
 
   private static boolean compiles(RunnableFile file, Builtins<?> builtins, Console console) {

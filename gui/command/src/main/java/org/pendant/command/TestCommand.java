@@ -248,6 +248,7 @@ final class TestCommand implements Subcommand {
       console.print(each.id().file() + ":" + each.id().name());
     }
     plan.broken().forEach(file -> file.problems().forEach(console::complain));
+    plan.warnings().forEach(file -> file.lines().forEach(console::complain));
     return plan.broken().isEmpty() ? ExitCode.DONE : ExitCode.DOES_NOT_COMPILE;
   }
 

@@ -28,6 +28,34 @@ final class CheckCommandTest {
   }
 
   @Test
+  void aFileOfTestsMayCallTheFunctionsOfTestsAndThoseThatItImports() throws IOException {
+    Files.writeString(folder.resolve("pick.script"), "def pick():\n  def open():\n  end\nend\n");
+    Path file = folder.resolve("pick_test.script");
+    Files.writeString(
+        file,
+        """
+        import_script("pick.script")
+        def test_open():
+          open()
+          eventually(get_standard_digital_out(0), within=1)
+          if False:
+            textmsg(nothing)
+          end
+        end
+        """);
+    assertEquals(0, pendant("check", file));
+    assertEquals(
+        List.of("pick_test.script:6:13: warning: variable nothing is never assigned"),
+        complaints());
+
+    Files.writeString(file, "def test_open():\n  mock_by(\"a\", b)\nend\n");
+    assertEquals(3, pendant("check", file));
+    assertEquals(
+        List.of("pick_test.script:2:3: error: mock_by needs the names of two functions in quotes"),
+        complaints());
+  }
+
+  @Test
   void mistakesInALibraryAreFound() throws IOException {
     assertEquals(3, pendant("check", LIBRARY + "  return twice(a, 1)\nend\n"));
     assertEquals(
@@ -79,7 +107,12 @@ final class CheckCommandTest {
 
   private int pendant(String command, String text) throws IOException {
     Path file = Files.writeString(folder.resolve("lib.script"), text);
+    return pendant(command, file);
+  }
+
+  private int pendant(String command, Path file) {
     ByteArrayOutputStream output = new ByteArrayOutputStream();
+    errors.reset();
     return new Pendant(new Console(output, errors)).run(List.of(command, file.toString())).number();
   }
 

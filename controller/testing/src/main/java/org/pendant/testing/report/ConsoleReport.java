@@ -135,6 +135,9 @@ public final class ConsoleReport {
         .filter(each -> each.status().red())
         .forEach(each -> block(summary.red(each)));
     result.broken().forEach(each -> block(summary.broken(each)));
+    if (!result.warnings().isEmpty() && style.detail() != Detail.QUIET) {
+      block(result.warnings().stream().flatMap(each -> ReportText.warnings(each.lines())).toList());
+    }
     block(List.of(summary.lastLine(result)));
     if (style.has(Feature.WALL_TIME)) {
       line(ReportText.duration(result.wallTimeS()) + " by the wall clock");

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.pendant.testing.BrokenTestFile;
+import org.pendant.testing.FileWarnings;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestPlace;
@@ -22,7 +23,7 @@ public final class GithubAnnotations {
   private static final int MAX_TEXT = 4_000;
 
   private static final Pattern PROBLEM =
-      Pattern.compile(":(\\d{1,9}):(\\d{1,9}): (?:error: )?(.*)", Pattern.DOTALL);
+      Pattern.compile(":(\\d{1,9}):(\\d{1,9}): (?:error: |warning: )?(.*)", Pattern.DOTALL);
 
   private GithubAnnotations() {}
 
@@ -40,7 +41,15 @@ public final class GithubAnnotations {
         lines.add(annotation(each));
       }
     }
-    int left = result.broken().size() + red.size() - lines.size();
+    int shown = lines.size();
+    for (FileWarnings each : result.warnings()) {
+      for (String warning : each.lines()) {
+        if (lines.size() < MAX_ANNOTATIONS) {
+          lines.add(warning(each.file(), warning));
+        }
+      }
+    }
+    int left = result.broken().size() + red.size() - shown;
     if (left > 0) {
       lines.add("::error title=pendant test::" + left + " more, see the log");
     }
@@ -55,6 +64,20 @@ public final class GithubAnnotations {
         place,
         ReportText.line(test.id().name()) + ": " + ReportText.status(test.status()),
         String.join("\n", text));
+  }
+
+  private static String warning(String file, String warning) {
+    String visible = ReportText.line(warning);
+    String name = ReportText.line(file);
+    Matcher matcher =
+        PROBLEM.matcher(visible.startsWith(name) ? visible.substring(name.length()) : "");
+    boolean placed = matcher.matches();
+    TestPlace place =
+        placed
+            ? new TestPlace(
+                file, Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)), "")
+            : new TestPlace(file, 1, 0, "");
+    return annotation("warning", place, "warning", placed ? matcher.group(3) : visible);
   }
 
   /** The first problem has the place; the others are in the text. */
@@ -77,9 +100,15 @@ public final class GithubAnnotations {
   }
 
   private static String annotation(TestPlace place, String title, String text) {
+    return annotation("error", place, title, text);
+  }
+
+  private static String annotation(String level, TestPlace place, String title, String text) {
     String column = place.column() > 0 ? ",col=" + place.column() : "";
     String bounded = text.length() <= MAX_TEXT ? text : text.substring(0, MAX_TEXT) + "...";
-    return "::error file="
+    return "::"
+        + level
+        + " file="
         + property(ReportText.line(place.file()))
         + ",line="
         + place.line()

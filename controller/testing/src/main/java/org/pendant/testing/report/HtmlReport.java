@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.language.source.Source;
 import org.pendant.testing.BrokenTestFile;
@@ -105,6 +106,8 @@ public final class HtmlReport {
     HtmlTest test = new HtmlTest(html, new SourceExcerpts(sources));
     for (Map.Entry<String, List<TestResult>> each : files().entrySet()) {
       beginFile(html, each.getKey(), each.getValue());
+      warnings(html, result.warningsOf(each.getKey()));
+      html.raw("<ul>\n");
       for (TestResult one : each.getValue()) {
         test.write(
             one,
@@ -183,7 +186,14 @@ public final class HtmlReport {
     boolean red = results.stream().anyMatch(each -> each.status().red());
     html.raw("<details class=\"file " + (red ? "red\" open>" : "green\">") + "<summary>");
     html.element("span", "name", ReportText.line(file)).raw(" ");
-    html.element("span", "counts", ConsoleSummary.counts(results)).raw("</summary>\n<ul>\n");
+    html.element("span", "counts", ConsoleSummary.counts(results)).raw("</summary>\n");
+  }
+
+  private static void warnings(HtmlText html, List<String> warnings) throws IOException {
+    if (!warnings.isEmpty()) {
+      String lines = ReportText.warnings(warnings).collect(Collectors.joining("\n"));
+      html.element("pre", "warnings", lines).raw("\n");
+    }
   }
 
   private static void broken(HtmlText html, BrokenTestFile file) throws IOException {

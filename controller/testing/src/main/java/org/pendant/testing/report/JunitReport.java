@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import javax.xml.stream.XMLOutputFactory;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
@@ -98,6 +99,7 @@ public final class JunitReport {
       for (TestResult test : each.getValue()) {
         testCase(test, className);
       }
+      warnings(result.warningsOf(each.getKey()));
       end();
     }
     for (BrokenTestFile each : result.broken()) {
@@ -108,6 +110,14 @@ public final class JunitReport {
     end();
     xml.writeCharacters("\n");
     xml.writeEndDocument();
+  }
+
+  private void warnings(List<String> warnings) throws XMLStreamException {
+    if (!warnings.isEmpty()) {
+      begin("system-err");
+      xml.writeCharacters(ReportText.warnings(warnings).collect(Collectors.joining("\n")));
+      end();
+    }
   }
 
   private void suite(String file, long seed, Counts counts) throws XMLStreamException {

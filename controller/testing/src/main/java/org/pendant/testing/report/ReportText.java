@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.VisibleText;
 import org.pendant.testing.BrokenTestFile;
@@ -94,6 +95,11 @@ final class ReportText {
     return broken.problems().isEmpty()
         ? List.of(line(broken.file()) + ": error: no test of it could run")
         : broken.problems().stream().flatMap(each -> lines(each).stream()).toList();
+  }
+
+  /** What is told of a file, as lines that are visible. */
+  static Stream<String> warnings(List<String> warnings) {
+    return warnings.stream().flatMap(each -> lines(each).stream());
   }
 
   /** A time of a test in seconds, to the millisecond: {@code 0.046}. */

@@ -152,6 +152,7 @@ public final class TargetRunner {
     return new SuiteResult(
         results,
         plan.broken(),
+        plan.warnings(),
         settings.seed(),
         plan.chosen().size() - results.size(),
         (System.nanoTime() - beganNs) * 1e-9);

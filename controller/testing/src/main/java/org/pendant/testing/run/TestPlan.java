@@ -3,6 +3,7 @@ package org.pendant.testing.run;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.pendant.testing.BrokenTestFile;
+import org.pendant.testing.FileWarnings;
 import org.pendant.testing.source.TestCase;
 import org.pendant.testing.source.TestFile;
 
@@ -19,10 +20,12 @@ public final class TestPlan {
 
   private final List<Chosen> chosen;
   private final List<BrokenTestFile> broken;
+  private final List<FileWarnings> warnings;
 
-  TestPlan(List<Chosen> chosen, List<BrokenTestFile> broken) {
+  TestPlan(List<Chosen> chosen, List<BrokenTestFile> broken, List<FileWarnings> warnings) {
     this.chosen = List.copyOf(chosen);
     this.broken = List.copyOf(broken);
+    this.warnings = List.copyOf(warnings);
   }
 
   /** The tests, in the order of the report. */
@@ -33,6 +36,11 @@ public final class TestPlan {
   /** What is wrong with files of which no test can run. */
   public List<BrokenTestFile> broken() {
     return broken;
+  }
+
+  /** What people should look at in files, whether their tests are chosen or not. */
+  public List<FileWarnings> warnings() {
+    return warnings;
   }
 
   List<Chosen> chosen() {
@@ -54,6 +62,6 @@ public final class TestPlan {
             .filter(i -> i % count == number - 1)
             .mapToObj(chosen::get)
             .toList();
-    return new TestPlan(own, broken);
+    return new TestPlan(own, broken, warnings);
   }
 }

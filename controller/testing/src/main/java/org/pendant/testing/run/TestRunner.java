@@ -19,6 +19,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.script.function.Builtins;
 import org.pendant.testing.BrokenTestFile;
+import org.pendant.testing.FileWarnings;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestId;
@@ -155,12 +156,16 @@ public final class TestRunner {
     TestFileReader reader = new TestFileReader(files, ofTests, coverage.isPresent());
     List<Chosen> chosen = new ArrayList<>();
     List<BrokenTestFile> broken = new ArrayList<>();
+    List<FileWarnings> warnings = new ArrayList<>();
     for (String name : names) {
       try {
         TestFile file = reader.read(name);
         TestPrograms programs =
             new TestPrograms(
                 file, files, ofPrograms, ofTests, coverage.isPresent(), settings.controller());
+        if (!file.warnings().isEmpty()) {
+          warnings.add(new FileWarnings(name, file.warnings()));
+        }
         for (TestCase each : file.tests()) {
           if (wanted.test(each)) {
             chosen.add(new Chosen(file, programs, each));
@@ -170,7 +175,7 @@ public final class TestRunner {
         broken.add(e.file());
       }
     }
-    return new TestPlan(chosen, broken);
+    return new TestPlan(chosen, broken, warnings);
   }
 
   /** Runs what is planned. */
@@ -193,6 +198,7 @@ public final class TestRunner {
     return new SuiteResult(
         done,
         plan.broken(),
+        plan.warnings(),
         settings.seed(),
         chosen.size() - done.size(),
         (System.nanoTime() - beganNs) * 1e-9);

@@ -17,6 +17,7 @@ import org.pendant.script.vm.Program;
  * @param functions the functions and builtins that it could replace by itself
  * @param starts the names of programs that each test may start, by its function
  * @param calls the functions that each test may call, by its function, what it imports included
+ * @param warnings what people should look at, with its place, a line each
  */
 public record TestFile(
     String name,
@@ -26,12 +27,14 @@ public record TestFile(
     Set<String> mocked,
     Set<String> functions,
     Map<String, List<String>> starts,
-    Map<String, List<String>> calls) {
+    Map<String, List<String>> calls,
+    List<String> warnings) {
   public TestFile {
     tests = List.copyOf(tests);
     mocked = Set.copyOf(mocked);
     functions = Set.copyOf(functions);
     starts = Map.copyOf(starts);
     calls = Map.copyOf(calls);
+    warnings = List.copyOf(warnings);
   }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -92,6 +93,7 @@ public final class TestFileReader {
     private final Source source;
     private final Composition composition = new Composition();
     private final List<String> problems = new ArrayList<>();
+    private final Set<String> warnings = new LinkedHashSet<>();
     private AnsweringFunctions answering = new AnsweringFunctions(List.of());
     private final Map<String, List<String>> starts = new HashMap<>();
 
@@ -135,7 +137,8 @@ public final class TestFileReader {
           mocked,
           functions,
           starts,
-          calls);
+          calls,
+          List.copyOf(warnings));
     }
 
     private void stopIfBroken() throws Broken {
@@ -146,9 +149,12 @@ public final class TestFileReader {
 
     private void report(List<Diagnostic> diagnostics) {
       for (Diagnostic each : diagnostics) {
+        TestPlace place = composition.place(each.range().start(), "");
         if (each.isError()) {
-          TestPlace place = composition.place(each.range().start(), "");
           problems.add(place.text() + ": error: " + ByteText.decoded(each.message()));
+        } else if (each.range().start() < source.text().length()) {
+          // those of scripts that are imported are told where these are checked
+          warnings.add(place.text() + ": warning: " + ByteText.decoded(each.message()));
         }
       }
     }
