@@ -1,8 +1,6 @@
 package org.pendant.command;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
@@ -10,17 +8,10 @@ import java.util.SortedSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListSet;
 import org.pendant.command.service.GoldenComparison;
-import org.pendant.controller.Drive;
-import org.pendant.controller.disk.AtomicFile;
-import org.pendant.controller.disk.FileTrouble;
-import org.pendant.controller.state.ControllerState;
-import org.pendant.recording.RecordingFile;
-import org.pendant.recording.compare.RunTrack;
-import org.pendant.recording.compare.TrackText;
-import org.pendant.recording.compare.TrackTolerance;
+import org.pendant.command.service.GoldenWriting;
+import org.pendant.recording.compare.TrackDifference;
 import org.pendant.testing.TestId;
 import org.pendant.testing.run.Goldens;
-import org.pendant.testing.source.GoldenMark;
 import org.pendant.testing.source.TestCase;
 
 /**
@@ -71,12 +62,8 @@ final class GoldenRecordings implements Goldens {
   public Run begins(TestCase test) {
     String name = GoldenComparison.name(test.id());
     return update
-        ? new Writing(name, test.golden().orElseThrow())
+        ? new GoldenWriting(name, files::golden, test.golden().orElseThrow(), written::add)
         : new GoldenComparison(name, new Compared(this, test.id()), test.golden().orElseThrow());
-  }
-
-  private static Problem trouble(String code, String message) {
-    return new Problem(code, message, 0, "");
   }
 
   /** Where the recording of a test is, and how the test differs from it. */
@@ -87,64 +74,8 @@ final class GoldenRecordings implements Goldens {
     }
 
     @Override
-    public void differs(long frame, Path recording) {
-      all.differences.put(test, new Difference(frame, recording));
-    }
-  }
-
-  /** Writes the recording of a run. */
-  private final class Writing implements Run {
-    private final String name;
-    private final TrackTolerance tolerance;
-    private final RunTrack track;
-
-    private Writing(String name, GoldenMark mark) {
-      this.name = name;
-      tolerance = GoldenComparison.tolerance(mark);
-      track = new RunTrack(mark.mm().isPresent());
-    }
-
-    @Override
-    public void begins(Drive drive) {
-      track.take(drive.state());
-    }
-
-    @Override
-    public void sees(ControllerState state) {
-      track.take(state);
-    }
-
-    @Override
-    public Optional<Problem> passed() {
-      try {
-        Path file = files.golden(name);
-        if (Files.exists(file) && !TrackText.begins(head(file, TrackText.MARK_BYTES))) {
-          return Optional.of(
-              trouble("golden-unwritten", name + " is no recording, so it is not replaced"));
-        }
-        Files.createDirectories(file.toAbsolutePath().getParent());
-        AtomicFile.write(file, TrackText.of(track, tolerance));
-        Path whole = files.golden(GoldenComparison.wholeName(name));
-        if (Files.exists(whole) && RecordingFile.begins(head(whole, RecordingFile.MARK_BYTES))) {
-          Files.delete(whole);
-        }
-        written.add(name);
-        return Optional.empty();
-      } catch (IOException e) {
-        return Optional.of(
-            trouble("golden-unwritten", name + ": cannot be written, " + FileTrouble.reason(e)));
-      }
-    }
-
-    private static byte[] head(Path file, int bytes) throws IOException {
-      try (InputStream in = Files.newInputStream(file)) {
-        return in.readNBytes(bytes);
-      }
-    }
-
-    @Override
-    public void close() {
-      // nothing is open between frames
+    public void differs(TrackDifference first, Path recording) {
+      all.differences.put(test, new Difference(first.frame(), recording));
     }
   }
 }

@@ -170,6 +170,18 @@ public final class RunTrack {
     return switches.stream().filter(each -> each.signal().equals(signal)).toList();
   }
 
+  /** Whether a signal is on at the end of a frame. */
+  boolean level(Signal signal, long frame) {
+    boolean on = false;
+    for (Switch each : switches) {
+      if (each.frame() > frame) {
+        break;
+      }
+      on = each.signal().equals(signal) ? each.on() : on;
+    }
+    return on;
+  }
+
   /** The lines of text, oldest first. */
   List<Text> texts() {
     return texts;

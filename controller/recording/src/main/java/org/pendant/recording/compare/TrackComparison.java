@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleBiFunction;
+import java.util.function.ToDoubleFunction;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.language.source.ByteText;
@@ -24,11 +25,20 @@ import org.pendant.recording.compare.RunTrack.Text;
 public final class TrackComparison {
   private static final double MM_PER_M = 1000;
 
+  /** So many before and after: more would hide a small difference of an arm that moves. */
+  private static final long CURVE_FRAMES = FrameTime.FRAMES_PER_SECOND / 4;
+
   private final RunTrack now;
   private final RunTrack before;
   private final TrackTolerance tolerance;
   private final long band;
-  private final List<TrackDifference> found = new ArrayList<>();
+  private final List<Found> found = new ArrayList<>();
+
+  /** A quantity that has a curve. */
+  private record Curve(String what, String unit, ToDoubleBiFunction<RunTrack, Long> of) {}
+
+  /** A first difference of one kind. */
+  private record Found(TrackDifference difference, Optional<Curve> curve) {}
 
   private TrackComparison(RunTrack now, RunTrack before, TrackTolerance tolerance) {
     this.now = now;
@@ -49,12 +59,42 @@ public final class TrackComparison {
     comparison.outputs();
     comparison.texts();
     comparison.duration();
-    return comparison.found.stream().min(Comparator.comparingLong(TrackDifference::frame));
+    return comparison.found.stream()
+        .min(Comparator.comparingLong(each -> each.difference().frame()))
+        .map(comparison::withCurves);
   }
 
-  private void add(long frame, String words) {
+  private TrackDifference withCurves(Found first) {
+    TrackDifference bare = first.difference();
+    return new TrackDifference(
+        bare.frame(),
+        bare.line(),
+        bare.words(),
+        first
+            .curve()
+            .map(
+                curve ->
+                    new TrackCurves(
+                        curve.what(),
+                        curve.unit(),
+                        timeS(bare.frame()),
+                        points(now, curve, bare.frame()),
+                        points(before, curve, bare.frame()))));
+  }
+
+  private static List<TrackCurves.Point> points(RunTrack track, Curve curve, long around) {
+    List<TrackCurves.Point> points = new ArrayList<>();
+    long last = Math.min(around + CURVE_FRAMES, track.lastFrame());
+    for (long frame = Math.max(0, around - CURVE_FRAMES); frame <= last; frame++) {
+      points.add(new TrackCurves.Point(timeS(frame), curve.of().applyAsDouble(track, frame)));
+    }
+    return points;
+  }
+
+  private void add(long frame, Optional<Curve> curve, String words) {
     long last = Math.min(frame, now.lastFrame());
-    found.add(new TrackDifference(frame, now.at(last).line(), words));
+    found.add(
+        new Found(new TrackDifference(frame, now.at(last).line(), words, Optional.empty()), curve));
   }
 
   private static double timeS(long frame) {
@@ -142,8 +182,15 @@ public final class TrackComparison {
         joint = i;
       }
     }
+    int most = joint;
+    Curve curve =
+        new Curve(
+            "Joint " + most,
+            "\u00b0",
+            (track, at) -> Math.toDegrees(track.at(at).target().get(most)));
     add(
         frame,
+        Optional.of(curve),
         String.format(
             Locale.ROOT,
             "at %.3f s the target of joint %d is %.3f°, was %.3f° (may differ by %s° and %s s)",
@@ -160,6 +207,7 @@ public final class TrackComparison {
     Sample other = before.at(frame);
     add(
         frame,
+        Optional.of(curveOfTcp(one, other)),
         String.format(
             Locale.ROOT,
             "at %.3f s the target of the TCP is %s mm, was %s mm: %.2f mm apart (may differ by %s"
@@ -170,6 +218,28 @@ public final class TrackComparison {
             tcpMm(one, other),
             plain(mm),
             plain(tolerance.seconds())));
+  }
+
+  /** The coordinate that differs most. */
+  private static Curve curveOfTcp(Sample one, Sample other) {
+    List<ToDoubleFunction<Pose>> axes = List.of(Pose::x, Pose::y, Pose::z);
+    int axis = 0;
+    for (int i = 1; i < axes.size(); i++) {
+      if (apart(axes.get(i), one, other) > apart(axes.get(axis), one, other)) {
+        axis = i;
+      }
+    }
+    ToDoubleFunction<Pose> most = axes.get(axis);
+    return new Curve(
+        "TCP, " + "xyz".charAt(axis),
+        "mm",
+        (track, at) -> most.applyAsDouble(track.at(at).tcp().orElse(Pose.ZERO)) * MM_PER_M);
+  }
+
+  private static double apart(ToDoubleFunction<Pose> axis, Sample one, Sample other) {
+    return Math.abs(
+        axis.applyAsDouble(one.tcp().orElse(Pose.ZERO))
+            - axis.applyAsDouble(other.tcp().orElse(Pose.ZERO)));
   }
 
   private static String place(Sample sample) {
@@ -199,11 +269,15 @@ public final class TrackComparison {
   private void output(Signal signal) {
     List<Switch> ours = now.switchesOf(signal);
     List<Switch> theirs = before.switchesOf(signal);
+    Optional<Curve> curve =
+        Optional.of(
+            new Curve(signal.toString(), "", (track, at) -> track.level(signal, at) ? 1.0 : 0.0));
     for (int i = 0; i < Math.max(ours.size(), theirs.size()); i++) {
       if (i >= theirs.size()) {
         Switch one = ours.get(i);
         add(
             one.frame(),
+            curve,
             String.format(
                 Locale.ROOT,
                 "at %.3f s %s goes %s, did not",
@@ -216,6 +290,7 @@ public final class TrackComparison {
       if (i >= ours.size()) {
         add(
             other.frame(),
+            curve,
             String.format(
                 Locale.ROOT,
                 "at %.3f s %s does not go %s, did",
@@ -228,6 +303,7 @@ public final class TrackComparison {
       if (Math.abs(one.frame() - other.frame()) > band) {
         add(
             Math.min(one.frame(), other.frame()),
+            curve,
             String.format(
                 Locale.ROOT,
                 "%s goes %s at %.3f s, did at %.3f s (may differ by %s s)",
@@ -255,6 +331,7 @@ public final class TrackComparison {
         long frame = (i < ours.size() ? ours : theirs).get(i).frame();
         add(
             frame,
+            Optional.empty(),
             String.format(
                 Locale.ROOT, "at %.3f s the log says %s, said %s", timeS(frame), one, other));
         return;
@@ -270,6 +347,7 @@ public final class TrackComparison {
     if (Math.abs(now.lastFrame() - before.lastFrame()) > band) {
       add(
           Math.min(now.lastFrame(), before.lastFrame()),
+          Optional.empty(),
           String.format(
               Locale.ROOT,
               "the test takes %.3f s, took %.3f s (may differ by %s s)",

@@ -86,6 +86,29 @@ final class TrackComparisonTest {
   }
 
   @Test
+  void whatDiffersFirstHasACurveOfBothRunsAroundThatMoment() {
+    TrackDifference ofArm = difference(PROGRAM.replace("[0.1,", "[0.2,"), STANDARD).orElseThrow();
+    TrackCurves joint = ofArm.curves().orElseThrow();
+    assertEquals("Joint 0", joint.what());
+    assertEquals(ofArm.frame() / 500.0, joint.atS(), 1e-9);
+    TrackCurves.Point last = joint.before().getLast();
+    assertEquals(joint.atS() + 0.25, last.timeS(), 1e-9);
+    assertTrue(joint.now().getLast().value() > last.value() + 0.1);
+
+    TrackCurves output =
+        difference(PROGRAM.replace("2, True", "2, False"), STANDARD)
+            .orElseThrow()
+            .curves()
+            .orElseThrow();
+    assertEquals("digital_out[2]", output.what());
+    assertEquals(0, output.now().getLast().value());
+    assertEquals(1, output.before().getLast().value());
+
+    assertTrue(
+        difference(PROGRAM.replace("begins", "starts"), STANDARD).orElseThrow().curves().isEmpty());
+  }
+
+  @Test
   void anArmMayBeSomewhereMuchLaterWhereTheBandOfTimeIsWide() {
     String later = PROGRAM.replace("(0.1)", "(0.4)");
 

@@ -61,10 +61,10 @@ public final class GoldenComparison implements Goldens.Run {
     /**
      * The run differs from its recording.
      *
-     * @param frame in which it does first
+     * @param first where it does first
      * @param recording the file
      */
-    default void differs(long frame, Path recording) {}
+    default void differs(TrackDifference first, Path recording) {}
   }
 
   /**
@@ -112,7 +112,7 @@ public final class GoldenComparison implements Goldens.Run {
       }
       Path compared = file;
       Optional<TrackDifference> first = TrackComparison.first(track, before, tolerance);
-      first.ifPresent(at -> place.differs(at.frame(), compared));
+      first.ifPresent(at -> place.differs(at, compared));
       return first.map(this::problem);
     } catch (RecordingException e) {
       return Optional.of(trouble("golden-unreadable", e.getMessage()));

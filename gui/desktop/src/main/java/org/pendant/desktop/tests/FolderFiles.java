@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.pendant.command.service.GoldenComparison;
+import org.pendant.command.service.GoldenWriting;
 import org.pendant.command.service.TestFinder;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.disk.FileTrouble;
@@ -17,7 +18,11 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationProblem;
+import org.pendant.recording.compare.TrackCurves;
+import org.pendant.recording.compare.TrackDifference;
+import org.pendant.testing.TestId;
 import org.pendant.testing.run.Goldens;
+import org.pendant.testing.source.GoldenMark;
 
 /**
  * Folder files: the files of a folder as the window has them: those that are open with what is
@@ -28,6 +33,7 @@ final class FolderFiles implements TestSetup.Files {
 
   private final Path folder;
   private final Map<Path, byte[]> edited;
+  private final Map<TestId, TrackCurves> differences = new ConcurrentHashMap<>();
   private final Map<String, byte[]> read = new ConcurrentHashMap<>();
 
   /**
@@ -94,12 +100,36 @@ final class FolderFiles implements TestSetup.Files {
   }
 
   @Override
-  public Goldens goldens() {
+  public Goldens goldens(boolean update) {
     return test -> {
       String name = GoldenComparison.name(test.id());
-      return new GoldenComparison(
-          name, each -> folder.resolve(each).normalize(), test.golden().orElseThrow());
+      GoldenMark mark = test.golden().orElseThrow();
+      return update
+          ? new GoldenWriting(name, this::golden, mark, _ -> {})
+          : new GoldenComparison(name, new Compared(this, test.id()), mark);
     };
+  }
+
+  private Path golden(String name) {
+    return folder.resolve(name).normalize();
+  }
+
+  /** Where the recording of a test is, and how the test differs from it. */
+  private record Compared(FolderFiles all, TestId test) implements GoldenComparison.Place {
+    @Override
+    public Path file(String name) {
+      return all.golden(name);
+    }
+
+    @Override
+    public void differs(TrackDifference first, Path recording) {
+      first.curves().ifPresent(curves -> all.differences.put(test, curves));
+    }
+  }
+
+  @Override
+  public Optional<TrackCurves> difference(TestId test) {
+    return Optional.ofNullable(differences.get(test));
   }
 
   /** The arm stays that of the window. */

@@ -31,6 +31,7 @@ final class TestCommands {
   private final TestsTree tree;
   private final CoverStrip strip;
   private final TestDebugger debugger;
+  private final GoldenCard golden;
   private Runnable changed = () -> {};
 
   TestCommands(
@@ -40,7 +41,8 @@ final class TestCommands {
       TestsPresenter presenter,
       TestsTree tree,
       CoverStrip strip,
-      TestDebugger debugger) {
+      TestDebugger debugger,
+      GoldenCard golden) {
     this.workbench = workbench;
     this.programs = programs;
     this.editor = editor;
@@ -48,6 +50,7 @@ final class TestCommands {
     this.tree = tree;
     this.strip = strip;
     this.debugger = debugger;
+    this.golden = golden;
   }
 
   /** Tells {@code listener} when one of them has done something. */
@@ -86,6 +89,13 @@ final class TestCommands {
     actions.add(
         new Action(
             id + ".debug", "Tests: debug the selected one", "", this::canDebug, this::debug));
+    actions.add(
+        new Action(
+            id + ".accept",
+            "Tests: accept the new run of the selected one as golden",
+            "",
+            golden::offers,
+            this::accept));
     actions.add(
         new Action(
             id + ".stop",
@@ -136,11 +146,7 @@ final class TestCommands {
 
   /** Whether one test is selected, and none is debugged. */
   boolean canDebug() {
-    return debugging().isEmpty() && selected().isPresent();
-  }
-
-  private Optional<TestCase> selected() {
-    return tree.front().filter(TestCase.class::isInstance).map(TestCase.class::cast);
+    return debugging().isEmpty() && tree.selectedTest().isPresent();
   }
 
   /** Runs the selected test in the window. */
@@ -148,9 +154,16 @@ final class TestCommands {
     Optional<TestSetup> setup = presenter.setup();
     if (canDebug() && setup.isPresent()) {
       debugger.debug(
-          setup.get(), selected().orElseThrow(), ThreadLocalRandom.current().nextInt(1, MAX_SEED));
+          setup.get(),
+          tree.selectedTest().orElseThrow(),
+          ThreadLocalRandom.current().nextInt(1, MAX_SEED));
       changed.run();
     }
+  }
+
+  private void accept() {
+    workbench.show(TestsView.ID);
+    golden.accept();
   }
 
   void turnCoverage() {
@@ -179,6 +192,7 @@ final class TestCommands {
     boolean runs = presenter.canRun() && !tree.chosenTests().isEmpty();
     add(menu, "Run", "control ENTER", runs, this::runSelected);
     add(menu, "Debug", "control shift ENTER", canDebug(), this::debug);
+    add(menu, "Accept as golden", "", golden.offers(), golden::accept);
     menu.addSeparator();
     add(menu, "Go to the line", "ENTER", tree.front().isPresent(), this::open);
     return menu;

@@ -124,7 +124,7 @@ final class TestDebugger implements SwitchListener {
             TestJob.settings(setup, seed),
             each -> each.id().equals(test.id()),
             _ -> {},
-            setup.files().goldens(),
+            setup.files().goldens(false),
             Optional.empty());
     TestPlan plan = runner.plan(List.of(test.id().file()));
     if (!plan.broken().isEmpty()) {

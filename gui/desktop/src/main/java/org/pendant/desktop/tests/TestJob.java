@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import org.pendant.recording.compare.TrackCurves;
 import org.pendant.testing.BrokenTestFile;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestId;
@@ -21,8 +22,7 @@ import org.pendant.testing.source.TestCase;
 /** Test job: looks for tests once, and runs those that are wanted. */
 final class TestJob {
   private final TestSetup setup;
-  private final Set<TestId> chosen;
-  private final boolean runs;
+  private final Wish wish;
   private final long seed;
   private final Optional<CoverageCollector> coverage;
   private final AtomicBoolean stopped = new AtomicBoolean();
@@ -45,31 +45,38 @@ final class TestJob {
   }
 
   /**
-   * A job.
+   * What is wanted.
    *
-   * @param chosen the tests that are wanted; empty for all
-   * @param runs whether tests run, too
+   * @param chosen the tests; empty for all
+   * @param runs whether they run, too
    * @param covered whether it is counted what they reach
+   * @param records whether they are recorded anew that are compared with a recording otherwise
    */
-  TestJob(TestSetup setup, Set<TestId> chosen, boolean runs, long seed, boolean covered) {
+  record Wish(Set<TestId> chosen, boolean runs, boolean covered, boolean records) {
+    Wish {
+      chosen = Set.copyOf(chosen);
+    }
+  }
+
+  TestJob(TestSetup setup, Wish wish, long seed) {
     this.setup = setup;
-    this.chosen = Set.copyOf(chosen);
-    this.runs = runs;
+    this.wish = wish;
     this.seed = seed;
-    coverage = covered && runs ? Optional.of(new CoverageCollector()) : Optional.empty();
+    coverage =
+        wish.covered() && wish.runs() ? Optional.of(new CoverageCollector()) : Optional.empty();
   }
 
   boolean runs() {
-    return runs;
+    return wish.runs();
   }
 
   /** Whether it looks at all files. */
   boolean all() {
-    return chosen.isEmpty();
+    return wish.chosen().isEmpty();
   }
 
   boolean wants(TestId test) {
-    return chosen.isEmpty() || chosen.contains(test);
+    return all() || wish.chosen().contains(test);
   }
 
   /** Ends it now; tests that run are given up. */
@@ -79,6 +86,11 @@ final class TestJob {
     if (started != null) {
       started.stop();
     }
+  }
+
+  /** What differed first where a test was compared with its recording. */
+  Optional<TrackCurves> difference(TestId test) {
+    return setup.files().difference(test);
   }
 
   boolean stopped() {
@@ -92,9 +104,9 @@ final class TestJob {
    */
   Optional<Outcome> work(Listener listener) throws IOException {
     List<String> names =
-        chosen.isEmpty()
+        all()
             ? setup.files().find()
-            : chosen.stream().map(TestId::file).distinct().sorted().toList();
+            : wish.chosen().stream().map(TestId::file).distinct().sorted().toList();
     List<TestCase> seen = new ArrayList<>();
     TestRunner made =
         new TestRunner(
@@ -105,7 +117,7 @@ final class TestJob {
               return wants(test.id());
             },
             listener::ended,
-            setup.files().goldens(),
+            setup.files().goldens(wish.records()),
             coverage);
     runner.set(made);
     if (stopped.get()) {
@@ -113,7 +125,7 @@ final class TestJob {
     }
     TestPlan plan = made.plan(names);
     listener.found(names.stream().map(name -> found(name, seen, plan.broken())).toList());
-    if (!runs) {
+    if (!wish.runs()) {
       return Optional.empty();
     }
     SuiteResult result = made.run(plan);

@@ -2,7 +2,10 @@ package org.pendant.desktop.tests;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.recording.compare.TrackCurves;
+import org.pendant.testing.TestId;
 import org.pendant.testing.run.Goldens;
 import org.pendant.testing.source.TestSources;
 
@@ -26,8 +29,15 @@ record TestSetup(Files files, ControllerOptions robot) {
      */
     List<String> find() throws IOException;
 
-    /** What tests are compared with that ask for it. */
-    Goldens goldens();
+    /**
+     * What tests are compared with that ask for it.
+     *
+     * @param update whether it is recorded anew instead
+     */
+    Goldens goldens(boolean update);
+
+    /** What differed first where a test was compared; empty where nothing did that has a curve. */
+    Optional<TrackCurves> difference(TestId test);
 
     /** Whether a file of that name was read. */
     boolean hasRead(String name);

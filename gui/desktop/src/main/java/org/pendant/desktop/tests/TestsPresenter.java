@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.pendant.kit.background.Background;
+import org.pendant.recording.compare.TrackCurves;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestPlace;
@@ -36,6 +37,7 @@ final class TestsPresenter {
   private final BooleanSupplier covered;
   private final Map<TestId, TestResult> results = new HashMap<>();
   private final Map<Path, CoverStrip.Reached> reached = new HashMap<>();
+  private final Map<TestId, TrackCurves> curves = new HashMap<>();
   private final Set<TestId> waiting = new HashSet<>();
   private List<FoundFile> files = List.of();
   private Optional<TestSetup> shown = Optional.empty();
@@ -76,21 +78,28 @@ final class TestsPresenter {
   void look() {
     Optional<TestSetup> now = setup.get();
     if (!running() || other(now)) {
-      begin(now, Set.of(), false);
+      begin(now, new TestJob.Wish(Set.of(), false, false, false));
     }
   }
 
   /** Runs all tests that are there by now. */
   void runAll() {
     if (!running()) {
-      begin(setup.get(), Set.of(), true);
+      begin(setup.get(), new TestJob.Wish(Set.of(), true, covered.getAsBoolean(), false));
     }
   }
 
   /** Runs some tests. */
   void run(Set<TestId> chosen) {
     if (!running() && !chosen.isEmpty()) {
-      begin(setup.get(), chosen, true);
+      begin(setup.get(), new TestJob.Wish(chosen, true, covered.getAsBoolean(), false));
+    }
+  }
+
+  /** Runs a test that is compared with a recording, and records it anew. */
+  void record(TestId test) {
+    if (!running()) {
+      begin(setup.get(), new TestJob.Wish(Set.of(test), true, false, true));
     }
   }
 
@@ -104,11 +113,12 @@ final class TestsPresenter {
     return !now.map(each -> each.files().folder()).equals(folder());
   }
 
-  private void begin(Optional<TestSetup> now, Set<TestId> chosen, boolean runs) {
+  private void begin(Optional<TestSetup> now, TestJob.Wish wish) {
     job.ifPresent(TestJob::stop);
     if (other(now)) {
       files = List.of();
       results.clear();
+      curves.clear();
       last = Optional.empty();
       takeCoverage(Optional.empty());
     }
@@ -116,8 +126,7 @@ final class TestsPresenter {
     trouble = "";
     done = 0;
     shown = now;
-    boolean counts = covered.getAsBoolean();
-    job = shown.map(of -> new TestJob(of, chosen, runs, seeds.getAsLong(), counts));
+    job = shown.map(of -> new TestJob(of, wish, seeds.getAsLong()));
     changes++;
     job.ifPresent(
         started ->
@@ -151,6 +160,8 @@ final class TestsPresenter {
           () -> {
             if (isCurrent(of)) {
               results.put(result.id(), result);
+              curves.remove(result.id());
+              of.difference(result.id()).ifPresent(each -> curves.put(result.id(), each));
               waiting.remove(result.id());
               done++;
               changes++;
@@ -175,6 +186,7 @@ final class TestsPresenter {
     Set<TestId> there = new HashSet<>();
     files.forEach(file -> file.tests().forEach(test -> there.add(test.id())));
     results.keySet().retainAll(there);
+    curves.keySet().retainAll(there);
     if (of.runs()) {
       waiting.addAll(there);
       waiting.removeIf(each -> !of.wants(each));
@@ -287,6 +299,11 @@ final class TestsPresenter {
     }
   }
 
+  /** What differed first when a test was compared with its recording, if that has a curve. */
+  Optional<TrackCurves> difference(TestId id) {
+    return Optional.ofNullable(curves.get(id));
+  }
+
   /** The files and the robot of tests as they are now. */
   Optional<TestSetup> setup() {
     return setup.get();
@@ -295,6 +312,7 @@ final class TestsPresenter {
   /** A test ran somewhere else. */
   void ran(TestResult result) {
     results.put(result.id(), result);
+    curves.remove(result.id());
     changes++;
   }
 

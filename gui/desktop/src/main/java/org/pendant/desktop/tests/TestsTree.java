@@ -144,6 +144,11 @@ final class TestsTree extends JTree {
         .map(each -> ((DefaultMutableTreeNode) each.getLastPathComponent()).getUserObject());
   }
 
+  /** The test that keys go to. */
+  Optional<TestCase> selectedTest() {
+    return front().filter(TestCase.class::isInstance).map(TestCase.class::cast);
+  }
+
   /** Selects a test and brings it in sight. */
   void choose(TestId id) {
     for (Enumeration<?> all = root.preorderEnumeration(); all.hasMoreElements(); ) {

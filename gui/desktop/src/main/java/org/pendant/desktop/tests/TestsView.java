@@ -39,6 +39,7 @@ import org.pendant.kit.layout.CodeArea;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
+import org.pendant.testing.TestId;
 import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.source.TestCase;
 
@@ -51,6 +52,10 @@ public final class TestsView implements View {
   public static final String ID = "tests";
 
   private static final double SHARE = 0.55;
+
+  /** Where the panel is low, what came of a test needs more room than the tree. */
+  private static final double LOW_SHARE = 0.4;
+
   private static final int MAX_SEED = 1_000_000;
 
   private final Workbench workbench;
@@ -58,6 +63,8 @@ public final class TestsView implements View {
   private final TestsPresenter presenter;
   private final TestsTree tree;
   private final JTextArea details = new CodeArea();
+  private final JPanel found = new JPanel(new BorderLayout());
+  private final GoldenCard golden;
   private final JSplitPane split = new JSplitPane();
   private final JLabel summary = new JLabel(" ");
   private final JLabel note = new JLabel("", SwingConstants.CENTER);
@@ -105,7 +112,10 @@ public final class TestsView implements View {
     tree = new TestsTree(presenter);
     TestDebugger debugger =
         new TestDebugger(workbench.session(), programs, starts, workbench::notify, presenter::ran);
-    commands = new TestCommands(workbench, programs, editor, presenter, tree, strip, debugger);
+    golden =
+        new GoldenCard(() -> tree.selectedTest().ifPresent(test -> presenter.record(test.id())));
+    commands =
+        new TestCommands(workbench, programs, editor, presenter, tree, strip, debugger, golden);
     content.setName("tests-view");
     content.getAccessibleContext().setAccessibleName(title());
     content.add(bar(), BorderLayout.NORTH);
@@ -163,7 +173,9 @@ public final class TestsView implements View {
     split.setName("tests-split");
     split.setBorder(null);
     split.setLeftComponent(left);
-    split.setRightComponent(right);
+    found.add(right);
+    found.add(golden, BorderLayout.SOUTH);
+    split.setRightComponent(found);
     split.setResizeWeight(SHARE);
     split.addComponentListener(
         new ComponentAdapter() {
@@ -183,8 +195,10 @@ public final class TestsView implements View {
             : JSplitPane.VERTICAL_SPLIT;
     if (!arranged || split.getOrientation() != wanted) {
       arranged = true;
+      boolean low = wanted == JSplitPane.HORIZONTAL_SPLIT;
+      found.add(golden, low ? BorderLayout.LINE_END : BorderLayout.SOUTH);
       split.setOrientation(wanted);
-      split.setDividerLocation(SHARE);
+      split.setDividerLocation(low ? LOW_SHARE : SHARE);
     }
   }
 
@@ -316,6 +330,12 @@ public final class TestsView implements View {
                       default -> "";
                     })
             .orElse("");
+    Optional<TestId> test = tree.selectedTest().map(TestCase::id);
+    golden.show(
+        test,
+        GoldenOffer.of(test.flatMap(presenter::result)),
+        test.flatMap(presenter::difference),
+        presenter.canRun());
     if (!text.equals(details.getText())) {
       details.setText(text);
       details.setCaretPosition(0);

@@ -72,7 +72,7 @@ final class TestDebuggerTest {
                 TestJob.settings(setup, 1),
                 _ -> true,
                 _ -> {},
-                files.goldens(),
+                files.goldens(false),
                 Optional.empty())
             .plan(List.of("a_test.script"))
             .tests()

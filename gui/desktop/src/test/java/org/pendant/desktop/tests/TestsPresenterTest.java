@@ -19,7 +19,10 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Drive;
+import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.background.Background;
+import org.pendant.recording.compare.TrackCurves;
 import org.pendant.testing.TestId;
 import org.pendant.testing.coverage.CoverageReport;
 import org.pendant.testing.run.Goldens;
@@ -30,6 +33,8 @@ final class TestsPresenterTest {
   private final Queue<Runnable> work = new ArrayDeque<>();
   private final Queue<Runnable> told = new ConcurrentLinkedQueue<>();
   private boolean covered;
+  private boolean differs;
+  private boolean recorded;
   private Optional<String> folder = Optional.of("/cell");
   private Optional<String> unreadable = Optional.empty();
   private final TestsPresenter presenter =
@@ -78,8 +83,16 @@ final class TestsPresenterTest {
     }
 
     @Override
-    public Goldens goldens() {
-      return Goldens.NONE;
+    public Goldens goldens(boolean update) {
+      recorded |= update;
+      return test -> new Compared();
+    }
+
+    @Override
+    public Optional<TrackCurves> difference(TestId test) {
+      return differs && test.function().equals("test_golden")
+          ? Optional.of(new TrackCurves("Target of joint 1", "\u00b0", 1, List.of(), List.of()))
+          : Optional.empty();
     }
 
     @Override
@@ -95,6 +108,24 @@ final class TestsPresenterTest {
       read.add(file);
       return disk.get(file).getBytes(StandardCharsets.UTF_8);
     }
+  }
+
+  private final class Compared implements Goldens.Run {
+    @Override
+    public void begins(Drive drive) {}
+
+    @Override
+    public void sees(ControllerState state) {}
+
+    @Override
+    public Optional<Goldens.Problem> passed() {
+      return differs && !recorded
+          ? Optional.of(new Goldens.Problem("golden-differs", "it differs", 0, ""))
+          : Optional.empty();
+    }
+
+    @Override
+    public void close() {}
   }
 
   private void work() {
@@ -301,6 +332,26 @@ final class TestsPresenterTest {
     assertEquals(1, presenter.reached(Path.of("/cell/grip.script")).orElseThrow().tests());
     covered = false;
     assertTrue(presenter.coverage().isEmpty());
+  }
+
+  @Test
+  void aGoldenTestThatDiffersHasACurveUntilItIsRecordedAnew() {
+    write("grip_test.script", "# @golden", "def test_golden():", "  sleep(0.1)", "end");
+    differs = true;
+    presenter.runAll();
+    work();
+    TestCase test = test("test_golden");
+    assertEquals(TestMark.RED, presenter.mark(test.id()));
+    assertEquals(
+        "Target of joint 1", presenter.difference(test.id()).map(TrackCurves::what).orElse(""));
+    assertEquals(GoldenOffer.REPLACE, GoldenOffer.of(presenter.result(test.id())));
+    presenter.record(test.id());
+    differs = false;
+    work();
+    assertTrue(recorded);
+    assertEquals(TestMark.PASSED, presenter.mark(test.id()));
+    assertTrue(presenter.difference(test.id()).isEmpty());
+    assertEquals(GoldenOffer.NONE, GoldenOffer.of(presenter.result(test.id())));
   }
 
   @Test
