@@ -1,7 +1,10 @@
 package org.pendant.testing.mutation;
 
 import java.io.IOException;
+import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.installation.Installation;
 import org.pendant.language.source.Source;
 import org.pendant.testing.source.TestSources;
 
@@ -20,6 +23,12 @@ final class ChangedFile implements TestSources {
   @Override
   public byte[] read(String name) throws IOException {
     return name.equals(source.name()) ? mutation.in(source) : files.read(name);
+  }
+
+  @Override
+  public ControllerOptions setUp(ControllerOptions base, Installation own, Optional<String> robot)
+      throws IOException {
+    return files.setUp(base, own, robot);
   }
 
   @Override

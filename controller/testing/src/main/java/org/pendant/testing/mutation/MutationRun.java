@@ -34,6 +34,9 @@ import org.pendant.testing.source.TestSources;
  * that reach that line until one of them is red.
  */
 public final class MutationRun {
+  private static final String SCRIPT = ".script";
+  private static final String TREE = ".pendant";
+
   private final TestSources files;
   private final TestRunner runner;
   private final MutationSettings settings;
@@ -120,11 +123,11 @@ public final class MutationRun {
     return new MutationReport(mutated, candidates.size(), notRun);
   }
 
-  /** The text of a program that is to be mutated: not of tests, and not of a tree. */
+  /** The text of a program that is to be mutated: not of tests, and not a tree of PolyScope. */
   private Optional<Source> source(String name) {
     boolean wanted = settings.only().isEmpty() || settings.only().stream().anyMatch(name::contains);
     boolean test = usual.values().stream().anyMatch(each -> each.id().file().equals(name));
-    if (!wanted || test || !name.endsWith(".script")) {
+    if (!wanted || test || !(name.endsWith(SCRIPT) || name.endsWith(TREE))) {
       return Optional.empty();
     }
     try {
@@ -140,7 +143,11 @@ public final class MutationRun {
     for (LineCoverage line : coverage.lines()) {
       covering.put(line.line(), orders.computeIfAbsent(line.tests(), this::inOrder));
     }
-    return MutationFinder.in(source, StandardBuiltins.create()).stream()
+    List<Mutation> all =
+        source.name().endsWith(TREE)
+            ? TreeMutations.in(source, covering.keySet())
+            : MutationFinder.in(source, StandardBuiltins.create());
+    return all.stream()
         .map(each -> new Chosen(number, each, covering.getOrDefault(each.reach(), List.of())))
         .toList();
   }

@@ -72,6 +72,35 @@ class MutationRunTest {
   }
 
   @Test
+  void nodesOfTreesAreMutatedAsWell() {
+    MutationReport report =
+        new MutationSuite()
+            .with(
+                "lamp.pendant",
+                "pendant program 1",
+                "main",
+                "  set setting=digital signal=\"digital_out[0]\" level=true",
+                "  wait what=time time-s=0.1")
+            .with(
+                "lamp_test.script",
+                "def test_lamp():",
+                "  start(\"lamp.pendant\")",
+                "  wait_for_end()",
+                "  assert_true(get_standard_digital_out(0))",
+                "end")
+            .run();
+
+    assertEquals(
+        List.of(
+            "KILLED ",
+            "KILLED set setting=digital signal=\"digital_out[1]\" level=true",
+            "KILLED set setting=digital signal=\"digital_out[0]\" level=false",
+            "SURVIVED ",
+            "SURVIVED wait what=time time-s=0.2"),
+        told(report));
+  }
+
+  @Test
   void mutantsThatNeverEndAreTimedOut() {
     MutationReport report =
         MutationSuite.of(
