@@ -115,8 +115,10 @@ public final class Launcher {
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
     builder.environment().put("PENDANT", home().resolve("pendant").toString());
     builder.environment().put("PENDANT_JAVA_HOME", System.getProperty("java.home"));
-    builder.environment().put("PENDANT_CLASSPATH", ProductJvm.classPath());
-    builder.environment().put("PENDANT_JAVA_OPTIONS", String.join(" ", ProductJvm.options()));
+    builder.environment().put("PENDANT_CLASSPATH", ProductJvm.COMMAND.classPath());
+    builder
+        .environment()
+        .put("PENDANT_JAVA_OPTIONS", String.join(" ", ProductJvm.COMMAND.options()));
     return builder;
   }
 

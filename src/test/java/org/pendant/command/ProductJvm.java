@@ -11,57 +11,67 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What the JVMs that tests start are started with. Under Maven they share an AOT cache, which
- * halves the time that a start takes; other runners have none, since nothing there keeps it up to
- * date.
+ * Product JVM: a JVM that tests start, by what it is for. Under Maven each kind has an AOT cache,
+ * which halves the time that a start takes, of just those classes that it loads; other runners have
+ * none, since nothing there keeps them up to date.
  */
-public final class ProductJvm {
-  private ProductJvm() {}
+public enum ProductJvm {
+  /** {@code ./pendant} without a window. */
+  COMMAND("command.aot"),
+  /** The desktop. */
+  WINDOW("window.aot");
 
-  /** The class path of these tests, of nothing but jars where there is an AOT cache. */
-  public static String classPath() {
-    return cache().isEmpty() ? testClassPath() : jars(Path.of(System.getProperty("pendant.tests")));
+  private static final String NATIVE_ACCESS = "--enable-native-access=ALL-UNNAMED";
+
+  private final String fileName;
+
+  ProductJvm(String fileName) {
+    this.fileName = fileName;
   }
 
-  /**
-   * Options of all of them: an AOT cache serves only a JVM with the access that it was made with.
-   */
-  public static List<String> options() {
+  /** The class path of these tests, of nothing but jars where there is an AOT cache. */
+  public String classPath() {
+    return trained().isEmpty() ? testClassPath() : jars();
+  }
+
+  /** Options: an AOT cache serves only a JVM with the access that it was made with. */
+  public List<String> options() {
     return Stream.concat(
-            Stream.of("--enable-native-access=ALL-UNNAMED"),
-            cache().stream().map(file -> "-XX:AOTCache=" + file))
+            Stream.of(NATIVE_ACCESS), trained().stream().map(file -> "-XX:AOTCache=" + file))
         .toList();
   }
 
+  /** Options that leave an AOT cache behind, to be used with {@link #options()}. */
+  public List<String> trainingOptions() {
+    return List.of(NATIVE_ACCESS, "-XX:AOTCacheOutput=" + cache());
+  }
+
+  /** Where its AOT cache is to be, in the folder that the build names. */
+  public Path cache() {
+    return Path.of(System.getProperty("pendant.aot")).resolve(fileName);
+  }
+
   /**
-   * The jars of the class path, which is all that an AOT cache takes, and that of the tests.
-   *
-   * @param tests jar of the test classes
+   * Whether its AOT cache is younger than all jars of the class path; the JVM refuses it otherwise.
    */
-  public static String jars(Path tests) {
+  public boolean isFresh() {
+    return Files.exists(cache())
+        && Arrays.stream(jars().split(File.pathSeparator))
+            .map(Path::of)
+            .allMatch(jar -> age(jar) <= age(cache()));
+  }
+
+  /** The jars of the class path, which is all that an AOT cache takes, and that of the tests. */
+  public static String jars() {
     return Stream.concat(
             Arrays.stream(testClassPath().split(File.pathSeparator))
                 .filter(each -> each.endsWith(".jar")),
-            Stream.of(tests.toString()))
+            Stream.of(System.getProperty("pendant.tests")))
         .collect(Collectors.joining(File.pathSeparator));
   }
 
-  /**
-   * Whether an AOT cache is younger than all jars of a class path; the JVM refuses it otherwise.
-   */
-  public static boolean isFresh(Path cache, String classPath) {
-    return Files.exists(cache)
-        && Arrays.stream(classPath.split(File.pathSeparator))
-            .map(Path::of)
-            .allMatch(jar -> age(jar) <= age(cache));
-  }
-
-  private static List<Path> cache() {
-    String cache = System.getProperty("pendant.aot");
-    String tests = System.getProperty("pendant.tests");
-    return cache != null && tests != null && isFresh(Path.of(cache), jars(Path.of(tests)))
-        ? List.of(Path.of(cache))
-        : List.of();
+  private List<Path> trained() {
+    return System.getProperty("pendant.aot") != null && isFresh() ? List.of(cache()) : List.of();
   }
 
   private static String testClassPath() {

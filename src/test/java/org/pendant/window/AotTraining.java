@@ -3,26 +3,48 @@ package org.pendant.window;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
+import org.pendant.command.Launcher;
 import org.pendant.command.ProductJvm;
 
 /**
- * Records the classes that a desktop loads while it opens, shows its screens and runs a program,
- * for the AOT cache of the JVMs that tests start. Arguments: the cache, the jar of the test
- * classes.
+ * AOT training: runs that record the classes which the JVMs that tests start load, for their AOT
+ * caches.
  */
 final class AotTraining {
   private AotTraining() {}
 
   public static void main(String[] arguments) throws IOException {
-    Path cache = Path.of(arguments[0]);
-    String classPath = ProductJvm.jars(Path.of(arguments[1]));
-    if (!VirtualDisplay.isAvailable() || ProductJvm.isFresh(cache, classPath)) {
-      return;
+    Optional<Process> command =
+        ProductJvm.COMMAND.isFresh() ? Optional.empty() : Optional.of(startCommand());
+    if (VirtualDisplay.isAvailable() && !ProductJvm.WINDOW.isFresh()) {
+      useWindow();
     }
+    command.ifPresent(Launcher::await);
+  }
+
+  /** Runs a small program. */
+  private static Process startCommand() throws IOException {
+    Files.deleteIfExists(ProductJvm.COMMAND.cache());
+    ProcessBuilder command = Launcher.prepare(Launcher.home(), "run", "examples/hello.script");
+    command.environment().put("PENDANT_CLASSPATH", ProductJvm.jars());
+    command
+        .environment()
+        .put("PENDANT_JAVA_OPTIONS", String.join(" ", ProductJvm.COMMAND.trainingOptions()));
+    // The JVM that writes the cache says there with which options, a page of them.
+    return command
+        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+        .redirectError(ProcessBuilder.Redirect.DISCARD)
+        .start();
+  }
+
+  /** Opens the desktop, shows its screens and runs a program. */
+  private static void useWindow() throws IOException {
+    Path cache = ProductJvm.WINDOW.cache();
     Files.deleteIfExists(cache);
     Path folder = Files.createDirectories(cache.resolveSibling("training"));
     try (VirtualDisplay display = VirtualDisplay.start("1440x900");
-        OpenWindow window = OpenWindow.openAndTrain(display, folder, classPath, cache)) {
+        OpenWindow window = OpenWindow.openAndTrain(display, folder)) {
       window.awaitWords("robot-mode", "running");
       for (String screen : new String[] {"program", "script", "move", "log", "run"}) {
         window.click("rail-" + screen);

@@ -75,21 +75,25 @@ final class OpenWindow implements AutoCloseable {
   static OpenWindow open(
       VirtualDisplay display, Path folder, List<Path> programs, String... options)
       throws IOException {
-    List<String> all = new ArrayList<>(ProductJvm.options());
+    List<String> all = new ArrayList<>(ProductJvm.WINDOW.options());
     all.addAll(List.of(options));
     return open(
-        display, folder, programs, ProductJvm.classPath(), all, ProcessBuilder.Redirect.INHERIT);
+        display,
+        folder,
+        programs,
+        ProductJvm.WINDOW.classPath(),
+        all,
+        ProcessBuilder.Redirect.INHERIT);
   }
 
-  /** Opens one whose JVM leaves an AOT cache of {@code classPath} when the window is closed. */
-  static OpenWindow openAndTrain(VirtualDisplay display, Path folder, String classPath, Path cache)
-      throws IOException {
+  /** Opens one whose JVM leaves an AOT cache when the window is closed. */
+  static OpenWindow openAndTrain(VirtualDisplay display, Path folder) throws IOException {
     return open(
         display,
         folder,
         List.of(),
-        classPath,
-        List.of("--enable-native-access=ALL-UNNAMED", "-XX:AOTCacheOutput=" + cache),
+        ProductJvm.jars(),
+        ProductJvm.WINDOW.trainingOptions(),
         // The JVM that writes the cache says there with which options, a page of them.
         ProcessBuilder.Redirect.to(folder.resolve("errors.txt").toFile()));
   }

@@ -168,7 +168,7 @@ final class BlendTest {
 
   @Test
   void randomChainsNeverJumpAndKeepToTheirPaths() throws PlanningException {
-    for (long seed = 0; seed < 300; seed++) {
+    for (long seed = 0; seed < 100 * Integer.getInteger("test.cases", 1); seed++) {
       SplittableRandom random = new SplittableRandom(seed);
       double ramp = random.nextBoolean() ? 0 : 0.08;
       List<Move> moves = new ArrayList<>();

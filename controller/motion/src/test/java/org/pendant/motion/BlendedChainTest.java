@@ -23,7 +23,7 @@ import org.pendant.models.time.FrameTime;
  */
 @Tag("slow")
 final class BlendedChainTest {
-  private static final int CHAINS = 100 * Integer.getInteger("test.cases", 1);
+  private static final int CHAINS = 50 * Integer.getInteger("test.cases", 1);
   private static final int MOVES = 10;
 
   /** Frames that a blend may cost more than a stop. */

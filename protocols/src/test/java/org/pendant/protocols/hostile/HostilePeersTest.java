@@ -54,7 +54,7 @@ import org.pendant.protocols.teachpendant.RemotePendant;
 @Tag("slow")
 class HostilePeersTest {
   private static final long SEED = 20_261_122;
-  private static final int PACKETS = 20_000 * Integer.getInteger("test.cases", 1);
+  private static final int PACKETS = 8_000 * Integer.getInteger("test.cases", 1);
   private static final int PEERS_A_PORT = 10;
   private static final int AT_ONCE = 32;
   private static final int GIVE_UP_S = 60;

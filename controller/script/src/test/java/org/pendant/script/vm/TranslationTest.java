@@ -552,7 +552,7 @@ class TranslationTest {
   @Test
   void randomProgramsDoTheSameInEveryForm() {
     int valid = 0;
-    for (int seed = 0; valid < 200; seed++) {
+    for (int seed = 0; valid < 80 * Integer.getInteger("test.cases", 1); seed++) {
       String script = new RandomScript(new Random(seed)).text();
       TranslationRuns runs = new TranslationRuns(script, List.of());
       if (!runs.valid()) {

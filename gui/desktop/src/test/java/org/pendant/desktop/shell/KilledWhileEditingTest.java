@@ -34,7 +34,7 @@ import org.pendant.project.program.text.ReadProgram;
  */
 @Tag("slow")
 final class KilledWhileEditingTest {
-  private static final int KILLS = Integer.getInteger("test.kills", 16);
+  private static final int KILLS = Integer.getInteger("test.kills", 8);
   private static final int AT_ONCE = 4;
   private static final long SEED = 20_261_122;
   private static final long MAX_MS = 6_500;
