@@ -1,11 +1,14 @@
 package org.pendant.testing.builtin;
 
 import java.util.List;
+import org.pendant.controller.bench.PreparedAnswers;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.language.signature.Type;
+import org.pendant.language.signature.Unit;
+import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
@@ -26,9 +29,11 @@ final class OperatorTestBuiltins {
     TestBuiltins.declare(builtins, "answer", SECTION)
         .doc(
             "Prepares the answer to a question whose text contains this one, as an operator types"
-                + " it: answer(\"How many\", \"3\").")
+                + " it: answer(\"How many\", \"3\"). It comes at once, or a while after the"
+                + " question.")
         .needs("question", Type.STRING)
         .needs("value", Type.ANY)
+        .takes("after", Unit.SECOND, 0)
         .does(OperatorTestBuiltins::prepare);
     TestBuiltins.declare(builtins, "hold_popups", SECTION)
         .doc(
@@ -69,7 +74,15 @@ final class OperatorTestBuiltins {
   }
 
   private static Outcome prepare(Call<ControlBox> call) throws ScriptError {
-    TestBuiltins.bench(call).answers().add(call.text(0), call.value(1).text());
+    double after = call.number(2);
+    if (!(after >= 0)) {
+      throw call.refuse(2, "must not be negative");
+    }
+    TestBuiltins.bench(call)
+        .answers()
+        .add(
+            call.text(0),
+            new PreparedAnswers.Given(call.value(1).text(), FrameTime.framesFor(after)));
     return call.answer();
   }
 

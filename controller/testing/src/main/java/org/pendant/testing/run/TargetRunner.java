@@ -72,6 +72,10 @@ public final class TargetRunner {
       return Optional.of(
           "--target: `@golden` compares with what Pendant's own controller has recorded");
     }
+    if (test.startRad().isPresent()) {
+      return Optional.of(
+          "--target: `@start_at` puts the arm somewhere, which only Pendant's own controller can");
+    }
     Optional<String> limit =
         calls(one).stream()
             .flatMap(each -> TargetLimits.reason(builtins, each).stream())

@@ -1,6 +1,8 @@
 package org.pendant.testing.run;
 
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -18,6 +20,14 @@ final class TestOperator {
   private final PreparedAnswers answers;
   private final boolean watched;
   private final Set<Long> answered = new HashSet<>();
+  private final List<Thought> thoughts = new ArrayList<>();
+
+  /**
+   * An answer that comes later.
+   *
+   * @param frame after which it is given
+   */
+  private record Thought(long frame, MessageCommand.AnswerQuestion answer) {}
 
   /**
    * An operator.
@@ -52,26 +62,44 @@ final class TestOperator {
     }
     for (Question each : state.openQuestions()) {
       if (answered.add(each.number())) {
-        Optional<String> refusal = answer(each, post);
+        Optional<String> refusal = answer(each, state.frame());
         if (refusal.isPresent()) {
           return refusal;
         }
       }
     }
+    say(state, post);
     return Optional.empty();
   }
 
-  private Optional<String> answer(Question question, Consumer<Command> post) {
-    Optional<String> value = answers.take(question.text());
-    if (value.isEmpty()) {
+  /** Gives the answers that are due; one whose question was withdrawn is forgotten. */
+  private void say(ControllerState state, Consumer<Command> post) {
+    for (Thought each : List.copyOf(thoughts)) {
+      if (each.frame() <= state.frame()) {
+        thoughts.remove(each);
+        long number = each.answer().number();
+        if (state.openQuestions().stream().anyMatch(open -> open.number() == number)) {
+          post.accept(each.answer());
+        }
+      }
+    }
+  }
+
+  private Optional<String> answer(Question question, long frame) {
+    Optional<PreparedAnswers.Given> given = answers.take(question.text());
+    if (given.isEmpty()) {
       return Optional.of(
           "the program asks \""
               + question.text()
               + "\", and no answer is prepared; answer(\"TEXT\", VALUE) does so");
     }
     try {
-      post.accept(
-          new MessageCommand.AnswerQuestion(question.number(), question.kind().read(value.get())));
+      // what is posted after a frame comes into force in the next one
+      thoughts.add(
+          new Thought(
+              frame + given.get().afterFrames() - 1,
+              new MessageCommand.AnswerQuestion(
+                  question.number(), question.kind().read(given.get().value()))));
       return Optional.empty();
     } catch (IllegalArgumentException e) {
       return Optional.of("answer to \"" + question.text() + "\": " + e.getMessage());

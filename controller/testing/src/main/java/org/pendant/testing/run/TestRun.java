@@ -77,9 +77,11 @@ final class TestRun {
     this.observer = observer;
     this.stopped = stopped;
     bench = new TestBench(test.number(), choices, programs, this::globals);
+    ControllerOptions set = programs.controller(test);
     options =
-        programs
-            .controller(test)
+        test.startRad()
+            .map(set::withStart)
+            .orElse(set)
             .withSeed(settings.controller().seed())
             .withOperator(Operator.present())
             .withOutside(new Connectors(bench.peers(), bench.rpc(), bench.devices()));

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedSet;
+import org.pendant.models.arm.Joints;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestPlace;
 
@@ -16,6 +17,7 @@ import org.pendant.testing.TestPlace;
  * @param tags what it is marked with, sorted
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take, where it says so itself
+ * @param startRad where the arm stands at first, where it says so itself
  * @param property how it is run with many values; empty for a test that runs once
  * @param golden how it is compared with a recording of itself; empty for a test that is not
  * @param watches whether it starts programs, and so runs beside them; else it is the program
@@ -27,6 +29,7 @@ public record TestCase(
     SortedSet<String> tags,
     Optional<String> skip,
     OptionalDouble timeoutS,
+    Optional<Joints> startRad,
     Optional<Property> property,
     Optional<GoldenMark> golden,
     boolean watches) {
@@ -46,6 +49,7 @@ public record TestCase(
   /** The same test with a limit to the robot time of a run, unless its own is shorter. */
   public TestCase within(double limitS) {
     OptionalDouble shortest = OptionalDouble.of(Math.min(limitS, timeoutS.orElse(limitS)));
-    return new TestCase(id, number, place, tags, skip, shortest, property, golden, watches);
+    return new TestCase(
+        id, number, place, tags, skip, shortest, startRad, property, golden, watches);
   }
 }

@@ -1,6 +1,7 @@
 package org.pendant.testing.source;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -12,15 +13,17 @@ import java.util.regex.Pattern;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
+import org.pendant.models.arm.Joints;
 
 /**
  * Test marks: what stands in the comment lines right above a test, each in a line of its own:
- * {@code # @tag slow}, {@code # @skip REASON}, {@code # @timeout SECONDS}, {@code # @case
- * ARGUMENTS}, {@code # @given RUNS}, {@code # @example CHOICES}, {@code # @golden TOLERANCES}.
+ * {@code # @tag slow}, {@code # @skip REASON}, {@code # @timeout SECONDS}, {@code #
+ * @start_at JOINTS}, {@code # @case ARGUMENTS}, {@code # @given RUNS}, {@code # @example CHOICES}, {@code # @golden TOLERANCES}.
  *
  * @param tags sorted
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take
+ * @param startRad where the arm stands at first
  * @param cases the arguments of each case, in order
  * @param property how it is run with many values
  * @param golden how it is compared with a recording
@@ -29,6 +32,7 @@ record TestMarks(
     SortedSet<String> tags,
     Optional<String> skip,
     OptionalDouble timeoutS,
+    Optional<Joints> startRad,
     List<Case> cases,
     Optional<TestCase.Property> property,
     Optional<GoldenMark> golden) {
@@ -64,6 +68,7 @@ record TestMarks(
         reading.tags,
         reading.skip,
         reading.timeoutS,
+        reading.startRad,
         reading.cases,
         reading.property(),
         reading.golden());
@@ -72,6 +77,7 @@ record TestMarks(
   /** Marks as far as they are read. */
   private static final class Reading {
     private static final Pattern RUNS = Pattern.compile("[1-9]\\d{0,5}");
+    private static final double MAX_DEGREES = 360;
     private static final Pattern TAG = Pattern.compile("[^,\\s]+");
 
     private final Source source;
@@ -80,6 +86,7 @@ record TestMarks(
     private final List<Case> cases = new ArrayList<>();
     private Optional<String> skip = Optional.empty();
     private OptionalDouble timeoutS = OptionalDouble.empty();
+    private Optional<Joints> startRad = Optional.empty();
     private final List<List<Double>> examples = new ArrayList<>();
     private Optional<GoldenMark> golden = Optional.empty();
     private SourceRange goldenRange = new SourceRange(0, 1);
@@ -109,6 +116,7 @@ record TestMarks(
         case "tag", "tags" -> tags(rest, range);
         case "skip" -> skip = Optional.of(rest.isEmpty() ? "no reason given" : rest);
         case "timeout" -> timeout(rest, range);
+        case "start_at" -> start(rest, range);
         case "case" -> cases.add(new Case(rest, range));
         case "given" -> given(rest, range);
         case "example" -> example(rest, range);
@@ -120,8 +128,8 @@ record TestMarks(
                     range,
                     "@"
                         + word
-                        + " is no mark of a test; there are @tag, @skip, @timeout, @case,"
-                        + " @given, @example and @golden",
+                        + " is no mark of a test; there are @tag, @skip, @timeout, @start_at,"
+                        + " @case, @given, @example and @golden",
                     ""));
       }
     }
@@ -208,6 +216,31 @@ record TestMarks(
       } catch (NumberFormatException _) {
         // outside of the range of choices, as everything else that is none
         return -1;
+      }
+    }
+
+    private void start(String rest, SourceRange range) {
+      double[] degrees =
+          TAG.matcher(rest).results().mapToDouble(each -> degrees(each.group())).toArray();
+      if (degrees.length == Joints.COUNT
+          && Arrays.stream(degrees).allMatch(each -> Math.abs(each) <= MAX_DEGREES)) {
+        startRad = Optional.of(Joints.of(Arrays.stream(degrees).map(Math::toRadians).toArray()));
+        return;
+      }
+      problems.add(
+          Diagnostic.error(
+              "wrong-mark",
+              range,
+              "@start_at is '" + rest + "', must be six joints in degrees, -360 to 360 each",
+              ""));
+    }
+
+    private static double degrees(String text) {
+      try {
+        return Double.parseDouble(text);
+      } catch (NumberFormatException _) {
+        // outside of the range of joints, as everything else that is none
+        return Double.NaN;
       }
     }
 

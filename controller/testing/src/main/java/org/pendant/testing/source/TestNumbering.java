@@ -79,6 +79,7 @@ final class TestNumbering {
             marks.tags(),
             marks.skip(),
             marks.timeoutS(),
+            marks.startRad(),
             marks.property(),
             marks.golden(),
             watches));

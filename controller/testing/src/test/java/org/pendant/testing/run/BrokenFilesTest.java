@@ -48,8 +48,20 @@ class BrokenFilesTest {
     assertEquals(
         List.of(
             "cell/pick_test.script:1:3: error: @slow is no mark of a test; there are @tag, @skip,"
-                + " @timeout, @case, @given, @example and @golden"),
+                + " @timeout, @start_at, @case, @given, @example and @golden"),
         Suite.of("# @slow", "def test_a():", "  sync()", "end").problems());
+  }
+
+  @Test
+  void aStartThatNoArmCanBeAtIsAMistake() {
+    for (String each : List.of("10, 20", "0, -90, -90, -90, 90, far", "0, 0, 0, 0, 0, 3601")) {
+      assertEquals(
+          List.of(
+              "cell/pick_test.script:1:13: error: @start_at is '"
+                  + each
+                  + "', must be six joints in degrees, -360 to 360 each"),
+          Suite.of("# @start_at " + each, "def test_a():", "  sync()", "end").problems());
+    }
   }
 
   @Test

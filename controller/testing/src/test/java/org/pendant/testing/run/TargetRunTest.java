@@ -99,6 +99,18 @@ class TargetRunTest {
   }
 
   @Test
+  void aTestWhoseArmIsToStandSomewhereAtFirstIsSkipped() throws TargetTrouble {
+    assertEquals(
+        "--target: `@start_at` puts the arm somewhere, which only Pendant's own controller can",
+        only(
+                "# @start_at 0, -90, -90, -90, 90, 0",
+                "def test_it():",
+                "  start(\"pick.script\")",
+                "end")
+            .skipped());
+  }
+
+  @Test
   void whatCannotBeDoneThereIsSkippedByNameBeforeAnythingStarts() throws TargetTrouble {
     BiConsumer<String, String> skips =
         (line, reason) -> {

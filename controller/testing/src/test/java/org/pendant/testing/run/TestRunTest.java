@@ -301,6 +301,55 @@ class TestRunTest {
   }
 
   @Test
+  void anAnswerComesAsLongAfterTheQuestionAsTheOperatorThinks() {
+    TestResult result =
+        Suite.of(
+                "def test_asks():",
+                "  answer(\"How many\", 3, after=0.5)",
+                "  answer(\"Sure\", True)",
+                "  start(\"ask.script\")",
+                "  wait_for_end()",
+                "  assert_near(program_variable(\"thought\"), 0.5)",
+                "  assert_near(program_variable(\"said\"), 0.002)",
+                "end")
+            .with(
+                "cell/ask.script",
+                "def ask():",
+                "  global frames = 0",
+                "  thread count():",
+                "    while True:",
+                "      frames = frames + 1",
+                "      sync()",
+                "    end",
+                "  end",
+                "  run count()",
+                "  from = frames",
+                "  request_integer_from_primary_client(\"How many?\")",
+                "  global thought = (frames - from) * 0.002",
+                "  from = frames",
+                "  request_boolean_from_primary_client(\"Sure?\")",
+                "  global said = (frames - from) * 0.002",
+                "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+  }
+
+  @Test
+  void theArmStandsWhereTheMarkSaysAtFirst() {
+    TestResult result =
+        Suite.of(
+                "# @start_at 10, -80, -90, -90, 90, 0.5",
+                "def test_place():",
+                "  assert_joints_near(get_actual_joint_positions(),"
+                    + " [d2r(10), d2r(-80), d2r(-90), d2r(-90), d2r(90), d2r(0.5)], deg=0.001)",
+                "end")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+  }
+
+  @Test
   void aSafetyStopThatNobodyExpectsMakesTheTestRed() {
     TestResult result =
         Suite.of("def test_stops():", "  start(\"stop.script\")", "  sleep(1)", "end")
