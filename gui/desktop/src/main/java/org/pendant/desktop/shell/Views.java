@@ -9,7 +9,6 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StateFolder;
-import org.pendant.controller.installation.SignalUse;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.BreakpointsView;
 import org.pendant.desktop.debug.CallStackView;
@@ -27,7 +26,6 @@ import org.pendant.desktop.editor.PlacesView;
 import org.pendant.desktop.editor.ProblemsView;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.installation.InstallationView;
-import org.pendant.desktop.installation.SignalNames;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.lines.MotionView;
@@ -159,7 +157,7 @@ final class Views {
         () -> programs.current().isTree() && !editor.component().isShowing() ? program : editor,
         (line, column) -> showSource(programs.current().isTree(), line, column));
     Favourites favourites = new Favourites(workbench.settings());
-    SignalLabels labels = labels(workbench);
+    SignalLabels labels = InstalledLabels.of(workbench, installation);
     PlotView plots = new PlotView(workbench, labels);
     View run =
         new RunView(
@@ -230,26 +228,6 @@ final class Views {
                     past::explanation,
                     () -> strip.about(programs.current(), lineLookedAt())),
                 Side.BOTTOM));
-  }
-
-  /** Names of signals: those of the installation, and of the settings where it has none. */
-  private SignalLabels labels(ShellWorkbench workbench) {
-    SignalLabels labels =
-        SignalLabels.installed(
-            workbench.settings(),
-            signal ->
-                installation.current().signals().stream()
-                    .filter(each -> each.signal().equals(signal))
-                    .map(SignalUse::name)
-                    .findFirst()
-                    .orElse(""),
-            (signal, name) ->
-                SignalNames.rename(installation.current(), session.options().arm(), signal, name)
-                    .ifPresentOrElse(
-                        installation::set,
-                        () -> tell.accept(name + " is the name of another signal too")));
-    installation.addListener(labels::changed);
-    return labels;
   }
 
   /** The line at the moment that people look at, or that of the caret. */
