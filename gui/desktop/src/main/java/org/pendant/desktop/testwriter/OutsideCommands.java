@@ -9,12 +9,12 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.InterpreterCommand;
-import org.pendant.controller.ManualCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.eip.AssemblyCommand;
+import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalWrite;
@@ -66,7 +66,9 @@ final class OutsideCommands {
       case MessageCommand.AnswerQuestion(long number, Answer answer) -> answers.put(number, answer);
       case MessageCommand.ShowPopup show -> shown.add(show.text());
       case ProgramCommand.PauseProgram _ -> pauses.add(frame);
-      case IoCommand.WriteSignals write -> writes(frame, write.writes());
+      case IoCommand.WriteSignals(String writer, var writes)
+          when !writer.equals(InputOwners.BY_HAND) ->
+          writes(frame, writes);
       case RtdeCommand.WriteInputs write -> {
         writes(frame, write.update().writes());
         if (write.update().externalWrench().isPresent()) {
@@ -81,16 +83,10 @@ final class OutsideCommands {
       case WorldCommand.AttachLoad _ -> leave("the load at the flange was changed", frame);
       case WorldCommand _ -> leave("the arm was pushed or pulled", frame);
       case SafetyCommand _ -> leave("power, brakes or safety inputs were switched", frame);
-      case ManualCommand.StartFreedrive _ -> leave("freedrive was used", frame);
-      case ManualCommand.EndFreedrive _ -> {
-        // told with its start
-      }
-      case ManualCommand.SetTool _ -> leave("the TCP was set by hand", frame);
-      case ManualCommand _ -> leave("the arm was moved by hand", frame);
       case DebugCommand.Debug(var request) when request instanceof DebugRequest.Assign ->
           leave("a variable was changed in the debugger", frame);
       default -> {
-        // seen in the snapshots, or without an effect on the run
+        // seen in the snapshots, refused while a program runs, or without an effect on it
       }
     }
   }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.pendant.controller.freedrive.FreedriveHolder;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalWrite;
@@ -30,6 +31,7 @@ public final class RunReader {
   /** A signal that changes more often is not an operator's, and nobody would read the test. */
   private static final int MAX_CHANGES = 100;
 
+  private static final Pattern OUTSIDE = Pattern.compile("\\b(socket_open|rpc_factory)\\s*\\(");
   private static final double REST_RAD_PER_S = 1e-3;
 
   private final long first;
@@ -71,6 +73,13 @@ public final class RunReader {
             .orElseGet(OutsideCommands::unknown);
     ControllerState before = recording.atFrame(first - 1);
     RunReader reader = new RunReader(before, first, commands);
+    if (recording
+        .programOf(first)
+        .filter(each -> OUTSIDE.matcher(each.source().text()).find())
+        .isPresent()) {
+      reader.left.add(
+          "the program speaks to other computers, which listen(...) and rpc_answer(...) play");
+    }
     recording.frames(first, recording.lastFrame(), reader::see);
     return reader.facts(before, recording.lastFrame() - first);
   }
@@ -108,6 +117,7 @@ public final class RunReader {
     left.stream().sorted().forEach(words::add);
     return new OperatedRun(
         start.arm().targetPositionRad(),
+        start.arm().tool().inFlange(),
         start.arm().speedFraction(),
         OutsideSignals.set(start),
         steps,

@@ -10,6 +10,7 @@ import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Answer;
 import org.pendant.language.source.ByteText;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
 
 /** Test pieces: parts of a test as they are written. */
 final class TestPieces {
@@ -179,6 +180,15 @@ final class TestPieces {
       list.append(i == 0 ? "" : ", ").append(RunFrames.number(joints.get(i) * unit, digits));
     }
     return list.toString();
+  }
+
+  /** A pose, as an argument. */
+  static String pose(Pose pose) {
+    StringBuilder list = new StringBuilder("p[");
+    for (int i = 0; i < Pose.SIZE; i++) {
+      list.append(i == 0 ? "" : ", ").append(RunFrames.number(pose.get(i), VALUE_DIGITS));
+    }
+    return list.append("]").toString();
   }
 
   /** A place in mm. */

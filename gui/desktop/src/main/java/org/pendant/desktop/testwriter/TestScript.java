@@ -7,6 +7,7 @@ import java.util.function.UnaryOperator;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.pose.Pose;
 import org.pendant.models.time.FrameTime;
 import org.pendant.testing.run.TestSettings;
 
@@ -146,6 +147,9 @@ public final class TestScript {
       add(
           TestPieces.call(each),
           TestPieces.named(each, names.apply(each.name())) + ", as before the start");
+    }
+    if (!facts.tcpInFlange().equals(Pose.ZERO)) {
+      add("set_tcp(" + TestPieces.pose(facts.tcpInFlange()) + ")", "as before the start");
     }
     if (facts.speedFraction() < 1) {
       add(

@@ -38,7 +38,7 @@ final class TestScriptTest {
 
   private static String script(RunEnd end, RunStep... steps) {
     return TestScript.of(
-        new OperatedRun(BoxSetup.START_RAD, 1, List.of(), List.of(steps), end, List.of()),
+        new OperatedRun(BoxSetup.START_RAD, Pose.ZERO, 1, List.of(), List.of(steps), end, List.of()),
         "pick-2",
         "pick.script",
         signal -> signal.equals("digital_out[1]") ? "gripper" : "");
@@ -110,6 +110,7 @@ final class TestScriptTest {
         TestScript.of(
             new OperatedRun(
                 new Joints(0, -1.5, 0, 0, 0, 0),
+                new Pose(0, 0, 0.125, 0, 0, 1),
                 0.25,
                 List.of(new SignalWrite.Digital(output(1), true)),
                 List.of(),
@@ -129,6 +130,7 @@ final class TestScriptTest {
             # @start_at 0, -85.9437, 0, 0, 0, 0
             def test_pick():
               set_standard_digital_out(1, True)  # DO1, as before the start
+              set_tcp(p[0, 0, 0.125, 0, 0, 1])  # as before the start
               set_speed_slider(0.25)  # as before the start
               start("sub/pick.pendant")
               wait_for_end(within=6)  # at 4 s

@@ -7,9 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.ManualCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.MessageCommand;
+import org.pendant.controller.box.ToolCentre;
 import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
@@ -19,6 +21,7 @@ import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.message.Answer;
+import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestResult;
@@ -95,6 +98,30 @@ final class WrittenTestTest {
     String test = passes(run, run.facts());
 
     assertTrue(test.contains("# @start_at 85.943"), test);
+  }
+
+  @Test
+  void theTcpIsThatOfTheRun() {
+    PlayedRun run =
+        new PlayedRun()
+            .ask(new ManualCommand.SetTool(new ToolCentre(new Pose(0, 0, 0.2, 0, 0, 0), "grip")))
+            .frames(10)
+            .start("  movel(pose_trans(get_actual_tcp_pose(), p[0, 0, 0.05, 0.3, 0, 0]), v=0.1)")
+            .toEnd();
+
+    String test = passes(run, run.facts());
+
+    assertTrue(test.contains("set_tcp(p[0, 0, 0.2, 0, 0, 0])  # as before the start"), test);
+  }
+
+  @Test
+  void aProgramThatSpeaksToOthersNeedsThemPlayed() {
+    PlayedRun run = new PlayedRun().start("  socket_open(\"camera\", 5000)").toEnd();
+
+    assertEquals(
+        List.of(
+            "the program speaks to other computers, which listen(...) and rpc_answer(...) play"),
+        run.facts().left());
   }
 
   @Test
