@@ -197,8 +197,11 @@ public final class ProgramDocument {
     return Source.of(sourceName(), text.getBytes(charset));
   }
 
-  /** Beside the tree that it is generated from, for what it reads from its folder. */
-  private String sourceName() {
+  /**
+   * What {@link #source} is called; beside the tree that it is generated from, for what it reads
+   * from its folder.
+   */
+  public String sourceName() {
     return tree.map(ProgramDocument::sourceName)
         .map(ProgramDocument::scriptName)
         .orElseGet(() -> file().map(Path::toString).orElse(untitledName));

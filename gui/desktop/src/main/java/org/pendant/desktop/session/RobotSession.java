@@ -28,6 +28,7 @@ import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.Recording;
 import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.lines.RunProfile;
+import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.recording.whatif.Variant;
@@ -116,6 +117,11 @@ public final class RobotSession implements AutoCloseable {
     return program.secondary()
         ? submit(new ProgramCommand.RunSecondary(program, folder))
         : origin.expect(() -> submit(new ProgramCommand.StartProgram(program, folder)));
+  }
+
+  /** The commands that came into force after the end of a frame, as far as they are kept. */
+  public List<Journal.Noted> commandsAfter(long frame) {
+    return driven.journal().after(frame);
   }
 
   /** How many programs have started that {@link #run} did not start: others have sent them. */

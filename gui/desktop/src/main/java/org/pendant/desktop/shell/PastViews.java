@@ -152,6 +152,11 @@ final class PastViews {
     workbench.show(MotionView.ID);
   }
 
+  /** What the timeline shows. */
+  Recording recording() {
+    return lookBack.recording();
+  }
+
   /** Stands above the views. */
   PastBanner banner() {
     return banner;

@@ -189,6 +189,7 @@ final class Views {
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     tests = new TestsView(workbench, programs, editor, installation, runner::startsElsewhere);
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
+    RunAsTest.addTo(workbench, programs, past, tests, labels::ofSignal);
     ClientsView clients = new ClientsView(workbench, desktopPorts, past::show);
     past.timeline().markClients(clients::marks, clients::showMessage);
     WhatIfView whatIf =

@@ -5,11 +5,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -178,7 +178,7 @@ final class TestsPresenter {
     if (of.all()) {
       files = List.copyOf(found);
     } else {
-      Map<String, FoundFile> byName = new LinkedHashMap<>();
+      Map<String, FoundFile> byName = new TreeMap<>();
       files.forEach(each -> byName.put(each.name(), each));
       found.forEach(each -> byName.put(each.name(), each));
       files = List.copyOf(byName.values());

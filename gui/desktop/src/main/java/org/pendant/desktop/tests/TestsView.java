@@ -10,9 +10,12 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.function.BiConsumer;
+import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -78,11 +81,15 @@ public final class TestsView implements View {
           "debug",
           "Debug",
           "Runs the selected test in the window, where breakpoints stop it (Ctrl+Shift+Enter)");
+  private final JButton write = button("from-run", "From last run\u2026", "");
   private final JButton stop = button("stop", "Stop", "Ends the tests that run; no more begins");
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
   private long shown = -1;
+  private Supplier<String> whyNotWrite = () -> "";
+  private Optional<TestId> toRun = Optional.empty();
+  private Optional<TestId> toChoose = Optional.empty();
   private Optional<TestCase> debugged = Optional.empty();
   private boolean ran;
   private boolean arranged;
@@ -128,6 +135,53 @@ public final class TestsView implements View {
     show();
   }
 
+  /**
+   * Has a button write a test from the last run.
+   *
+   * @param whyNot why that cannot be done now; empty if it can
+   */
+  public void writeTestBy(Supplier<String> whyNot, Runnable written) {
+    whyNotWrite = whyNot;
+    write.addActionListener(event -> written.run());
+    showWrite();
+  }
+
+  private void showWrite() {
+    String why = whyNotWrite.get();
+    write.setEnabled(why.isEmpty());
+    write.setToolTipText(why.isEmpty() ? "Writes a test that repeats the last run" : why);
+  }
+
+  /**
+   * Shows a test that has just been written and runs it, where its file belongs to those that the
+   * panel shows.
+   */
+  public void showNew(Path file, String function) {
+    Optional<Path> where = presenter.setup().map(each -> Path.of(each.files().folder()));
+    Path absolute = file.toAbsolutePath().normalize();
+    toRun =
+        where
+            .filter(absolute::startsWith)
+            .map(each -> each.relativize(absolute).toString().replace('\\', '/'))
+            .map(name -> new TestId(name, function, ""));
+    toRun.ifPresent(_ -> workbench.show(ID));
+  }
+
+  /** Runs what was just written as soon as nothing else runs, and selects it when it is there. */
+  private void followNew() {
+    if (toRun.isPresent() && !presenter.running() && !presenter.looking()) {
+      presenter.run(Set.copyOf(toRun.stream().toList()));
+      toChoose = toRun;
+      toRun = Optional.empty();
+    }
+    if (toChoose.isPresent()
+        && presenter.files().stream().anyMatch(file -> file.name().equals(toChoose.get().file()))) {
+      show();
+      toChoose.ifPresent(tree::choose);
+      toChoose = Optional.empty();
+    }
+  }
+
   private boolean covers() {
     return TestCommands.covers(workbench.settings());
   }
@@ -153,6 +207,7 @@ public final class TestsView implements View {
     bar.add(runAll);
     bar.add(runSelected);
     bar.add(debug);
+    bar.add(write);
     bar.add(stop);
     bar.add(coverage);
     bar.add(summary);
@@ -362,6 +417,8 @@ public final class TestsView implements View {
     if (folder.changed(presenter.folder(), presenter.running())) {
       presenter.look();
     }
+    showWrite();
+    followNew();
     if (shown != presenter.changes() || !debugged.equals(commands.debugging())) {
       show();
     }

@@ -50,6 +50,7 @@ public final class TimelineView implements View {
   public static final String ID = "timeline";
 
   private static final String OPEN = "Open recording\u2026";
+  private static final String SAVE = "Save as a test\u2026";
   private static final String BRANCH = "Branch from here\u2026";
   private static final int THOUSAND = 1000;
 
@@ -62,8 +63,10 @@ public final class TimelineView implements View {
   private final JPanel head = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
   private final JButton live = button("live", "Live", "Back to what the robot does now (Esc)");
+  private final JButton save = button("save-test", SAVE, "");
   private final JButton branchButton = button("branch", BRANCH, "");
   private final JLabel question = new JLabel();
+  private Supplier<String> whyNotSave = () -> "";
   private final JButton yes = button("branch-yes", "Branch", "Continues from that moment");
   private final JProgressBar progress = new JProgressBar(0, THOUSAND);
 
@@ -114,6 +117,23 @@ public final class TimelineView implements View {
    */
   public void markClients(Supplier<List<ClientMark>> marks, LongConsumer wanted) {
     canvas.markClients(marks, wanted);
+  }
+
+  /**
+   * Has a button write a test from the last run.
+   *
+   * @param whyNot why that cannot be done now; empty if it can
+   */
+  public void saveTestBy(Supplier<String> whyNot, Runnable write) {
+    whyNotSave = whyNot;
+    save.addActionListener(event -> write.run());
+    showSave();
+  }
+
+  private void showSave() {
+    String why = whyNotSave.get();
+    save.setEnabled(why.isEmpty());
+    save.setToolTipText(why.isEmpty() ? "Writes a test that repeats the last run" : why);
   }
 
   private record SessionBranches(RobotSession session) implements BranchControl.Branches {
@@ -168,6 +188,7 @@ public final class TimelineView implements View {
     bar.add(all);
     bar.add(branchButton);
     bar.add(export);
+    bar.add(save);
     bar.add(open);
     Squeeze squeeze =
         new Squeeze(
@@ -175,8 +196,10 @@ public final class TimelineView implements View {
             List.of(
                 whole -> open.setText(whole ? OPEN : "Open\u2026"),
                 whole -> branchButton.setText(whole ? BRANCH : "Branch\u2026"),
+                whole -> save.setText(whole ? SAVE : "Test\u2026"),
                 open::setVisible,
                 export::setVisible,
+                save::setVisible,
                 all::setVisible));
     // its words change
     live.addPropertyChangeListener(AbstractButton.TEXT_CHANGED_PROPERTY, e -> squeeze.fitLater());
@@ -359,6 +382,7 @@ public final class TimelineView implements View {
 
   @Override
   public void refresh(ControllerState state) {
+    showSave();
     branch.progress().ifPresent(share -> progress.setValue((int) (THOUSAND * share)));
     // a file does not say whether the programs in it had one
     boolean startRamp = !lookBack.ofFile() && workbench.session().options().startRamp();

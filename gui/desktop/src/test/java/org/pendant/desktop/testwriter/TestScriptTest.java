@@ -38,7 +38,8 @@ final class TestScriptTest {
 
   private static String script(RunEnd end, RunStep... steps) {
     return TestScript.of(
-        new OperatedRun(BoxSetup.START_RAD, Pose.ZERO, 1, List.of(), List.of(steps), end, List.of()),
+        new OperatedRun(
+            BoxSetup.START_RAD, Pose.ZERO, 1, List.of(), List.of(steps), end, List.of()),
         "pick-2",
         "pick.script",
         signal -> signal.equals("digital_out[1]") ? "gripper" : "");
