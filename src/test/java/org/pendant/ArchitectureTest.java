@@ -80,6 +80,8 @@ final class ArchitectureTest {
           .definedBy("org.pendant.junit..")
           .layer("protocols")
           .definedBy("org.pendant.protocols..")
+          .layer("editors")
+          .definedBy("org.pendant.editors..")
           .layer("kit")
           .definedBy("org.pendant.kit..")
           .layer("command")
@@ -92,25 +94,52 @@ final class ArchitectureTest {
           .mayOnlyBeAccessedByLayers("desktop")
           .whereLayer("command")
           .mayOnlyBeAccessedByLayers("desktop")
+          .whereLayer("editors")
+          .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("protocols")
           .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("recording")
-          .mayOnlyBeAccessedByLayers("junit", "command", "desktop")
+          .mayOnlyBeAccessedByLayers("junit", "editors", "command", "desktop")
           .whereLayer("junit")
           .mayNotBeAccessedByAnyLayer()
           .whereLayer("testing")
-          .mayOnlyBeAccessedByLayers("command", "desktop")
+          .mayOnlyBeAccessedByLayers("editors", "command", "desktop")
           .whereLayer("project")
-          .mayOnlyBeAccessedByLayers("testing", "junit", "protocols", "command", "desktop")
+          .mayOnlyBeAccessedByLayers(
+              "testing", "junit", "protocols", "editors", "command", "desktop")
           .whereLayer("core")
           .mayOnlyBeAccessedByLayers(
-              "recording", "project", "testing", "junit", "protocols", "command", "kit", "desktop")
+              "recording",
+              "project",
+              "testing",
+              "junit",
+              "protocols",
+              "editors",
+              "command",
+              "kit",
+              "desktop")
           .whereLayer("script")
           .mayOnlyBeAccessedByLayers(
-              "core", "recording", "project", "testing", "junit", "protocols", "command", "desktop")
+              "core",
+              "recording",
+              "project",
+              "testing",
+              "junit",
+              "protocols",
+              "editors",
+              "command",
+              "desktop")
           .whereLayer("motion")
           .mayOnlyBeAccessedByLayers(
-              "core", "recording", "project", "testing", "junit", "protocols", "command", "desktop")
+              "core",
+              "recording",
+              "project",
+              "testing",
+              "junit",
+              "protocols",
+              "editors",
+              "command",
+              "desktop")
           .whereLayer("language")
           .mayOnlyBeAccessedByLayers(
               "script",
@@ -120,6 +149,7 @@ final class ArchitectureTest {
               "testing",
               "junit",
               "protocols",
+              "editors",
               "command",
               "desktop")
           .whereLayer("models")
@@ -132,6 +162,7 @@ final class ArchitectureTest {
               "testing",
               "junit",
               "protocols",
+              "editors",
               "command",
               "desktop")
           .ensureAllClassesAreContainedInArchitecture();
