@@ -1,5 +1,7 @@
 package org.pendant.command;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
@@ -38,6 +40,7 @@ public final class Pendant {
             new RenderCommand(services),
             new ServeCommand(),
             new RpcCommand(System.in),
+            new LspCommand(System.in, new FileOutputStream(FileDescriptor.out)),
             new RecordCommand(),
             new CompareCommand(),
             new FitCommand(),

@@ -164,6 +164,36 @@ public final class ScriptAnalysis {
     return StatementLines.of(parsed.script()).enclosing(line);
   }
 
+  /** Every place where a name stands, in the order of the text. */
+  public List<Occurrence> occurrences() {
+    return index.all();
+  }
+
+  /** Every call of a function or method and every start of a thread, in the order of the text. */
+  public List<CallSite> calls() {
+    return CallSites.of(this, parsed.script());
+  }
+
+  /** The poses that are written as six numbers, in the order of the text. */
+  public List<WrittenPose> poses() {
+    return WrittenPoses.of(parsed.script());
+  }
+
+  /**
+   * The words of the block whose word is at {@code offset}: {@code if}, {@code elif}, {@code else}
+   * and {@code end}, or {@code def} and {@code end}; none at any other place.
+   */
+  public List<SourceRange> blockWords(int offset) {
+    return BlockWords.at(lexemes, within(offset));
+  }
+
+  /** What stands around {@code offset}, from the word there to the whole text, each in the next. */
+  public List<SourceRange> enclosing(int offset) {
+    int word = lexemes.at(within(offset));
+    List<SourceRange> inner = word < 0 ? List.of() : List.of(lexemes.get(word).range());
+    return Enclosing.of(parsed.script(), offset, inner);
+  }
+
   Lexemes lexemes() {
     return lexemes;
   }

@@ -1,0 +1,86 @@
+package org.pendant.editors.lsp.provider;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.language.signature.Catalogue;
+import org.pendant.language.signature.Parameter;
+import org.pendant.language.signature.Signature;
+import org.pendant.language.signature.Unit;
+
+/** Explanations: what is known about a function or a name, as text in two forms. */
+final class Explanations {
+  private Explanations() {}
+
+  /**
+   * One explanation.
+   *
+   * @param head one line of code; may be empty
+   * @param lines sentences
+   */
+  record Text(String head, List<String> lines) {
+    Text {
+      lines = List.copyOf(lines);
+    }
+
+    String plain() {
+      List<String> all = new ArrayList<>();
+      if (!head.isEmpty()) {
+        all.add(head);
+      }
+      all.addAll(lines);
+      return String.join("\n", all);
+    }
+
+    String markdown() {
+      String code = head.isEmpty() ? "" : "```urscript\n" + head.replace("```", "") + "\n```\n";
+      List<String> escaped = lines.stream().map(Explanations::escaped).toList();
+      return (code + String.join("  \n", escaped)).stripTrailing();
+    }
+  }
+
+  /** The function or method called {@code name}. */
+  static Optional<Text> named(Catalogue catalogue, String name) {
+    return catalogue
+        .function(name)
+        .or(() -> catalogue.all().stream().filter(each -> each.name().equals(name)).findFirst())
+        .map(Explanations::of);
+  }
+
+  static Text of(Signature signature) {
+    List<String> lines = new ArrayList<>();
+    if (!signature.documentation().isEmpty()) {
+      lines.add(signature.documentation());
+    }
+    signature.parameters().forEach(each -> lines.add(described(each)));
+    if (!signature.deprecated().isEmpty()) {
+      lines.add("Deprecated: use " + signature.deprecated() + ".");
+    }
+    if (!signature.section().isEmpty()) {
+      lines.add("Manual " + signature.section());
+    }
+    return new Text(signature.head(), lines);
+  }
+
+  /** One line about a parameter: {@code v: number in rad/s, default 1.05}. */
+  static String described(Parameter parameter) {
+    return parameter.name()
+        + ": "
+        + parameter.type().text()
+        + (parameter.unit() == Unit.NONE ? "" : " in " + parameter.unit().symbol())
+        + (parameter.required() ? "" : ", default " + parameter.defaultText());
+  }
+
+  private static String escaped(String line) {
+    StringBuilder escaped = new StringBuilder(line.length() + 8);
+    line.chars()
+        .forEach(
+            each -> {
+              if ("\\`*_{}[]<>#|".indexOf(each) >= 0) {
+                escaped.append('\\');
+              }
+              escaped.append((char) each);
+            });
+    return escaped.toString();
+  }
+}

@@ -1,0 +1,134 @@
+package org.pendant.editors.lsp.text;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.eclipse.lsp4j.Position;
+import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
+import org.eclipse.lsp4j.TextEdit;
+import org.pendant.language.service.ScriptAnalysis;
+import org.pendant.language.signature.Catalogue;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
+
+/**
+ * Document: one version of a text, which never changes. It is analysed when something about it is
+ * asked for the first time, by whichever thread asks.
+ */
+public final class Document {
+  /** The most bytes of a text. */
+  public static final int MAX_BYTES = 16 << 20;
+
+  private final String uri;
+  private final int version;
+  private final Source source;
+  private final Catalogue catalogue;
+  private final TextPositions positions;
+  private ScriptAnalysis analysis;
+
+  private Document(
+      String uri, int version, Source source, Catalogue catalogue, PositionEncoding encoding) {
+    this.uri = uri;
+    this.version = version;
+    this.source = source;
+    this.catalogue = catalogue;
+    positions = new TextPositions(source.text(), encoding);
+  }
+
+  /**
+   * A document with the text of a client.
+   *
+   * @param catalogue the functions that it may call
+   * @throws IllegalArgumentException if the text is too long
+   */
+  public static Document of(
+      String uri, int version, String text, Catalogue catalogue, PositionEncoding encoding) {
+    return of(uri, version, text.getBytes(StandardCharsets.UTF_8), catalogue, encoding);
+  }
+
+  /** As the other, with the bytes of a file. */
+  public static Document of(
+      String uri, int version, byte[] bytes, Catalogue catalogue, PositionEncoding encoding) {
+    refuseLong(uri, bytes.length);
+    return new Document(uri, version, Source.of(UriPath.fileName(uri), bytes), catalogue, encoding);
+  }
+
+  private static void refuseLong(String uri, long bytes) {
+    if (bytes > MAX_BYTES) {
+      throw new IllegalArgumentException(
+          uri + " has " + bytes + " bytes, the most is " + MAX_BYTES);
+    }
+  }
+
+  /**
+   * The next version.
+   *
+   * @param changes one after the other, each of the text that the one before has left
+   * @throws IllegalArgumentException if it gets too long
+   */
+  public Document changed(
+      int newVersion, List<TextDocumentContentChangeEvent> changes, PositionEncoding encoding) {
+    Document changed = this;
+    for (TextDocumentContentChangeEvent change : changes) {
+      changed = changed.with(newVersion, change, encoding);
+    }
+    return changed;
+  }
+
+  private Document with(
+      int newVersion, TextDocumentContentChangeEvent change, PositionEncoding encoding) {
+    String inserted = ByteText.asBytes(change.getText());
+    String before = source.text();
+    SourceRange range =
+        change.getRange() == null
+            ? new SourceRange(0, before.length())
+            : positions.range(change.getRange());
+    refuseLong(uri, (long) before.length() - (range.end() - range.start()) + inserted.length());
+    String after = before.substring(0, range.start()) + inserted + before.substring(range.end());
+    Source changed = Source.of(source.name(), after.getBytes(StandardCharsets.ISO_8859_1));
+    return new Document(uri, newVersion, changed, catalogue, encoding);
+  }
+
+  public String uri() {
+    return uri;
+  }
+
+  /** Counts the changes that the client has made; 0 for a text from the disk. */
+  public int version() {
+    return version;
+  }
+
+  public Source source() {
+    return source;
+  }
+
+  public TextPositions positions() {
+    return positions;
+  }
+
+  /** What the language says of it. */
+  public synchronized ScriptAnalysis analysis() {
+    if (analysis == null) {
+      analysis = ScriptAnalysis.of(source, catalogue);
+    }
+    return analysis;
+  }
+
+  public int offset(Position position) {
+    return positions.offset(position);
+  }
+
+  public Range range(SourceRange range) {
+    return positions.range(range);
+  }
+
+  /** An edit as the protocol has it. */
+  public TextEdit edit(org.pendant.language.service.TextEdit edit) {
+    return new TextEdit(range(edit.range()), ByteText.decoded(edit.text()));
+  }
+
+  public List<TextEdit> edits(List<org.pendant.language.service.TextEdit> edits) {
+    return edits.stream().map(this::edit).toList();
+  }
+}

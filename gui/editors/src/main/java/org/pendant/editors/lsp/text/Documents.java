@@ -1,0 +1,85 @@
+package org.pendant.editors.lsp.text;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
+import org.pendant.language.signature.Catalogue;
+
+/** Documents: the newest version of each text that the client has open; for any thread. */
+public final class Documents {
+  /** The most texts that may be open. */
+  public static final int MAX_OPEN = 5000;
+
+  private final Catalogues catalogues;
+  private final Map<String, Document> open = new ConcurrentHashMap<>();
+  private volatile PositionEncoding encoding = PositionEncoding.UTF16;
+
+  public Documents(Catalogues catalogues) {
+    this.catalogues = catalogues;
+  }
+
+  /** Takes positions in {@code chosen} units from now on. */
+  public void countIn(PositionEncoding chosen) {
+    encoding = chosen;
+  }
+
+  /**
+   * The client has opened a text.
+   *
+   * @throws IllegalArgumentException if it is too long, or too many are open
+   */
+  public Document open(String uri, int version, String text) {
+    if (open.size() >= MAX_OPEN && !open.containsKey(uri)) {
+      throw new IllegalArgumentException(
+          uri + " is not opened, " + MAX_OPEN + " texts are open already");
+    }
+    Document document = Document.of(uri, version, text, catalogue(uri), encoding);
+    open.put(uri, document);
+    return document;
+  }
+
+  /** A text of the disk, which is not kept. */
+  public Document ofDisk(String uri, byte[] bytes) {
+    return Document.of(uri, 0, bytes, catalogue(uri), encoding);
+  }
+
+  /**
+   * The client has changed a text that it has open.
+   *
+   * @throws IllegalArgumentException if it is not open, or gets too long
+   */
+  public Document change(String uri, int version, List<TextDocumentContentChangeEvent> changes) {
+    Document changed = get(uri).changed(version, changes, encoding);
+    open.put(uri, changed);
+    return changed;
+  }
+
+  public void close(String uri) {
+    open.remove(uri);
+  }
+
+  public Optional<Document> find(String uri) {
+    return Optional.ofNullable(open.get(uri));
+  }
+
+  /**
+   * The newest version of {@code uri}.
+   *
+   * @throws IllegalArgumentException if it is not open
+   */
+  public Document get(String uri) {
+    return find(uri)
+        .orElseThrow(() -> new IllegalArgumentException(uri + " is not open, open it first"));
+  }
+
+  public Collection<Document> all() {
+    return open.values();
+  }
+
+  private Catalogue catalogue(String uri) {
+    return catalogues.of(UriPath.fileName(uri));
+  }
+}

@@ -1,0 +1,32 @@
+package org.pendant.editors.lsp.text;
+
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.FileSystemNotFoundException;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** URI path: the files that the addresses of a client name. */
+public final class UriPath {
+  private UriPath() {}
+
+  /** The file that {@code uri} names; empty for what is no file. */
+  public static Optional<Path> path(String uri) {
+    try {
+      URI parsed = new URI(uri);
+      return "file".equalsIgnoreCase(parsed.getScheme())
+          ? Optional.of(Path.of(parsed))
+          : Optional.empty();
+    } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** The name to show for {@code uri}: its last part. */
+  public static String fileName(String uri) {
+    return path(uri)
+        .map(Path::getFileName)
+        .map(Path::toString)
+        .orElseGet(() -> uri.substring(uri.lastIndexOf('/') + 1));
+  }
+}
