@@ -1,0 +1,40 @@
+/** Debug configurations, without VS Code: what is filled in, and what is missing. */
+
+/** What people have written, or an object without anything where there is no launch.json. */
+export type Written = { readonly [name: string]: unknown };
+
+export type Completed =
+  | { readonly ok: true; readonly configuration: Written & { type: string; request: string; name: string } }
+  | { readonly ok: false; readonly why: string };
+
+const PROGRAMS = /\.(script|urscript|pendant|urp|urpx)$/i;
+
+/** Whether a file by this name can be run. */
+export function isProgram(file: string): boolean {
+  return PROGRAMS.test(file);
+}
+
+/**
+ * Fills in what is missing.
+ *
+ * @param open the file of the editor, if there is one on the disk
+ */
+export function complete(written: Written, open: string | undefined): Completed {
+  const request = text(written['request']) ?? 'launch';
+  const type = text(written['type']) ?? 'pendant';
+  if (request !== 'launch') {
+    return { ok: true, configuration: { ...written, type, request, name: text(written['name']) ?? 'Attach' } };
+  }
+  const program = text(written['program']) ?? (open !== undefined && isProgram(open) ? open : undefined);
+  if (program === undefined) {
+    return {
+      ok: false,
+      why: 'There is no program to debug: open a script, or say which one by "program" in launch.json.',
+    };
+  }
+  return { ok: true, configuration: { ...written, type, request, program, name: text(written['name']) ?? 'Debug' } };
+}
+
+function text(value: unknown): string | undefined {
+  return typeof value === 'string' && value !== '' ? value : undefined;
+}

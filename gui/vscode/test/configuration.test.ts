@@ -1,0 +1,38 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { complete, isProgram } from '../src/debug/configuration';
+
+test('without a launch.json the open program is debugged', () => {
+  assert.deepEqual(complete({}, '/cell/pick.script'), {
+    ok: true,
+    configuration: { type: 'pendant', request: 'launch', name: 'Debug', program: '/cell/pick.script' },
+  });
+});
+
+test('what is written stays', () => {
+  const written = { type: 'pendant', request: 'launch', name: 'Mine', program: 'a.script', robot: 'ur10e' };
+  assert.deepEqual(complete(written, '/cell/pick.script'), { ok: true, configuration: written });
+});
+
+test('a file that is no program is not debugged', () => {
+  const completed = complete({}, '/cell/notes.txt');
+  assert.ok(!completed.ok);
+  assert.match(completed.why, /no program/);
+});
+
+test('attach needs no program', () => {
+  const completed = complete({ type: 'pendant', request: 'attach', name: 'There', port: 5 }, undefined);
+  assert.deepEqual(completed.ok && completed.configuration, {
+    type: 'pendant',
+    request: 'attach',
+    name: 'There',
+    port: 5,
+  });
+});
+
+test('scripts and trees are programs', () => {
+  for (const file of ['a.script', 'A.SCRIPT', 'a.urscript', 'a.pendant', 'a.urp']) {
+    assert.ok(isProgram(file), file);
+  }
+  assert.ok(!isProgram('a.installation'));
+});
