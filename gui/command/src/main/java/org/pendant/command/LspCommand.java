@@ -10,6 +10,7 @@ import java.util.OptionalInt;
 import org.pendant.command.service.Version;
 import org.pendant.editors.lsp.LanguageServerConnection;
 import org.pendant.editors.wire.LoopbackListener;
+import org.pendant.editors.wire.ProtocolLog;
 
 /** Command {@code pendant lsp}: the language server, for editors. */
 final class LspCommand implements Subcommand {
@@ -57,7 +58,7 @@ final class LspCommand implements Subcommand {
       throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
     }
     OptionalInt port = arguments.whole(PORT);
-    try {
+    try (ProtocolLog _ = new ProtocolLog(line -> console.complain("pendant lsp: " + line))) {
       if (port.isPresent()) {
         return listen(port.getAsInt(), console);
       }

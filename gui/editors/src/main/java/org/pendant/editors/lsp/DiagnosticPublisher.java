@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
-import org.pendant.editors.lsp.provider.DiagnosticAnswers;
 import org.pendant.editors.lsp.text.Document;
 
 /**
@@ -16,14 +15,27 @@ final class DiagnosticPublisher {
   private static final long QUIET_MS = 30;
 
   private final ServerSession session;
+  private final DiagnosticReports reports;
   private final Map<String, Document> waiting = new ConcurrentHashMap<>();
 
-  DiagnosticPublisher(ServerSession session) {
+  DiagnosticPublisher(ServerSession session, DiagnosticReports reports) {
     this.session = session;
+    this.reports = reports;
   }
 
   void opened(Document document) {
     publish(document, 0);
+  }
+
+  /** More is known of {@code document} than before. */
+  void learned(Document document) {
+    if (session.features().pullsDiagnostics()) {
+      if (session.features().refreshesDiagnostics()) {
+        var _ = session.client().refreshDiagnostics();
+      }
+    } else if (session.documents().find(document.uri()).filter(document::equals).isPresent()) {
+      publish(document, 0);
+    }
   }
 
   void changed(Document document) {
@@ -50,7 +62,7 @@ final class DiagnosticPublisher {
                 .client()
                 .publishDiagnostics(
                     new PublishDiagnosticsParams(
-                        document.uri(), DiagnosticAnswers.of(document), document.version()));
+                        document.uri(), reports.of(document), document.version()));
           }
         },
         delayMs);

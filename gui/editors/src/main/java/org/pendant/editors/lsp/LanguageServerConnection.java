@@ -2,6 +2,7 @@ package org.pendant.editors.lsp;
 
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutionException;
@@ -45,8 +46,9 @@ public final class LanguageServerConnection {
     try (ScriptLanguageServer server = new ScriptLanguageServer(version, faults)) {
       Launcher<LanguageClient> launcher =
           new Launcher.Builder<LanguageClient>()
-              .setLocalService(server)
+              .setLocalServices(List.of(server, server.robotRequests()))
               .setRemoteInterface(LanguageClient.class)
+              .setClassLoader(LanguageClient.class.getClassLoader())
               .setInput(new CheckedFrames(input, complaints))
               .setOutput(output)
               .setExecutorService(reader)
@@ -74,6 +76,9 @@ public final class LanguageServerConnection {
       case ResponseErrorException refused -> refused.getResponseError();
       case CancellationException _ ->
           new ResponseError(ResponseErrorCode.RequestCancelled, "cancelled", null);
+      // What the server says that it cannot do, and an editor asks for all the same.
+      case UnsupportedOperationException _ ->
+          new ResponseError(ResponseErrorCode.MethodNotFound, "not supported", null);
       default -> {
         faults.accept(cause);
         yield new ResponseError(ResponseErrorCode.InternalError, "internal error: " + cause, null);

@@ -48,7 +48,7 @@ public final class ScriptLanguageServer
     this.version = version;
     session = new ServerSession(faults);
     files = new WorkspaceFiles(session.documents());
-    texts = new TextRequests(session, new DiagnosticReports());
+    texts = new TextRequests(session);
     workspace = new WorkspaceRequests(session, files, this::askForSettings);
   }
 
@@ -128,6 +128,11 @@ public final class ScriptLanguageServer
     return ended;
   }
 
+  /** What the protocol has no word for: another service of the same connection. */
+  public RobotRequests robotRequests() {
+    return new RobotRequests(session, texts.dryRuns());
+  }
+
   @Override
   public TextDocumentService getTextDocumentService() {
     return texts;
@@ -150,6 +155,7 @@ public final class ScriptLanguageServer
 
   @Override
   public void close() {
+    texts.dryRuns().close();
     session.close();
   }
 }

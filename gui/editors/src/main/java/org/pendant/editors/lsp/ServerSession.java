@@ -2,6 +2,7 @@ package org.pendant.editors.lsp;
 
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
@@ -127,20 +128,23 @@ final class ServerSession implements AutoCloseable {
     }
   }
 
+  /** Has {@code work} done by {@code executor}; a fault in it is told. */
+  void execute(Executor executor, Runnable work) {
+    executor.execute(() -> run(work));
+  }
+
+  private void run(Runnable work) {
+    try {
+      work.run();
+    } catch (RuntimeException | StackOverflowError e) {
+      faults.accept(e);
+    }
+  }
+
   /** Has {@code work} done in {@code delayMs} milliseconds; a fault in it is told. */
   void later(Runnable work, long delayMs) {
     // The work tells its faults itself.
-    var _ =
-        background.schedule(
-            () -> {
-              try {
-                work.run();
-              } catch (RuntimeException | StackOverflowError e) {
-                faults.accept(e);
-              }
-            },
-            delayMs,
-            TimeUnit.MILLISECONDS);
+    var _ = background.schedule(() -> run(work), delayMs, TimeUnit.MILLISECONDS);
   }
 
   @Override

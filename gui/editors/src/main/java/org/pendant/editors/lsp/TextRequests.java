@@ -64,11 +64,14 @@ import org.eclipse.lsp4j.WorkspaceEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.jsonrpc.messages.Either3;
 import org.eclipse.lsp4j.services.TextDocumentService;
+import org.pendant.editors.lsp.ServerSettings.DryRunTime;
 import org.pendant.editors.lsp.provider.CallHierarchies;
 import org.pendant.editors.lsp.provider.CodeActions;
 import org.pendant.editors.lsp.provider.CodeLenses;
 import org.pendant.editors.lsp.provider.Completions;
+import org.pendant.editors.lsp.provider.DryRunAnswers;
 import org.pendant.editors.lsp.provider.Formatting;
+import org.pendant.editors.lsp.provider.HintSettings;
 import org.pendant.editors.lsp.provider.Hovers;
 import org.pendant.editors.lsp.provider.InlayHints;
 import org.pendant.editors.lsp.provider.Names;
@@ -84,15 +87,35 @@ import org.pendant.editors.lsp.text.Document;
  * the version of the text that the client had when it asked.
  */
 final class TextRequests implements TextDocumentService {
+  /** Time without a change after which a text runs dry, where that is wanted. */
+  private static final long QUIET_MS = 1000;
+
   private final ServerSession session;
+  private final DryRuns dryRuns;
   private final DiagnosticPublisher publisher;
   private final DiagnosticReports reports;
   private final TokenMemory tokens = new TokenMemory();
 
-  TextRequests(ServerSession session, DiagnosticReports reports) {
+  TextRequests(ServerSession session) {
     this.session = session;
-    this.reports = reports;
-    publisher = new DiagnosticPublisher(session);
+    dryRuns = new DryRuns(session, this::dryRunOver);
+    reports = new DiagnosticReports(dryRuns);
+    publisher = new DiagnosticPublisher(session, reports);
+  }
+
+  /** The runs of the texts. */
+  DryRuns dryRuns() {
+    return dryRuns;
+  }
+
+  private void dryRunOver(Document document) {
+    publisher.learned(document);
+    if (session.features().refreshesLenses()) {
+      var _ = session.client().refreshCodeLenses();
+    }
+    if (session.features().refreshesHints()) {
+      var _ = session.client().refreshInlayHints();
+    }
   }
 
   /** Has {@code answer} given about the newest version of {@code asked}. */
@@ -114,22 +137,32 @@ final class TextRequests implements TextDocumentService {
   public void didOpen(DidOpenTextDocumentParams opened) {
     TextDocumentItem item = opened.getTextDocument();
     session.attempt(
-        () ->
-            publisher.opened(
-                session.documents().open(item.getUri(), item.getVersion(), item.getText())));
+        () -> {
+          Document document =
+              session.documents().open(item.getUri(), item.getVersion(), item.getText());
+          publisher.opened(document);
+          if (session.settings().dryRun() != DryRunTime.OFF) {
+            dryRuns.ask(document);
+          }
+        });
   }
 
   @Override
   public void didChange(DidChangeTextDocumentParams changed) {
     session.attempt(
-        () ->
-            publisher.changed(
-                session
-                    .documents()
-                    .change(
-                        changed.getTextDocument().getUri(),
-                        changed.getTextDocument().getVersion(),
-                        changed.getContentChanges())));
+        () -> {
+          Document document =
+              session
+                  .documents()
+                  .change(
+                      changed.getTextDocument().getUri(),
+                      changed.getTextDocument().getVersion(),
+                      changed.getContentChanges());
+          publisher.changed(document);
+          if (session.settings().dryRun() == DryRunTime.ON_CHANGE) {
+            session.later(() -> askIfNewest(document), QUIET_MS);
+          }
+        });
   }
 
   @Override
@@ -137,17 +170,26 @@ final class TextRequests implements TextDocumentService {
     String uri = closed.getTextDocument().getUri();
     session.documents().close(uri);
     tokens.forget(uri);
+    dryRuns.forget(uri);
     publisher.closed(uri);
   }
 
   @Override
-  public void didSave(DidSaveTextDocumentParams saved) {}
+  public void didSave(DidSaveTextDocumentParams saved) {
+    if (session.settings().dryRun() != DryRunTime.OFF) {
+      session.documents().find(saved.getTextDocument().getUri()).ifPresent(dryRuns::ask);
+    }
+  }
+
+  private void askIfNewest(Document document) {
+    session.documents().find(document.uri()).filter(document::equals).ifPresent(dryRuns::ask);
+  }
 
   @Override
   public CompletableFuture<DocumentDiagnosticReport> diagnostic(DocumentDiagnosticParams asked) {
     return about(
         asked.getTextDocument(),
-        document -> reports.of(document, Optional.ofNullable(asked.getPreviousResultId())));
+        document -> reports.report(document, Optional.ofNullable(asked.getPreviousResultId())));
   }
 
   // --- typing
@@ -310,14 +352,25 @@ final class TextRequests implements TextDocumentService {
 
   @Override
   public CompletableFuture<List<? extends CodeLens>> codeLens(CodeLensParams asked) {
-    return about(asked.getTextDocument(), document -> CodeLenses.of(document, Optional.empty()));
+    return about(
+        asked.getTextDocument(),
+        document -> CodeLenses.of(document, dryRuns.of(document).flatMap(DryRunAnswers::duration)));
   }
 
   @Override
   public CompletableFuture<List<InlayHint>> inlayHint(InlayHintParams asked) {
-    return about(
-        asked.getTextDocument(),
-        document -> InlayHints.of(document, asked.getRange(), session.settings().hints()));
+    return about(asked.getTextDocument(), document -> hints(document, asked.getRange()));
+  }
+
+  private List<InlayHint> hints(Document document, Range range) {
+    HintSettings settings = session.settings().hints();
+    List<InlayHint> hints = new ArrayList<>(InlayHints.of(document, range, settings));
+    if (settings.durations()) {
+      dryRuns
+          .of(document)
+          .ifPresent(result -> hints.addAll(DryRunAnswers.hints(document, range, result)));
+    }
+    return hints;
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.pendant.editors.lsp;
 
+import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
@@ -20,8 +21,10 @@ import org.eclipse.lsp4j.PublishDiagnosticsParams;
 import org.eclipse.lsp4j.ShowMessageRequestParams;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
 import org.eclipse.lsp4j.TextDocumentItem;
+import org.eclipse.lsp4j.TextDocumentPositionParams;
 import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
-import org.eclipse.lsp4j.launch.LSPLauncher;
+import org.eclipse.lsp4j.jsonrpc.Launcher;
+import org.eclipse.lsp4j.jsonrpc.services.JsonRequest;
 import org.eclipse.lsp4j.services.LanguageClient;
 import org.eclipse.lsp4j.services.LanguageServer;
 
@@ -34,7 +37,16 @@ final class EditorClient implements LanguageClient, AutoCloseable {
   private final List<Throwable> faults = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Boolean> served = new CompletableFuture<>();
   private final PipedOutputStream toServer = new PipedOutputStream();
-  private LanguageServer server;
+  private Server server;
+
+  /** The server with what the protocol has no word for. */
+  interface Server extends LanguageServer {
+    @JsonRequest("pendant/pose")
+    CompletableFuture<JsonObject> pose(TextDocumentPositionParams asked);
+
+    @JsonRequest("pendant/dryRun")
+    CompletableFuture<JsonObject> dryRun(TextDocumentPositionParams asked);
+  }
 
   static EditorClient start() throws IOException {
     EditorClient editor = new EditorClient();
@@ -53,18 +65,27 @@ final class EditorClient implements LanguageClient, AutoCloseable {
                 editor.served.completeExceptionally(e);
               }
             });
-    var launcher = LSPLauncher.createClientLauncher(editor, atClient, editor.toServer);
+    var launcher =
+        new Launcher.Builder<Server>()
+            .setLocalService(editor)
+            .setRemoteInterface(Server.class)
+            .setInput(atClient)
+            .setOutput(editor.toServer)
+            .create();
     var _ = launcher.startListening();
     editor.server = launcher.getRemoteProxy();
     return editor;
   }
 
-  LanguageServer server() {
+  Server server() {
     return server;
   }
 
   InitializeResult initialize(InitializeParams asked) throws Exception {
-    InitializeResult result = server.initialize(asked).get();
+    CompletableFuture<InitializeResult> answer = server.initialize(asked);
+    // A server that cannot even start would never answer.
+    CompletableFuture.anyOf(answer, served).get();
+    InitializeResult result = answer.get();
     server.initialized(new InitializedParams());
     return result;
   }

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import org.eclipse.lsp4j.ClientCapabilities;
 import org.eclipse.lsp4j.DiagnosticCapabilities;
@@ -19,16 +20,21 @@ import org.eclipse.lsp4j.GeneralClientCapabilities;
 import org.eclipse.lsp4j.HoverParams;
 import org.eclipse.lsp4j.InitializeParams;
 import org.eclipse.lsp4j.InitializeResult;
+import org.eclipse.lsp4j.InlayHintParams;
+import org.eclipse.lsp4j.MonikerParams;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
+import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.TextDocumentClientCapabilities;
 import org.eclipse.lsp4j.TextDocumentIdentifier;
+import org.eclipse.lsp4j.TextDocumentPositionParams;
 import org.eclipse.lsp4j.WorkspaceDiagnosticParams;
 import org.eclipse.lsp4j.WorkspaceFolder;
 import org.eclipse.lsp4j.WorkspaceSymbolParams;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.editors.wire.ProtocolLog;
 
 /** The server over its streams, as an editor talks to it. */
 final class LanguageServerTest {
@@ -128,7 +134,9 @@ final class LanguageServerTest {
 
   @Test
   void whatCannotBeReadIsPassedOver() throws Exception {
-    try (EditorClient editor = EditorClient.start()) {
+    List<String> log = new CopyOnWriteArrayList<>();
+    try (ProtocolLog _ = new ProtocolLog(log::add);
+        EditorClient editor = EditorClient.start()) {
       editor.initialize(new InitializeParams());
       editor.send("Content-Length: 3\r\n\r\n{x}");
       editor.send("Content-Length: zwei\r\n\r\n");
@@ -137,6 +145,75 @@ final class LanguageServerTest {
       assertEquals(1, editor.nextDiagnostics().getDiagnostics().size());
       assertEquals(
           List.of("a message is left out, its head has no Content-Length"), editor.complaints());
+      assertEquals(2, log.size(), log.toString());
+    }
+  }
+
+  @Test
+  void aDryRunTellsWhatStopsTheProgramAndHowLongItsLinesTake() throws Exception {
+    try (EditorClient editor = EditorClient.start()) {
+      editor.initialize(new InitializeParams());
+      editor.open(URI, "movej([0, -1.2, 0, -1.57, 0, 0])\nmovel(p[3, 0, 0.3, 0, 3.14, 0])\n");
+      assertEquals(List.of(), editor.nextDiagnostics().getDiagnostics());
+      var run = editor.nextDiagnostics().getDiagnostics().getFirst();
+      assertEquals("pendant dry run", run.getSource());
+      assertEquals(1, run.getRange().getStart().getLine());
+      var hints =
+          editor
+              .server()
+              .getTextDocumentService()
+              .inlayHint(
+                  new InlayHintParams(
+                      new TextDocumentIdentifier(URI),
+                      new Range(new Position(0, 0), new Position(0, 40))))
+              .get();
+      assertTrue(hints.getLast().getLabel().getLeft().matches("\\d\\.\\d\\d s"), hints.toString());
+      var answer =
+          editor
+              .server()
+              .dryRun(
+                  new TextDocumentPositionParams(
+                      new TextDocumentIdentifier(URI), new Position(0, 0)))
+              .get();
+      assertEquals("stopped", answer.get("outcome").getAsString());
+      assertEquals(2, answer.get("line").getAsInt());
+    }
+  }
+
+  @Test
+  void thePoseUnderTheCaretIsAnswered() throws Exception {
+    try (EditorClient editor = EditorClient.start()) {
+      editor.initialize(new InitializeParams());
+      editor.open(URI, "x = p[0.1, -0.2, 0.3, 0, 3, 0]");
+      var answer =
+          editor
+              .server()
+              .pose(
+                  new TextDocumentPositionParams(
+                      new TextDocumentIdentifier(URI), new Position(0, 8)))
+              .get();
+      assertEquals("[0.1,-0.2,0.3,0.0,3.0,0.0]", answer.get("pose").toString());
+    }
+  }
+
+  @Test
+  void whatTheServerCannotDoIsRefusedInOneLine() throws Exception {
+    try (EditorClient editor = EditorClient.start()) {
+      editor.initialize(new InitializeParams());
+      ExecutionException refused =
+          assertThrows(
+              ExecutionException.class,
+              () ->
+                  editor
+                      .server()
+                      .getTextDocumentService()
+                      .moniker(
+                          new MonikerParams(new TextDocumentIdentifier(URI), new Position(0, 0)))
+                      .get());
+      assertEquals(
+          "not supported",
+          assertInstanceOf(ResponseErrorException.class, refused.getCause()).getMessage());
+      assertEquals(List.of(), editor.faults());
     }
   }
 

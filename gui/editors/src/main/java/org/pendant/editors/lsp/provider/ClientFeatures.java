@@ -22,6 +22,7 @@ import org.eclipse.lsp4j.WorkspaceClientCapabilities;
  * @param progress whether it shows the progress of what the server does
  * @param refreshesDiagnostics whether it can be told to ask for diagnostics anew
  * @param refreshesLenses whether it can be told to ask for code lenses anew
+ * @param refreshesHints whether it can be told to ask for inlay hints anew
  */
 public record ClientFeatures(
     boolean snippets,
@@ -31,10 +32,11 @@ public record ClientFeatures(
     boolean configuration,
     boolean progress,
     boolean refreshesDiagnostics,
-    boolean refreshesLenses) {
+    boolean refreshesLenses,
+    boolean refreshesHints) {
   /** A client that can do as little as the protocol asks for. */
   public static final ClientFeatures LEAST =
-      new ClientFeatures(false, false, false, false, false, false, false, false);
+      new ClientFeatures(false, false, false, false, false, false, false, false, false);
 
   /** What {@code client} says of itself. */
   public static ClientFeatures of(ClientCapabilities client) {
@@ -66,6 +68,10 @@ public record ClientFeatures(
         yes(
             workspace
                 .map(WorkspaceClientCapabilities::getCodeLens)
+                .map(each -> each.getRefreshSupport())),
+        yes(
+            workspace
+                .map(WorkspaceClientCapabilities::getInlayHint)
                 .map(each -> each.getRefreshSupport())));
   }
 

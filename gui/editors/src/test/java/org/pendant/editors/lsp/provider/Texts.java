@@ -15,7 +15,7 @@ record Texts(Document document, Position caret) {
   static final String URI = "file:///programs/cell.script";
 
   static final ClientFeatures ABLE =
-      new ClientFeatures(true, true, false, true, false, false, false, false);
+      new ClientFeatures(true, true, false, true, false, false, false, false, false);
 
   private static final Catalogues CATALOGUES = new Catalogues();
 

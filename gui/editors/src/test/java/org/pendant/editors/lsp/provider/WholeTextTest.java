@@ -190,16 +190,17 @@ final class WholeTextTest {
   void parametersAreNamedWhereTheCallDoesNotSayThem() {
     assertEquals(
         List.of("6 q:", "13 a:"),
-        hints("movej(place, accel, v=speed)", new HintSettings(true, false, false)));
-    assertEquals(List.of(), hints("def f(x):\nend\nf(x)", new HintSettings(true, false, false)));
+        hints("movej(place, accel, v=speed)", new HintSettings(true, false, false, false)));
+    assertEquals(
+        List.of(), hints("def f(x):\nend\nf(x)", new HintSettings(true, false, false, false)));
   }
 
   @Test
   void numbersHaveTheirUnitsAndPosesMillimetresAndDegrees() {
-    assertEquals(List.of("9 s"), hints("sleep(0.5)", new HintSettings(false, true, false)));
+    assertEquals(List.of("9 s"), hints("sleep(0.5)", new HintSettings(false, true, false, false)));
     assertEquals(
         List.of("36 100, 0, 400 mm · RPY 180°, 0°, 0°"),
-        hints("x = p[0.1, 0, 0.4, 3.14159265, 0, 0]", new HintSettings(false, false, true)));
+        hints("x = p[0.1, 0, 0.4, 3.14159265, 0, 0]", new HintSettings(false, false, true, false)));
   }
 
   private static List<String> lenses(Document document) {

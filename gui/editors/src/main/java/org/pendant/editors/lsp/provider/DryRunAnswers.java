@@ -1,0 +1,119 @@
+package org.pendant.editors.lsp.provider;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.lsp4j.Diagnostic;
+import org.eclipse.lsp4j.DiagnosticSeverity;
+import org.eclipse.lsp4j.InlayHint;
+import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.pendant.editors.dryrun.DryRunResult;
+import org.pendant.editors.dryrun.DryRunResult.Trouble;
+import org.pendant.editors.lsp.text.Document;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.SourceRange;
+import org.pendant.language.source.VisibleText;
+import org.pendant.recording.lines.LineStatistics;
+import org.pendant.recording.lines.Margin;
+import org.pendant.recording.lines.Worst;
+
+/** Dry run answers: what a dry run says of the lines of a text. */
+public final class DryRunAnswers {
+  /** Who says so, shown beside the message. */
+  public static final String SOURCE = "pendant dry run";
+
+  /** How much of a limit is used up where it is worth a word. */
+  private static final double NEAR = 0.95;
+
+  private DryRunAnswers() {}
+
+  /** What stopped the program, and lines on which the arm comes near to a limit. */
+  public static List<Diagnostic> diagnostics(Document document, DryRunResult result) {
+    List<Diagnostic> told = new ArrayList<>();
+    result.trouble().ifPresent(trouble -> told.add(diagnostic(document, trouble)));
+    for (LineStatistics line : result.lines()) {
+      for (Worst worst : line.worst()) {
+        if (worst.margin() != Margin.JOINT_SPEED && worst.used() >= NEAR) {
+          Diagnostic near = new Diagnostic(range(document, line.line()), words(worst));
+          near.setSeverity(DiagnosticSeverity.Information);
+          near.setSource(SOURCE);
+          near.setCode("near-limit");
+          told.add(near);
+        }
+      }
+    }
+    return told;
+  }
+
+  private static Diagnostic diagnostic(Document document, Trouble trouble) {
+    Diagnostic told =
+        new Diagnostic(
+            trouble.range().map(document::range).orElseGet(() -> range(document, trouble.line())),
+            VisibleText.of(ByteText.decoded(trouble.message())));
+    told.setSeverity(DiagnosticSeverity.Warning);
+    told.setSource(SOURCE);
+    told.setCode("dry-run");
+    return told;
+  }
+
+  private static String words(Worst worst) {
+    String amount =
+        worst.margin().isShare()
+            ? String.format("%.0f %%", worst.value() * 100)
+            : worst.margin() == Margin.PLANE
+                ? String.format("%.0f mm left", worst.value() * 1000)
+                : String.format("%.0f° left", Math.toDegrees(worst.value()));
+    return worst.margin().words() + " of " + worst.part() + ": " + amount;
+  }
+
+  /** The time of each line of {@code asked} on which the arm moves, at its end. */
+  public static List<InlayHint> hints(Document document, Range asked, DryRunResult result) {
+    List<InlayHint> hints = new ArrayList<>();
+    for (LineStatistics line : result.lines()) {
+      int index = line.line() - 1;
+      boolean wanted =
+          line.moved()
+              && index >= asked.getStart().getLine()
+              && index <= asked.getEnd().getLine()
+              && index < document.positions().lineCount();
+      if (wanted) {
+        InlayHint hint =
+            new InlayHint(range(document, line.line()).getEnd(), Either.forLeft(time(line)));
+        hint.setPaddingLeft(true);
+        hint.setTooltip("Robot time of this line in a dry run");
+        hints.add(hint);
+      }
+    }
+    return hints;
+  }
+
+  private static String time(LineStatistics line) {
+    return line.executions() > 1
+        ? seconds(line.timeS()) + " in " + line.executions() + " turns"
+        : seconds(line.timeS());
+  }
+
+  /** How long the whole program took, or that it was given up. */
+  public static Optional<String> duration(DryRunResult result) {
+    return switch (result.outcome()) {
+      case FINISHED -> Optional.of(seconds(result.timeS()) + " in a dry run");
+      case FAILED, STOPPED -> Optional.of("stops after " + seconds(result.timeS()));
+      case GIVEN_UP, NOT_RUN -> Optional.empty();
+    };
+  }
+
+  static String seconds(double timeS) {
+    return String.format(timeS < 10 ? "%.2f s" : "%.1f s", timeS);
+  }
+
+  /** The line without the blanks around it. */
+  private static Range range(Document document, int line) {
+    int index = Math.clamp(line - 1, 0, document.positions().lineCount() - 1);
+    int start = document.positions().lineStart(index);
+    int end = document.positions().lineEnd(index);
+    String text = document.source().text(new SourceRange(start, end));
+    int leading = text.length() - text.stripLeading().length();
+    return document.range(new SourceRange(Math.min(end, start + leading), end));
+  }
+}
