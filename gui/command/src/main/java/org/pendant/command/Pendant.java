@@ -41,6 +41,7 @@ public final class Pendant {
             new ServeCommand(),
             new RpcCommand(System.in),
             new LspCommand(System.in, new FileOutputStream(FileDescriptor.out)),
+            new DapCommand(System.in, new FileOutputStream(FileDescriptor.out)),
             new RecordCommand(),
             new CompareCommand(),
             new FitCommand(),

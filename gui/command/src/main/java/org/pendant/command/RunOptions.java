@@ -176,6 +176,18 @@ record RunOptions(
   static final List<Option> OF_TESTS =
       without(OF_CONTROLLER, SEED, HostsOption.OPTION, ControlOption.OPTION);
 
+  /** What says how a program runs that an editor debugs: nothing is written, no time is up. */
+  static final List<Option> OF_DEBUGGING =
+      without(
+          ALL,
+          RECORD,
+          OutputFile.FORCE,
+          RecordColumns.OPTION,
+          LineReport.OPTION,
+          TIMEOUT,
+          WallLimit.OPTION,
+          ToolSerialOption.OPTION);
+
   /** What says what a robot is that other programs drive. */
   static final List<Option> OF_ROBOT = without(OF_PROGRAM, TIMEOUT, WallLimit.OPTION);
 

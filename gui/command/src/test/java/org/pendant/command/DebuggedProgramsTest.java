@@ -1,0 +1,53 @@
+package org.pendant.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.editors.dap.run.DebugTarget;
+import org.pendant.editors.dap.run.RunResult;
+import org.pendant.editors.dap.run.TargetRefusal;
+
+class DebuggedProgramsTest {
+  @TempDir private Path folder;
+
+  private String script() throws Exception {
+    Path file = folder.resolve("a.script");
+    Files.writeString(file, "textmsg(1)\n");
+    return file.toString();
+  }
+
+  private static String refusal(String program, String... options) {
+    return assertThrows(
+            TargetRefusal.class, () -> new DebuggedPrograms().target(program, List.of(options)))
+        .getMessage();
+  }
+
+  @Test
+  void whatIsDebuggedHasTheOptionsOfRun() throws Exception {
+    DebugTarget target =
+        new DebuggedPrograms().target(script(), List.of("--robot=ur3e", "--seed", "4"));
+    target.outside().run();
+    assertEquals("ur3e", target.options().arm().id());
+    assertFalse(target.generated());
+  }
+
+  @Test
+  void whatMakesNoSenseIsRefusedInTheWordsOfTheCommandLine() throws Exception {
+    assertEquals("nowhere.script: there is no such file", refusal("nowhere.script"));
+    assertEquals("unknown option --sped, did you mean --speed?", refusal(script(), "--sped=1"));
+    assertEquals("args has extra, which is no option", refusal(script(), "extra"));
+  }
+
+  @Test
+  void endsWithTheExitCodesOfRun() {
+    assertEquals(ExitCode.DONE.number(), RunResult.DONE);
+    assertEquals(ExitCode.PROGRAM_FAILED.number(), RunResult.PROGRAM_FAILED);
+    assertEquals(ExitCode.INTERNAL_ERROR.number(), RunResult.INTERNAL_ERROR);
+  }
+}

@@ -1,0 +1,26 @@
+package org.pendant.editors.dap;
+
+import org.eclipse.lsp4j.debug.Capabilities;
+
+/** Adapter capabilities: what a client is told that it can ask for. */
+final class AdapterCapabilities {
+  private AdapterCapabilities() {}
+
+  static Capabilities all() {
+    Capabilities all = new Capabilities();
+    all.setSupportsConfigurationDoneRequest(true);
+    all.setSupportsConditionalBreakpoints(true);
+    all.setSupportsHitConditionalBreakpoints(true);
+    all.setSupportsLogPoints(true);
+    all.setSupportsBreakpointLocationsRequest(true);
+    all.setExceptionBreakpointFilters(ExceptionFilters.all());
+    all.setSupportsEvaluateForHovers(true);
+    all.setSupportsSetVariable(true);
+    all.setSupportsSetExpression(true);
+    all.setSupportsTerminateRequest(true);
+    all.setSupportTerminateDebuggee(true);
+    all.setSupportsRestartRequest(true);
+    all.setSupportsDelayedStackTraceLoading(true);
+    return all;
+  }
+}

@@ -1,0 +1,141 @@
+package org.pendant.editors.dap;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.eclipse.lsp4j.debug.StoppedEventArguments;
+import org.eclipse.lsp4j.debug.ThreadEventArguments;
+import org.eclipse.lsp4j.debug.ThreadEventArgumentsReason;
+import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
+import org.pendant.editors.dap.look.StandingProgram;
+import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.script.vm.ThreadSnapshot;
+
+/** Debug session: what all requests of a client have in common. Only its thread uses it. */
+final class DebugSession {
+  private final SessionThread thread;
+  private final Supplier<IDebugProtocolClient> client;
+  private final References references = new References();
+  private final List<Integer> toldThreads = new ArrayList<>();
+  private ClientForm form = ClientForm.STANDARD;
+  private boolean paging;
+  private Optional<Debuggee> debuggee = Optional.empty();
+  private Optional<StandingProgram> view = Optional.empty();
+  private Optional<String> exception = Optional.empty();
+
+  DebugSession(SessionThread thread, Supplier<IDebugProtocolClient> client) {
+    this.thread = thread;
+    this.client = client;
+  }
+
+  SessionThread thread() {
+    return thread;
+  }
+
+  IDebugProtocolClient client() {
+    return client.get();
+  }
+
+  References references() {
+    return references;
+  }
+
+  ClientForm form() {
+    return form;
+  }
+
+  /** Whether the client asks for long values page by page. */
+  boolean paging() {
+    return paging;
+  }
+
+  void talkTo(ClientForm form, boolean paging) {
+    this.form = form;
+    this.paging = paging;
+  }
+
+  Optional<Debuggee> debuggee() {
+    return debuggee;
+  }
+
+  void debug(Optional<Debuggee> debuggee) {
+    this.debuggee = debuggee;
+    goOn();
+    toldThreads.clear();
+  }
+
+  /** The program, which must be there. */
+  Debuggee program() {
+    return debuggee.orElseThrow(() -> Refusals.of("no program was launched"));
+  }
+
+  /** The moment that is looked at, while the program stands still. */
+  Optional<StandingProgram> view() {
+    return view;
+  }
+
+  /** The same, which must be there. */
+  StandingProgram stopped() {
+    return view.orElseThrow(() -> Refusals.of("the program is not stopped"));
+  }
+
+  /** What the program stopped for, if that was an error or a safety function. */
+  Optional<String> exception() {
+    return exception;
+  }
+
+  /** The program goes on. */
+  void goOn() {
+    view = Optional.empty();
+    exception = Optional.empty();
+    references.clear();
+  }
+
+  /** The program stands still: the client looks at a moment. */
+  void stop(StandingProgram moment, StoppedEventArguments told) {
+    goOn();
+    view = Optional.of(moment);
+    exception =
+        Optional.ofNullable(told.getText()).filter(text -> told.getReason().equals("exception"));
+    tellThreads(moment.threads().stream().map(ThreadSnapshot::id).toList());
+    told.setAllThreadsStopped(true);
+    client().stopped(told);
+  }
+
+  /** Tells which threads have begun and ended since the last time. */
+  void tellThreads(List<Integer> now) {
+    Stream.concat(now.stream(), toldThreads.stream())
+        .distinct()
+        .filter(id -> now.contains(id) != toldThreads.contains(id))
+        .forEach(
+            id -> {
+              ThreadEventArguments told = new ThreadEventArguments();
+              told.setThreadId(number(id));
+              told.setReason(
+                  now.contains(id)
+                      ? ThreadEventArgumentsReason.STARTED
+                      : ThreadEventArgumentsReason.EXITED);
+              client().thread(told);
+            });
+    toldThreads.clear();
+    toldThreads.addAll(now);
+  }
+
+  /** The client's number of a thread: some clients take 0 for none. */
+  static int number(int thread) {
+    return thread + 1;
+  }
+
+  /** The thread that the client calls {@code number}. */
+  static int thread(int number) {
+    return number - 1;
+  }
+
+  /** Asks the debugger. */
+  <T> CompletableFuture<T> ask(RobotRun.Question<T> question) {
+    return program().run().ask(question);
+  }
+}

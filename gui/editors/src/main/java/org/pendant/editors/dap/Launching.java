@@ -1,0 +1,198 @@
+package org.pendant.editors.dap;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import org.eclipse.lsp4j.debug.OutputEventArgumentsCategory;
+import org.pendant.controller.Controller;
+import org.pendant.controller.box.ControlBox;
+import org.pendant.editors.dap.run.DebugTarget;
+import org.pendant.editors.dap.run.DebugTargets;
+import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.TargetRefusal;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.function.Builtins;
+import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.ProgramLoader;
+
+/** Launching: brings a program to its robot, and both to their end. */
+final class Launching {
+  private final DebugSession session;
+  private final DebugTargets targets;
+  private final Builtins<ControlBox> builtins;
+  private final BreakpointRequests breakpoints;
+  private final StopWishes wishes;
+  private final ExceptionFilters filters;
+  private boolean configured;
+  private boolean started;
+  private boolean launching;
+
+  /** A program that was read. */
+  private record Read(DebugTarget target, LoadResult result) {}
+
+  Launching(
+      DebugSession session,
+      DebugTargets targets,
+      Builtins<ControlBox> builtins,
+      BreakpointRequests breakpoints,
+      StopWishes wishes,
+      ExceptionFilters filters) {
+    this.session = session;
+    this.targets = targets;
+    this.builtins = builtins;
+    this.breakpoints = breakpoints;
+    this.wishes = wishes;
+    this.filters = filters;
+  }
+
+  /** Reads a program and switches a robot on; it starts when the client has set its breakpoints. */
+  CompletableFuture<Void> launch(Map<String, Object> told) {
+    if (launching || session.debuggee().isPresent()) {
+      return Refusals.answer("a program was launched already");
+    }
+    return load(LaunchArguments.of(told))
+        .thenCompose(
+            loaded -> {
+              // the client sets its breakpoints when it hears of this, and can be told where they
+              // are
+              session.thread().execute(session.client()::initialized);
+              return startWhenConfigured();
+            });
+  }
+
+  private CompletableFuture<Void> load(LaunchArguments arguments) {
+    launching = true;
+    return CompletableFuture.supplyAsync(
+            () -> read(arguments), task -> Thread.ofVirtual().name("launch").start(task))
+        .whenCompleteAsync((read, fault) -> launching = false, session.thread())
+        .thenAccept(read -> begin(arguments, read));
+  }
+
+  private Read read(LaunchArguments arguments) {
+    try {
+      DebugTarget target = targets.target(arguments.program(), arguments.options());
+      return new Read(
+          target,
+          target
+              .source()
+              .map(source -> ProgramLoader.load(source, builtins))
+              .orElseGet(() -> new LoadResult(Optional.empty(), List.of())));
+    } catch (TargetRefusal e) {
+      throw new CompletionException(e);
+    }
+  }
+
+  private void begin(LaunchArguments arguments, Read read) {
+    DebugTarget target = read.target();
+    target.notes().forEach(note -> say(OutputEventArgumentsCategory.CONSOLE, note));
+    target.problems().forEach(problem -> say(OutputEventArgumentsCategory.STDERR, problem));
+    if (target.source().isEmpty()) {
+      target.outside().run();
+      throw Refusals.of(
+          target.problems().stream().findFirst().orElse(target.file() + ": the tree cannot run"));
+    }
+    DebuggedText text = new DebuggedText(session.form(), target);
+    OutputEvents output = new OutputEvents(target, text);
+    read.result().diagnostics().forEach(each -> session.client().output(output.of(each)));
+    if (read.result().program().isEmpty()) {
+      target.outside().run();
+      throw Refusals.of(mistakes(target, read.result().diagnostics()));
+    }
+    var program = read.result().program().get();
+    if (program.secondary()) {
+      target.outside().run();
+      throw Refusals.of(
+          target.file() + ": a secondary program runs within a frame and cannot be debugged");
+    }
+    RunEvents events = new RunEvents(session, breakpoints, wishes, output);
+    RobotRun run =
+        RobotRun.begin(
+            new Controller(target.options(), builtins), target, events, session.thread());
+    session.debug(Optional.of(new Debuggee(arguments, target, program, text, run, events)));
+    filters.apply();
+    breakpoints.launched();
+    var _ = breakpoints.install();
+  }
+
+  private static String mistakes(DebugTarget target, List<Diagnostic> diagnostics) {
+    var source = target.source().orElseThrow();
+    List<Diagnostic> errors = diagnostics.stream().filter(Diagnostic::isError).toList();
+    Diagnostic first = errors.getFirst();
+    int at = Math.min(first.range().start(), source.text().length());
+    String more = errors.size() == 1 ? "" : " (and " + (errors.size() - 1) + " more)";
+    return source.name()
+        + ":"
+        + source.line(at)
+        + ":"
+        + source.column(at)
+        + ": error: "
+        + ByteText.decoded(first.message())
+        + more;
+  }
+
+  private void say(String category, String words) {
+    session.client().output(OutputEvents.output(category, words));
+  }
+
+  /** The client has set its breakpoints. */
+  CompletableFuture<Void> configurationDone() {
+    configured = true;
+    return startWhenConfigured();
+  }
+
+  private CompletableFuture<Void> startWhenConfigured() {
+    if (!configured || started || session.debuggee().isEmpty()) {
+      return CompletableFuture.completedFuture(null);
+    }
+    started = true;
+    Debuggee debuggee = session.program();
+    boolean held = debuggee.arguments().stopOnEntry() && !debuggee.arguments().noDebug();
+    if (held) {
+      wishes.expect(StopWishes.Pause.ENTRY);
+    }
+    session.tellThreads(List.of(Debugger.MAIN));
+    return debuggee
+        .run()
+        .start(debuggee.program(), debuggee.target().file(), held)
+        .thenAccept(
+            refusal ->
+                refusal.ifPresent(
+                    why -> {
+                      throw Refusals.of(debuggee.target().file() + ": " + ByteText.decoded(why));
+                    }));
+  }
+
+  /** Begins anew, with the text and the arguments as they are now. */
+  CompletableFuture<Void> restart(Optional<Map<String, Object>> told) {
+    LaunchArguments arguments = LaunchArguments.again(session.program().arguments(), told);
+    end();
+    return load(arguments)
+        .thenCompose(
+            loaded -> {
+              configured = true;
+              return startWhenConfigured();
+            });
+  }
+
+  /** Ends the program; the arm comes to rest, and the client is told. */
+  CompletableFuture<Void> terminate() {
+    session.debuggee().ifPresent(each -> each.run().stop());
+    return CompletableFuture.completedFuture(null);
+  }
+
+  /** Switches the robot off, whatever it does. */
+  void end() {
+    Optional<Debuggee> debuggee = session.debuggee();
+    session.debug(Optional.empty());
+    started = false;
+    debuggee.ifPresent(
+        each -> {
+          each.events().detach();
+          each.run().close();
+        });
+  }
+}

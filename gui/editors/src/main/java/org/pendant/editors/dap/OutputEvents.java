@@ -1,0 +1,173 @@
+package org.pendant.editors.dap;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.lsp4j.debug.OutputEventArguments;
+import org.eclipse.lsp4j.debug.OutputEventArgumentsCategory;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.editors.dap.run.DebugTarget;
+import org.pendant.editors.dap.run.RunResult;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.DiagnosticFormat;
+import org.pendant.language.source.Source;
+import org.pendant.language.source.SourceRange;
+import org.pendant.script.vm.ScriptFailure;
+
+/** Output events: what a program and its robot say, in the form that a client shows. */
+final class OutputEvents {
+  /** Of a deeper call stack only the innermost calls are shown. */
+  private static final int MAX_CALLS = 20;
+
+  private final DebugTarget target;
+  private final Source source;
+  private final DebuggedText text;
+
+  OutputEvents(DebugTarget target, DebuggedText text) {
+    this.target = target;
+    this.text = text;
+    source = text.source();
+  }
+
+  /** What a snapshot has that is new, of log lines after number {@code after}. */
+  List<OutputEventArguments> of(ControllerState state, long after) {
+    if (state.newestEntry() <= after && state.newPopups().isEmpty()) {
+      return List.of();
+    }
+    List<OutputEventArguments> all = new ArrayList<>();
+    state.newEntries().stream()
+        .filter(entry -> entry.number() > after)
+        // why a program ended is told with its place when it has ended
+        .filter(entry -> entry.origin() != LogEntry.Origin.ENDING)
+        .map(this::of)
+        .forEach(all::add);
+    state.newPopups().stream().map(OutputEvents::of).forEach(all::add);
+    return all;
+  }
+
+  private OutputEventArguments of(LogEntry entry) {
+    String words = ByteText.decoded(entry.text());
+    OutputEventArguments told =
+        switch (entry.origin()) {
+          case SCRIPT -> output(OutputEventArgumentsCategory.STDOUT, words);
+          default ->
+              switch (entry.level()) {
+                case INFO -> output(OutputEventArgumentsCategory.CONSOLE, words);
+                case WARNING -> output(OutputEventArgumentsCategory.CONSOLE, "warning: " + words);
+                case ERROR -> output(OutputEventArgumentsCategory.STDERR, "error: " + words);
+              };
+        };
+    entry
+        .place()
+        .filter(place -> place.source().equals(source.name()))
+        .ifPresent(place -> at(told, place.line()));
+    return told;
+  }
+
+  private static OutputEventArguments of(Popup popup) {
+    String kind =
+        switch (popup.severity()) {
+          case MESSAGE -> "popup: ";
+          case WARNING -> "popup (warning): ";
+          case ERROR -> "popup (error): ";
+        };
+    return output(
+        OutputEventArgumentsCategory.CONSOLE,
+        kind + ByteText.decoded(popup.title() + ": " + popup.text()));
+  }
+
+  private void at(OutputEventArguments told, int line) {
+    told.setSource(text.asSource());
+    told.setLine(text.form().line(line));
+  }
+
+  private void at(OutputEventArguments told, SourceRange range) {
+    DebuggedText.Place place = text.start(range);
+    told.setSource(text.asSource());
+    told.setLine(place.line());
+    told.setColumn(place.column());
+  }
+
+  /** A mistake or a doubt about the text. */
+  OutputEventArguments of(Diagnostic diagnostic) {
+    OutputEventArguments told =
+        output(
+            diagnostic.isError()
+                ? OutputEventArgumentsCategory.STDERR
+                : OutputEventArgumentsCategory.CONSOLE,
+            DiagnosticFormat.format(source, diagnostic));
+    at(told, diagnostic.range());
+    return told;
+  }
+
+  /** Why a program ended that did not end by itself. */
+  Optional<OutputEventArguments> of(RunResult result) {
+    if (result.failure().isPresent()) {
+      ScriptFailure failure = result.failure().get();
+      OutputEventArguments told =
+          output(OutputEventArgumentsCategory.STDERR, words(failure) + node(failure.line()));
+      at(told, failure.range());
+      return Optional.of(told);
+    }
+    return result
+        .reason()
+        .map(
+            why -> {
+              OutputEventArguments told =
+                  output(
+                      OutputEventArgumentsCategory.STDERR,
+                      source.name()
+                          + ": error: stopped in line "
+                          + result.line()
+                          + ": "
+                          + ByteText.decoded(why)
+                          + node(result.line()));
+              if (result.line() > 0) {
+                at(told, result.line());
+              }
+              return told;
+            });
+  }
+
+  private String words(ScriptFailure failure) {
+    StringBuilder words =
+        new StringBuilder(
+            DiagnosticFormat.format(
+                source, Diagnostic.error(failure.code(), failure.range(), failure.message(), "")));
+    List<ScriptFailure.StackEntry> stack = failure.stack();
+    stack.stream()
+        .limit(MAX_CALLS)
+        .forEach(
+            each ->
+                words
+                    .append("\n  in ")
+                    .append(each.function())
+                    .append(", line ")
+                    .append(each.line()));
+    if (stack.size() > MAX_CALLS) {
+      words.append("\n  ... ").append(stack.size() - MAX_CALLS).append(" more");
+    }
+    return words.toString();
+  }
+
+  /** The node of the tree that a line belongs to, as a line of its own. */
+  private String node(int line) {
+    return target.node().apply(line).map(node -> "\n" + node + "stopped here").orElse("");
+  }
+
+  /** A remark about the program. */
+  OutputEventArguments note(String words) {
+    return output(OutputEventArgumentsCategory.CONSOLE, source.name() + ": note: " + words);
+  }
+
+  /** A line. */
+  static OutputEventArguments output(String category, String words) {
+    OutputEventArguments told = new OutputEventArguments();
+    told.setCategory(category);
+    told.setOutput(words + "\n");
+    return told;
+  }
+}

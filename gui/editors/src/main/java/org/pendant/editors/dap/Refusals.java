@@ -1,0 +1,57 @@
+package org.pendant.editors.dap;
+
+import java.util.Map;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.function.Consumer;
+import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
+import org.eclipse.lsp4j.jsonrpc.messages.ResponseError;
+import org.eclipse.lsp4j.jsonrpc.messages.ResponseErrorCode;
+import org.pendant.editors.dap.run.TargetRefusal;
+import org.pendant.language.source.ByteText;
+import org.pendant.script.value.ScriptError;
+
+/** Refusals: what a client is told of a request that is not carried out. */
+final class Refusals {
+  /** What the client may show, by the protocol's number of the message. */
+  private static final int MESSAGE = 1;
+
+  private Refusals() {}
+
+  /** A refusal for a reason that people read. */
+  static ResponseErrorException of(String reason) {
+    return new ResponseErrorException(error(ResponseErrorCode.RequestFailed, reason));
+  }
+
+  /** A refusal as what comes of a request. */
+  static <T> CompletableFuture<T> answer(String reason) {
+    return CompletableFuture.failedFuture(of(reason));
+  }
+
+  /** What a client is told of a request that failed. */
+  static ResponseError told(Throwable fault, Consumer<Throwable> faults) {
+    Throwable cause = fault;
+    while (cause instanceof CompletionException && cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    return switch (cause) {
+      case ResponseErrorException refused -> refused.getResponseError();
+      case CancellationException _ -> error(ResponseErrorCode.RequestCancelled, "cancelled");
+      case IllegalArgumentException _, ScriptError _, TargetRefusal _ ->
+          error(
+              ResponseErrorCode.RequestFailed,
+              ByteText.decoded(String.valueOf(cause.getMessage())));
+      default -> {
+        faults.accept(cause);
+        yield error(ResponseErrorCode.InternalError, "internal error: " + cause);
+      }
+    };
+  }
+
+  private static ResponseError error(ResponseErrorCode code, String text) {
+    Map<String, Object> message =
+        Map.of("id", MESSAGE, "format", text.replace("{", "(").replace("}", ")"));
+    return new ResponseError(code, text, Map.of("error", message));
+  }
+}

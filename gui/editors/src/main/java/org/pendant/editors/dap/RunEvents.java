@@ -1,0 +1,171 @@
+package org.pendant.editors.dap;
+
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.lsp4j.debug.ExitedEventArguments;
+import org.eclipse.lsp4j.debug.OutputEventArguments;
+import org.eclipse.lsp4j.debug.OutputEventArgumentsCategory;
+import org.eclipse.lsp4j.debug.StoppedEventArguments;
+import org.eclipse.lsp4j.debug.StoppedEventArgumentsReason;
+import org.eclipse.lsp4j.debug.TerminatedEventArguments;
+import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.editors.dap.look.LiveView;
+import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.RunListener;
+import org.pendant.editors.dap.run.RunResult;
+import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.DebugState;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.debug.PauseReason;
+
+/** Run events: tells the client what its program does, in the turns of the session. */
+final class RunEvents implements RunListener {
+  private final DebugSession session;
+  private final BreakpointRequests breakpoints;
+  private final StopWishes wishes;
+  private final OutputEvents output;
+  private long toldStop;
+  private long toldEntry;
+
+  /** Only for the thread of the session. */
+  private boolean detached;
+
+  RunEvents(
+      DebugSession session,
+      BreakpointRequests breakpoints,
+      StopWishes wishes,
+      OutputEvents output) {
+    this.session = session;
+    this.breakpoints = breakpoints;
+    this.wishes = wishes;
+    this.output = output;
+  }
+
+  @Override
+  public void frame(ControllerState state) throws InterruptedException {
+    List<OutputEventArguments> said = output.of(state, toldEntry);
+    toldEntry = Math.max(toldEntry, state.newestEntry());
+    if (!said.isEmpty()) {
+      session.thread().event(() -> said.forEach(session.client()::output));
+    }
+    Optional<DebugState.Stop> stop = state.debug().stop();
+    if (stop.isPresent() && stop.get().number() != toldStop) {
+      toldStop = stop.get().number();
+      session.thread().event(() -> stopped(state, stop.get()));
+    }
+  }
+
+  /** Nothing is told any more: the session has done with this run. */
+  void detach() {
+    detached = true;
+  }
+
+  /** The run, as long as the session is about it. */
+  private Optional<RobotRun> run() {
+    return session.debuggee().map(Debuggee::run).filter(run -> !detached);
+  }
+
+  private void stopped(ControllerState state, DebugState.Stop stop) {
+    if (run().isEmpty()) {
+      return;
+    }
+    StoppedEventArguments told = told(stop);
+    told.setThreadId(DebugSession.number(stop.thread()));
+    session.stop(new LiveView(run().get(), state, state.debug().threads()), told);
+  }
+
+  private StoppedEventArguments told(DebugState.Stop stop) {
+    StoppedEventArguments told = new StoppedEventArguments();
+    switch (stop.reason()) {
+      case PauseReason.AtBreakpoint(int line, long _) -> {
+        BreakpointTable.Hit hit = breakpoints.at(line);
+        told.setReason(
+            hit.lines().isEmpty() && !hit.functions().isEmpty()
+                ? StoppedEventArgumentsReason.FUNCTION_BREAKPOINT
+                : StoppedEventArgumentsReason.BREAKPOINT);
+        told.setHitBreakpointIds(hit.ids());
+      }
+      case PauseReason.ConditionFailed(int line, String message) -> {
+        told.setReason(StoppedEventArgumentsReason.BREAKPOINT);
+        told.setDescription("The condition of a breakpoint failed");
+        told.setText(ByteText.decoded(message));
+        told.setHitBreakpointIds(breakpoints.at(line).ids());
+      }
+      case PauseReason.Stepped _ ->
+          told.setReason(
+              wishes.takeLine()
+                  ? StoppedEventArgumentsReason.GOTO
+                  : StoppedEventArgumentsReason.STEP);
+      case PauseReason.PauseRequested _ -> {
+        StopWishes.Pause why = wishes.takePause();
+        told.setReason(why.reason());
+        told.setDescription(why.description());
+      }
+      case PauseReason.Failed(var failure) -> {
+        told.setReason(StoppedEventArgumentsReason.EXCEPTION);
+        told.setDescription("The program has failed");
+        told.setText(ByteText.decoded(failure.message()));
+      }
+    }
+    return told;
+  }
+
+  @Override
+  public void safetyStop(ControllerState state) {
+    session.thread().execute(() -> safetyStopped(state));
+  }
+
+  private void safetyStopped(ControllerState state) {
+    if (run().isEmpty()) {
+      return;
+    }
+    RobotRun run = run().get();
+    StoppedEventArguments told = new StoppedEventArguments();
+    told.setReason(StoppedEventArgumentsReason.EXCEPTION);
+    told.setDescription("A safety function has stopped the arm");
+    told.setText(state.safety().stop().map(SafetyStop::message).orElse(""));
+    told.setThreadId(DebugSession.number(Debugger.MAIN));
+    var _ =
+        run.ask(Debugger::threads)
+            .thenAccept(threads -> session.stop(new LiveView(run, state, threads), told));
+  }
+
+  @Override
+  public void note(String text) {
+    session.thread().execute(() -> session.client().output(output.note(text)));
+  }
+
+  @Override
+  public void over(RunResult result) {
+    session.thread().execute(() -> ended(result));
+  }
+
+  private void ended(RunResult result) {
+    if (detached) {
+      return;
+    }
+    output.of(result).ifPresent(session.client()::output);
+    session.goOn();
+    session.tellThreads(List.of());
+    ExitedEventArguments exited = new ExitedEventArguments();
+    exited.setExitCode(result.exitCode());
+    session.client().exited(exited);
+    session.client().terminated(new TerminatedEventArguments());
+  }
+
+  @Override
+  public void failed(Throwable fault) {
+    session
+        .thread()
+        .execute(
+            () -> {
+              session
+                  .client()
+                  .output(
+                      OutputEvents.output(
+                          OutputEventArgumentsCategory.STDERR, "internal error: " + fault));
+              ended(new RunResult(RunResult.INTERNAL_ERROR, Optional.empty(), Optional.empty(), 0));
+            });
+  }
+}

@@ -1,0 +1,101 @@
+package org.pendant.editors.dap;
+
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.Semaphore;
+import org.eclipse.lsp4j.jsonrpc.MessageConsumer;
+import org.eclipse.lsp4j.jsonrpc.RemoteEndpoint;
+
+/**
+ * DebugSession thread: does all work of one session in turn: requests, what comes of them, and
+ * events. So the answer to a request is written before the events that it causes, on which clients
+ * rely: a stop that is told before the answer to <i>continue</i> would be taken for over.
+ */
+final class SessionThread implements Executor, AutoCloseable {
+  /** Events that may wait for a slow client; then the robot waits as well. */
+  private static final int MAX_EVENTS = 1000;
+
+  private final ExecutorService thread =
+      Executors.newSingleThreadExecutor(
+          Thread.ofPlatform().daemon().name("debug session").factory());
+  private final Semaphore places = new Semaphore(MAX_EVENTS);
+
+  /** Requests that the reader has taken, and whose answers nobody awaits yet. */
+  private final Queue<Runnable> taken = new ConcurrentLinkedQueue<>();
+
+  /** A piece of work for an answer. */
+  @FunctionalInterface
+  interface Work<T> {
+    CompletionStage<T> begin();
+  }
+
+  /** For the reader: has a request worked on as soon as its answer is awaited. */
+  <T> CompletableFuture<T> request(Work<T> work) {
+    CompletableFuture<T> answer = new CompletableFuture<>();
+    taken.add(
+        () -> {
+          try {
+            work.begin()
+                .whenComplete(
+                    (value, fault) -> {
+                      if (fault == null) {
+                        answer.complete(value);
+                      } else {
+                        answer.completeExceptionally(fault);
+                      }
+                    });
+          } catch (RuntimeException | Error e) {
+            answer.completeExceptionally(e);
+          }
+        });
+    return answer;
+  }
+
+  /** Has the requests begin of which {@code consumer} has been told completely. */
+  MessageConsumer gated(MessageConsumer consumer) {
+    return consumer instanceof RemoteEndpoint
+        ? message -> {
+          consumer.consume(message);
+          for (Runnable each = taken.poll(); each != null; each = taken.poll()) {
+            execute(each);
+          }
+        }
+        : consumer;
+  }
+
+  /** Does something in its turn; nothing once the session is over. */
+  @Override
+  public void execute(Runnable task) {
+    try {
+      thread.execute(task);
+    } catch (RejectedExecutionException e) {
+      // nobody is there any more who could want it
+    }
+  }
+
+  /**
+   * Does something in its turn, and waits while too much waits.
+   *
+   * @throws InterruptedException if the calling thread is interrupted meanwhile
+   */
+  void event(Runnable event) throws InterruptedException {
+    places.acquire();
+    execute(
+        () -> {
+          places.release();
+          event.run();
+        });
+  }
+
+  /** Forgets what waits. What is under way may still end. */
+  @Override
+  public void close() {
+    thread.shutdownNow();
+  }
+}

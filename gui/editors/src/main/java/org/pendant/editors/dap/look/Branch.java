@@ -1,0 +1,69 @@
+package org.pendant.editors.dap.look;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+
+/** Branch: parts of a value, or variables that belong together. They are made when asked for. */
+public interface Branch {
+  /** The most parts that are made at once. */
+  int MOST = 1000;
+
+  /** How many parts there are. */
+  int size();
+
+  /** Whether the parts have numbers and no names. */
+  boolean indexed();
+
+  /**
+   * Some of the parts; fails with {@link IllegalArgumentException} where they cannot be had any
+   * more.
+   *
+   * @param start number of the first, from 0
+   * @param count how many, 1 to {@link #MOST}; fewer come at the end
+   */
+  CompletableFuture<List<Shown>> page(int start, int count);
+
+  /**
+   * Changes a part; what it is then. Fails with the reason.
+   *
+   * @param name of the part
+   * @param value an expression, as people write it
+   */
+  default CompletableFuture<Shown> assign(String name, String value) {
+    return CompletableFuture.failedFuture(
+        new IllegalArgumentException(name + " cannot be changed from here"));
+  }
+
+  /** The expression of a part that data breakpoints can watch; empty for none. */
+  default Optional<String> watchable(String name) {
+    return Optional.empty();
+  }
+
+  /** Of parts that are there already. */
+  static Branch of(List<Shown> parts, boolean indexed) {
+    List<Shown> all = List.copyOf(parts);
+    return new Branch() {
+      @Override
+      public int size() {
+        return all.size();
+      }
+
+      @Override
+      public boolean indexed() {
+        return indexed;
+      }
+
+      @Override
+      public CompletableFuture<List<Shown>> page(int start, int count) {
+        return CompletableFuture.completedFuture(cut(all, start, count));
+      }
+    };
+  }
+
+  /** The parts from {@code start}, {@code count} at most. */
+  static <T> List<T> cut(List<T> all, int start, int count) {
+    int from = Math.min(start, all.size());
+    return all.subList(from, (int) Math.min((long) from + count, all.size()));
+  }
+}

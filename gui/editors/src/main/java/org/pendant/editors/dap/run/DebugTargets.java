@@ -1,0 +1,19 @@
+package org.pendant.editors.dap.run;
+
+import java.util.List;
+
+/**
+ * Debug targets: makes of the options of a command line what is debugged. What reads files and
+ * knows options is not known here.
+ */
+@FunctionalInterface
+public interface DebugTargets {
+  /**
+   * Reads a program and what it runs on; may take long.
+   *
+   * @param program file of a script or a tree
+   * @param options as {@code pendant run} has them, such as {@code --robot}, {@code ur5e}
+   * @throws TargetRefusal if a file cannot be read or an option makes no sense
+   */
+  DebugTarget target(String program, List<String> options) throws TargetRefusal;
+}
