@@ -120,7 +120,8 @@ public final class ScriptLanguageServer
 
   @Override
   public void exit() {
-    ended.complete(shutDown);
+    // Behind what was asked before.
+    var _ = session.answer(cancelled -> ended.complete(shutDown));
   }
 
   /** Completed by {@code exit}: with whether the client has shut the server down before. */
