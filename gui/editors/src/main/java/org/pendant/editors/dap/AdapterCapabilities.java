@@ -14,6 +14,13 @@ final class AdapterCapabilities {
     all.setSupportsLogPoints(true);
     all.setSupportsBreakpointLocationsRequest(true);
     all.setExceptionBreakpointFilters(ExceptionFilters.all());
+    all.setSupportsFunctionBreakpoints(true);
+    all.setSupportsExceptionInfoRequest(true);
+    all.setSupportsTerminateThreadsRequest(true);
+    all.setSupportsGotoTargetsRequest(true);
+    all.setSupportsLoadedSourcesRequest(true);
+    all.setSupportsCompletionsRequest(true);
+    all.setCompletionTriggerCharacters(new String[] {"."});
     all.setSupportsEvaluateForHovers(true);
     all.setSupportsSetVariable(true);
     all.setSupportsSetExpression(true);

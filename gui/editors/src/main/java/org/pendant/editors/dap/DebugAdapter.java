@@ -7,13 +7,22 @@ import java.util.function.Supplier;
 import org.eclipse.lsp4j.debug.BreakpointLocationsArguments;
 import org.eclipse.lsp4j.debug.BreakpointLocationsResponse;
 import org.eclipse.lsp4j.debug.Capabilities;
+import org.eclipse.lsp4j.debug.CompletionsArguments;
+import org.eclipse.lsp4j.debug.CompletionsResponse;
 import org.eclipse.lsp4j.debug.ConfigurationDoneArguments;
 import org.eclipse.lsp4j.debug.ContinueArguments;
 import org.eclipse.lsp4j.debug.ContinueResponse;
 import org.eclipse.lsp4j.debug.DisconnectArguments;
 import org.eclipse.lsp4j.debug.EvaluateArguments;
 import org.eclipse.lsp4j.debug.EvaluateResponse;
+import org.eclipse.lsp4j.debug.ExceptionInfoArguments;
+import org.eclipse.lsp4j.debug.ExceptionInfoResponse;
+import org.eclipse.lsp4j.debug.GotoArguments;
+import org.eclipse.lsp4j.debug.GotoTargetsArguments;
+import org.eclipse.lsp4j.debug.GotoTargetsResponse;
 import org.eclipse.lsp4j.debug.InitializeRequestArguments;
+import org.eclipse.lsp4j.debug.LoadedSourcesArguments;
+import org.eclipse.lsp4j.debug.LoadedSourcesResponse;
 import org.eclipse.lsp4j.debug.NextArguments;
 import org.eclipse.lsp4j.debug.PauseArguments;
 import org.eclipse.lsp4j.debug.RestartArguments;
@@ -25,13 +34,18 @@ import org.eclipse.lsp4j.debug.SetExceptionBreakpointsArguments;
 import org.eclipse.lsp4j.debug.SetExceptionBreakpointsResponse;
 import org.eclipse.lsp4j.debug.SetExpressionArguments;
 import org.eclipse.lsp4j.debug.SetExpressionResponse;
+import org.eclipse.lsp4j.debug.SetFunctionBreakpointsArguments;
+import org.eclipse.lsp4j.debug.SetFunctionBreakpointsResponse;
 import org.eclipse.lsp4j.debug.SetVariableArguments;
 import org.eclipse.lsp4j.debug.SetVariableResponse;
+import org.eclipse.lsp4j.debug.SourceArguments;
+import org.eclipse.lsp4j.debug.SourceResponse;
 import org.eclipse.lsp4j.debug.StackTraceArguments;
 import org.eclipse.lsp4j.debug.StackTraceResponse;
 import org.eclipse.lsp4j.debug.StepInArguments;
 import org.eclipse.lsp4j.debug.StepOutArguments;
 import org.eclipse.lsp4j.debug.TerminateArguments;
+import org.eclipse.lsp4j.debug.TerminateThreadsArguments;
 import org.eclipse.lsp4j.debug.ThreadsResponse;
 import org.eclipse.lsp4j.debug.VariablesArguments;
 import org.eclipse.lsp4j.debug.VariablesResponse;
@@ -52,6 +66,10 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final ExecutionRequests execution;
   private final StackRequests inspection;
   private final ValueRequests values;
+  private final ThreadRequests threads;
+  private final SourceRequests sources;
+  private final CompletionRequests completions;
+  private final FunctionBreakpoints functions;
   private final Runnable left;
 
   /**
@@ -69,12 +87,17 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     Builtins<ControlBox> builtins = StandardBuiltins.create();
     StopWishes wishes = new StopWishes();
     session = new DebugSession(turns, client);
-    breakpoints = new BreakpointRequests(session, new BreakpointTable(), builtins);
+    BreakpointTable table = new BreakpointTable();
+    breakpoints = new BreakpointRequests(session, table, builtins);
+    functions = new FunctionBreakpoints(session, table, breakpoints, builtins);
     filters = new ExceptionFilters(session);
-    launching = new Launching(session, targets, builtins, breakpoints, wishes, filters);
+    launching = new Launching(session, targets, builtins, breakpoints, wishes, filters, functions);
     execution = new ExecutionRequests(session, wishes);
     inspection = new StackRequests(session);
     values = new ValueRequests(session);
+    threads = new ThreadRequests(session);
+    sources = new SourceRequests(session, execution);
+    completions = new CompletionRequests(session, builtins);
   }
 
   /** For what is answered at once. */
@@ -162,6 +185,12 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     return now(() -> filters.set(wanted));
   }
 
+  @Override
+  public CompletableFuture<SetFunctionBreakpointsResponse> setFunctionBreakpoints(
+      SetFunctionBreakpointsArguments wanted) {
+    return turns.request(() -> functions.set(wanted));
+  }
+
   // --- going on and stopping
 
   @Override
@@ -182,6 +211,21 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   @Override
   public CompletableFuture<Void> stepOut(StepOutArguments told) {
     return turns.request(() -> execution.stepOut(told.getThreadId()));
+  }
+
+  @Override
+  public CompletableFuture<GotoTargetsResponse> gotoTargets(GotoTargetsArguments asked) {
+    return now(() -> sources.targets(asked));
+  }
+
+  @Override
+  public CompletableFuture<Void> goto_(GotoArguments asked) {
+    return turns.request(() -> sources.runTo(asked));
+  }
+
+  @Override
+  public CompletableFuture<Void> terminateThreads(TerminateThreadsArguments asked) {
+    return turns.request(() -> threads.end(asked));
   }
 
   @Override
@@ -224,5 +268,27 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   @Override
   public CompletableFuture<SetExpressionResponse> setExpression(SetExpressionArguments asked) {
     return turns.request(() -> values.setExpression(asked));
+  }
+
+  @Override
+  public CompletableFuture<ExceptionInfoResponse> exceptionInfo(ExceptionInfoArguments asked) {
+    return now(threads::failure);
+  }
+
+  @Override
+  public CompletableFuture<CompletionsResponse> completions(CompletionsArguments asked) {
+    return now(() -> completions.complete(asked));
+  }
+
+  // --- texts
+
+  @Override
+  public CompletableFuture<SourceResponse> source(SourceArguments asked) {
+    return now(() -> sources.source(asked));
+  }
+
+  @Override
+  public CompletableFuture<LoadedSourcesResponse> loadedSources(LoadedSourcesArguments asked) {
+    return now(sources::loaded);
   }
 }

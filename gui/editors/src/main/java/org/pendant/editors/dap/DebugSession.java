@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.eclipse.lsp4j.debug.InvalidatedEventArguments;
 import org.eclipse.lsp4j.debug.StoppedEventArguments;
 import org.eclipse.lsp4j.debug.ThreadEventArguments;
 import org.eclipse.lsp4j.debug.ThreadEventArgumentsReason;
@@ -103,6 +104,26 @@ final class DebugSession {
     tellThreads(moment.threads().stream().map(ThreadSnapshot::id).toList());
     told.setAllThreadsStopped(true);
     client().stopped(told);
+  }
+
+  /**
+   * Something has changed of what the client looks at.
+   *
+   * @param area of it, in the protocol's words
+   */
+  void change(StandingProgram now, String area) {
+    view = Optional.of(now);
+    tellThreads(now.threads().stream().map(ThreadSnapshot::id).toList());
+    tellChanged(area);
+  }
+
+  /** Tells that the client should look again, where it understands that. */
+  void tellChanged(String area) {
+    if (form.invalidated()) {
+      InvalidatedEventArguments told = new InvalidatedEventArguments();
+      told.setAreas(new String[] {area});
+      client().invalidated(told);
+    }
   }
 
   /** Tells which threads have begun and ended since the last time. */

@@ -39,6 +39,13 @@ final class ExecutionRequests {
     return step(Debugger::stepOut, threadNumber);
   }
 
+  /** Lets the program run until a thread comes to a line that has a statement. */
+  CompletableFuture<Void> runTo(int threadNumber, int line) {
+    wishes.expectLine(true);
+    int thread = DebugSession.thread(threadNumber);
+    return go(debugger -> debugger.runTo(thread, line));
+  }
+
   private CompletableFuture<Void> step(BiConsumer<Debugger, Integer> step, int threadNumber) {
     wishes.expectLine(false);
     int thread = DebugSession.thread(threadNumber);

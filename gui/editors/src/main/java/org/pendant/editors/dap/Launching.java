@@ -27,6 +27,7 @@ final class Launching {
   private final BreakpointRequests breakpoints;
   private final StopWishes wishes;
   private final ExceptionFilters filters;
+  private final FunctionBreakpoints functions;
   private boolean configured;
   private boolean started;
   private boolean launching;
@@ -40,7 +41,9 @@ final class Launching {
       Builtins<ControlBox> builtins,
       BreakpointRequests breakpoints,
       StopWishes wishes,
-      ExceptionFilters filters) {
+      ExceptionFilters filters,
+      FunctionBreakpoints functions) {
+    this.functions = functions;
     this.session = session;
     this.targets = targets;
     this.builtins = builtins;
@@ -114,6 +117,7 @@ final class Launching {
             new Controller(target.options(), builtins), target, events, session.thread());
     session.debug(Optional.of(new Debuggee(arguments, target, program, text, run, events)));
     filters.apply();
+    functions.find();
     breakpoints.launched();
     var _ = breakpoints.install();
   }

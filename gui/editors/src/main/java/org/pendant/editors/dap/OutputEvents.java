@@ -20,7 +20,7 @@ import org.pendant.script.vm.ScriptFailure;
 /** Output events: what a program and its robot say, in the form that a client shows. */
 final class OutputEvents {
   /** Of a deeper call stack only the innermost calls are shown. */
-  private static final int MAX_CALLS = 20;
+  static final int MAX_CALLS = 20;
 
   private final DebugTarget target;
   private final Source source;

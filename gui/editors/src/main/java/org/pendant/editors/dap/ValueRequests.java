@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import org.eclipse.lsp4j.debug.EvaluateArguments;
 import org.eclipse.lsp4j.debug.EvaluateArgumentsContext;
 import org.eclipse.lsp4j.debug.EvaluateResponse;
+import org.eclipse.lsp4j.debug.InvalidatedAreas;
 import org.eclipse.lsp4j.debug.SetExpressionArguments;
 import org.eclipse.lsp4j.debug.SetExpressionResponse;
 import org.eclipse.lsp4j.debug.SetVariableArguments;
@@ -156,9 +157,19 @@ final class ValueRequests {
   }
 
   private CompletableFuture<Shown> assign(References.Frame frame, String target, String value) {
-    return session.view().isPresent()
-        ? session.stopped().assign(frame.thread(), frame.depth(), target, value)
-        : live(frame).assign(target, value);
+    return changed(
+        session.view().isPresent()
+            ? session.stopped().assign(frame.thread(), frame.depth(), target, value)
+            : live(frame).assign(target, value));
+  }
+
+  /** Other values may have changed with it. */
+  private CompletableFuture<Shown> changed(CompletableFuture<Shown> assigned) {
+    return assigned.thenApply(
+        shown -> {
+          session.tellChanged(InvalidatedAreas.VARIABLES);
+          return shown;
+        });
   }
 
   private LiveScope live(References.Frame frame) {
@@ -167,9 +178,7 @@ final class ValueRequests {
 
   CompletableFuture<SetVariableResponse> setVariable(SetVariableArguments asked) {
     References.Owned owned = session.references().branch(asked.getVariablesReference());
-    return owned
-        .branch()
-        .assign(asked.getName(), asked.getValue())
+    return changed(owned.branch().assign(asked.getName(), asked.getValue()))
         .thenApply(
             shown -> {
               SetVariableResponse response = new SetVariableResponse();

@@ -3,6 +3,7 @@ package org.pendant.editors.dap;
 import java.io.IOException;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -67,6 +68,13 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
 
   /** What a client is told first: that it may set its breakpoints. */
   record Ready() {}
+
+  /** A client that will debug a program with a text, which it writes into a folder. */
+  static DebugClient of(Path folder, String text) throws IOException {
+    Path program = folder.resolve("program.script");
+    Files.writeString(program, text);
+    return connect(program);
+  }
 
   /** A client that will debug the file {@code program}; it has said nothing yet. */
   static DebugClient connect(Path program) throws IOException {

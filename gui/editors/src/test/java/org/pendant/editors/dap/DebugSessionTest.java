@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.editors.dap.DebugClient.refusal;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -38,9 +37,7 @@ class DebugSessionTest {
   @TempDir private Path folder;
 
   private DebugClient client(String text) throws IOException {
-    Path program = folder.resolve("program.script");
-    Files.writeString(program, text);
-    return DebugClient.connect(program);
+    return DebugClient.of(folder, text);
   }
 
   @Test

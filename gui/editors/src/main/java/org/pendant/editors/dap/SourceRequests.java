@@ -1,0 +1,72 @@
+package org.pendant.editors.dap;
+
+import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
+import org.eclipse.lsp4j.debug.GotoArguments;
+import org.eclipse.lsp4j.debug.GotoTarget;
+import org.eclipse.lsp4j.debug.GotoTargetsArguments;
+import org.eclipse.lsp4j.debug.GotoTargetsResponse;
+import org.eclipse.lsp4j.debug.LoadedSourcesResponse;
+import org.eclipse.lsp4j.debug.Source;
+import org.eclipse.lsp4j.debug.SourceArguments;
+import org.eclipse.lsp4j.debug.SourceResponse;
+import org.pendant.language.source.ByteText;
+
+/** Requests about the text of the program. */
+final class SourceRequests {
+  private final DebugSession session;
+  private final ExecutionRequests execution;
+
+  SourceRequests(DebugSession session, ExecutionRequests execution) {
+    this.session = session;
+    this.execution = execution;
+  }
+
+  /** The text as it runs, which no file has where it was made of a tree. */
+  SourceResponse source(SourceArguments asked) {
+    DebuggedText text = session.program().text();
+    Source named = asked.getSource();
+    if (named == null) {
+      named = new Source();
+      named.setSourceReference(asked.getSourceReference());
+    }
+    if (!text.isMeant(named)) {
+      throw Refusals.of("there is no such text; " + text.source().name() + " is debugged");
+    }
+    SourceResponse response = new SourceResponse();
+    response.setContent(ByteText.decoded(text.source().text()));
+    return response;
+  }
+
+  LoadedSourcesResponse loaded() {
+    LoadedSourcesResponse response = new LoadedSourcesResponse();
+    response.setSources(
+        session.debuggee().map(Debuggee::text).map(DebuggedText::asSource).stream()
+            .toArray(Source[]::new));
+    return response;
+  }
+
+  /** Where a program can go on to: it carries out what is between. */
+  GotoTargetsResponse targets(GotoTargetsArguments asked) {
+    Debuggee debuggee = session.program();
+    if (!debuggee.text().isMeant(asked.getSource())) {
+      throw Refusals.of("not in " + debuggee.text().source().name() + ", which is debugged");
+    }
+    OptionalInt line =
+        debuggee.text().statementLine(debuggee.program(), session.form().fromLine(asked.getLine()));
+    if (line.isEmpty()) {
+      throw Refusals.of("no statement begins here or after it");
+    }
+    GotoTarget target = new GotoTarget();
+    target.setId(line.getAsInt());
+    target.setLabel("Run to line " + line.getAsInt() + ": what is between is carried out");
+    target.setLine(session.form().line(line.getAsInt()));
+    GotoTargetsResponse response = new GotoTargetsResponse();
+    response.setTargets(new GotoTarget[] {target});
+    return response;
+  }
+
+  CompletableFuture<Void> runTo(GotoArguments asked) {
+    return execution.runTo(asked.getThreadId(), asked.getTargetId());
+  }
+}
