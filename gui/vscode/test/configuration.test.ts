@@ -14,6 +14,17 @@ test('what is written stays', () => {
   assert.deepEqual(complete(written, '/cell/pick.script'), { ok: true, configuration: written });
 });
 
+test('the arm of the settings is taken where nothing says which arm there is', () => {
+  const robot = (written: object) => {
+    const completed = complete({ program: 'a.script', ...written }, undefined, 'ur10e');
+    return completed.ok ? completed.configuration['robot'] : undefined;
+  };
+  assert.equal(robot({}), 'ur10e');
+  assert.equal(robot({ robot: 'ur3e' }), 'ur3e');
+  assert.equal(robot({ installation: 'cell.pinst' }), undefined);
+  assert.equal(robot({ program: 'a.pendant' }), undefined);
+});
+
 test('a file that is no program is not debugged', () => {
   const completed = complete({}, '/cell/notes.txt');
   assert.ok(!completed.ok);

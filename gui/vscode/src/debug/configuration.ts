@@ -8,18 +8,25 @@ export type Completed =
   | { readonly ok: false; readonly why: string };
 
 const PROGRAMS = /\.(script|urscript|pendant|urp|urpx)$/i;
+const SCRIPTS = /\.(script|urscript)$/i;
 
 /** Whether a file by this name can be run. */
 export function isProgram(file: string): boolean {
   return PROGRAMS.test(file);
 }
 
+/** The arm for a program: that of the settings, if they name one, for scripts; a tree has one of its own. */
+export function armFor(program: string, chosen: string | undefined): string | undefined {
+  return program === '${file}' || SCRIPTS.test(program) ? chosen : undefined;
+}
+
 /**
  * Fills in what is missing.
  *
  * @param open the file of the editor, if there is one on the disk
+ * @param robot the arm of people's settings, if they name one
  */
-export function complete(written: Written, open: string | undefined): Completed {
+export function complete(written: Written, open: string | undefined, robot?: string): Completed {
   const request = text(written['request']) ?? 'launch';
   const type = text(written['type']) ?? 'pendant';
   if (request !== 'launch') {
@@ -32,7 +39,11 @@ export function complete(written: Written, open: string | undefined): Completed 
       why: 'There is no program to debug: open a script, or say which one by "program" in launch.json.',
     };
   }
-  return { ok: true, configuration: { ...written, type, request, program, name: text(written['name']) ?? 'Debug' } };
+  const name = text(written['name']) ?? 'Debug';
+  const own = 'robot' in written || 'installation' in written;
+  const chosen = own ? undefined : armFor(program, robot);
+  const arm = chosen === undefined ? {} : { robot: chosen };
+  return { ok: true, configuration: { ...written, ...arm, type, request, program, name } };
 }
 
 function text(value: unknown): string | undefined {

@@ -1,6 +1,7 @@
 /** The debugger: `pendant dap` for VS Code's own debug views, also without a launch.json. */
 import * as vscode from 'vscode';
 import type { Pendant } from '../executable/pendant';
+import { chosenRobot } from '../settings';
 import { complete, isProgram } from './configuration';
 
 const TYPE = 'pendant';
@@ -34,10 +35,10 @@ class Configurations implements vscode.DebugConfigurationProvider {
   }
 
   resolveDebugConfiguration(
-    _folder: vscode.WorkspaceFolder | undefined,
+    folder: vscode.WorkspaceFolder | undefined,
     written: vscode.DebugConfiguration,
   ): vscode.ProviderResult<vscode.DebugConfiguration> {
-    const completed = complete(written, openFile());
+    const completed = complete(written, openFile(), chosenRobot(folder?.uri));
     if (completed.ok) {
       return completed.configuration;
     }

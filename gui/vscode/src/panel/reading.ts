@@ -34,7 +34,7 @@ export interface RobotReading {
 
 const BANKS = ['digital_in', 'digital_out', 'configurable_in', 'configurable_out', 'tool_in', 'tool_out'];
 const ANALOG = ['analog_in', 'analog_out', 'tool_analog_in'];
-const FACTS = ['robot_mode', 'safety_mode', 'safety_stop', 'speed_slider', 'payload'];
+const FACTS = ['robot_mode', 'safety_mode', 'safety_stop', 'tcp_speed', 'tcp_force', 'speed_slider', 'payload'];
 
 /** @param arm which arm it is, as `--robot` names it */
 export function read(arm: string, robot: readonly Variable[], signals: readonly Variable[]): RobotReading {

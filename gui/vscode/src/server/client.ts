@@ -69,7 +69,7 @@ export class LanguageServer implements vscode.Disposable {
         { scheme: 'file', language: 'urscript' },
         { scheme: 'untitled', language: 'urscript' },
       ],
-      initializationOptions: { inlayHints: vscode.workspace.getConfiguration('pendant').get('inlayHints') },
+      initializationOptions: settings(),
       synchronize: {
         configurationSection: 'pendant',
         fileEvents: vscode.workspace.createFileSystemWatcher('**/*.{script,urscript}'),
@@ -108,6 +108,11 @@ export class LanguageServer implements vscode.Disposable {
     this.current = state;
     this.changed.fire(state);
   }
+}
+
+function settings(): object {
+  const all = vscode.workspace.getConfiguration('pendant');
+  return { inlayHints: all.get('inlayHints'), dryRun: all.get('dryRun'), robot: all.get('robot') };
 }
 
 function run(command: string): ServerOptions {

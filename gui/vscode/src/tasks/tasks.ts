@@ -1,7 +1,9 @@
 /** Tasks: check, test and run, in the terminal, with mistakes in the list of problems. */
 import * as path from 'node:path';
 import * as vscode from 'vscode';
+import { armFor } from '../debug/configuration';
 import type { Pendant } from '../executable/pendant';
+import { chosenRobot } from '../settings';
 
 const TYPE = 'pendant';
 const MATCHER = '$pendant';
@@ -46,8 +48,10 @@ export class Tasks implements vscode.TaskProvider {
     const folder = vscode.workspace.getWorkspaceFolder(program);
     const cwd = folder?.uri.fsPath ?? path.dirname(program.fsPath);
     const name = path.relative(cwd, program.fsPath);
+    const robot = armFor(program.fsPath, chosenRobot(program));
+    const options = robot === undefined ? [] : [`--robot=${robot}`];
     // After -- everything is a file, whatever it begins with.
-    const definition: Definition = { type: TYPE, command: 'run', arguments: ['--', name] };
+    const definition: Definition = { type: TYPE, command: 'run', arguments: [...options, '--', name] };
     await vscode.tasks.executeTask(task(command, folder ?? vscode.TaskScope.Workspace, `run ${name}`, definition, cwd));
   }
 }

@@ -24,6 +24,8 @@ const TITLES: { readonly [name: string]: string } = {
   robot_mode: 'Robot',
   safety_mode: 'Safety',
   safety_stop: 'Stop',
+  tcp_speed: 'TCP speed',
+  tcp_force: 'TCP force',
   speed_slider: 'Speed slider',
   payload: 'Payload',
 };

@@ -1,0 +1,8 @@
+/** Settings that several parts read. */
+import * as vscode from 'vscode';
+
+/** The arm that people have chosen; undefined where none of their settings names one. */
+export function chosenRobot(scope: vscode.Uri | undefined): string | undefined {
+  const found = vscode.workspace.getConfiguration('pendant', scope).inspect<string>('robot');
+  return found?.workspaceFolderValue ?? found?.workspaceValue ?? found?.globalValue;
+}
