@@ -74,6 +74,9 @@ final class FunctionBreakpoints {
       return refused(
           "hit condition is " + each.getHitCondition() + ", must be a number, such as 5, or > 5");
     }
+    if (each.getName() == null) {
+      return refused("a function breakpoint needs the name of a function");
+    }
     Optional<OutlineItem> function =
         definitions(outline)
             .filter(item -> item.name().equals(ByteText.asBytes(each.getName().strip())))

@@ -32,6 +32,9 @@ final class Launching {
   private boolean started;
   private boolean launching;
 
+  /** Counts what ends a program, or keeps one that is being read from beginning. */
+  private int ends;
+
   /** A program that was read. */
   private record Read(DebugTarget target, LoadResult result) {}
 
@@ -69,10 +72,18 @@ final class Launching {
 
   private CompletableFuture<Void> load(LaunchArguments arguments) {
     launching = true;
+    int before = ends;
     return CompletableFuture.supplyAsync(
             () -> read(arguments), task -> Thread.ofVirtual().name("launch").start(task))
         .whenCompleteAsync((read, fault) -> launching = false, session.thread())
-        .thenAccept(read -> begin(arguments, read));
+        .thenAccept(
+            read -> {
+              if (before != ends) {
+                read.target().outside().run();
+                throw Refusals.of(arguments.program() + ": ended before it has begun");
+              }
+              begin(arguments, read);
+            });
   }
 
   private Read read(LaunchArguments arguments) {
@@ -172,6 +183,9 @@ final class Launching {
 
   /** Begins anew, with the text and the arguments as they are now. */
   CompletableFuture<Void> restart(Optional<Map<String, Object>> told) {
+    if (launching) {
+      return Refusals.answer("a program is being launched");
+    }
     LaunchArguments arguments = LaunchArguments.again(session.program().arguments(), told);
     end();
     return load(arguments)
@@ -190,6 +204,7 @@ final class Launching {
 
   /** Switches the robot off, whatever it does. */
   void end() {
+    ends++;
     Optional<Debuggee> debuggee = session.debuggee();
     session.debug(Optional.empty());
     started = false;

@@ -42,6 +42,9 @@ final class Refusals {
           error(
               ResponseErrorCode.RequestFailed,
               ByteText.decoded(String.valueOf(cause.getMessage())));
+      // What the adapter says that it cannot do, and a client asks for all the same.
+      case UnsupportedOperationException _ ->
+          error(ResponseErrorCode.MethodNotFound, "not supported");
       default -> {
         faults.accept(cause);
         yield error(ResponseErrorCode.InternalError, "internal error: " + cause);

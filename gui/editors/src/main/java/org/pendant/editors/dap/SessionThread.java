@@ -1,14 +1,17 @@
 package org.pendant.editors.dap;
 
+import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicLong;
 import org.eclipse.lsp4j.jsonrpc.MessageConsumer;
 import org.eclipse.lsp4j.jsonrpc.RemoteEndpoint;
 
@@ -29,6 +32,11 @@ final class SessionThread implements Executor, AutoCloseable {
   /** Requests that the reader has taken, and whose answers nobody awaits yet. */
   private final Queue<Runnable> taken = new ConcurrentLinkedQueue<>();
 
+  /** Answers that clients wait for. */
+  private final Map<Long, CompletableFuture<?>> awaited = new ConcurrentHashMap<>();
+
+  private final AtomicLong requests = new AtomicLong();
+
   /** A piece of work for an answer. */
   @FunctionalInterface
   interface Work<T> {
@@ -38,6 +46,9 @@ final class SessionThread implements Executor, AutoCloseable {
   /** For the reader: has a request worked on as soon as its answer is awaited. */
   <T> CompletableFuture<T> request(Work<T> work) {
     CompletableFuture<T> answer = new CompletableFuture<>();
+    long number = requests.incrementAndGet();
+    awaited.put(number, answer);
+    var _ = answer.whenComplete((value, fault) -> awaited.remove(number));
     taken.add(
         () -> {
           try {
@@ -93,9 +104,12 @@ final class SessionThread implements Executor, AutoCloseable {
         });
   }
 
-  /** Forgets what waits. What is under way may still end. */
+  /** Forgets what waits, and says so to who asked for it. What is under way may still end. */
   @Override
   public void close() {
     thread.shutdownNow();
+    awaited
+        .values()
+        .forEach(each -> each.completeExceptionally(Refusals.of("the session has ended")));
   }
 }

@@ -134,8 +134,10 @@ public final class RobotRun implements AutoCloseable {
     if (held) {
       var _ = robot.submit(new DebugCommand.Debug(Debugger::pause));
     }
+    // told before what the program does
+    CompletableFuture<Optional<String>> told = started.thenApplyAsync(Reply::complaint, answers);
     letPass();
-    return started.thenApplyAsync(Reply::complaint, answers);
+    return told;
   }
 
   private void letPass() {
@@ -184,15 +186,17 @@ public final class RobotRun implements AutoCloseable {
                 found.completeExceptionally(e);
               }
             });
-    return robot
-        .submit(command)
-        .thenComposeAsync(
-            reply ->
-                found.isDone()
-                    ? found
-                    : CompletableFuture.failedFuture(
-                        new IllegalArgumentException(reply.complaint().orElse("nothing came"))),
-            answers);
+    // Before the robot hears of the question: what comes of it is told before what the robot does
+    // then.
+    CompletableFuture<T> answer = found.whenCompleteAsync((value, fault) -> {}, answers);
+    var _ =
+        robot
+            .submit(command)
+            .thenAccept(
+                reply ->
+                    found.completeExceptionally(
+                        new IllegalArgumentException(reply.complaint().orElse("nothing came"))));
+    return answer;
   }
 
   private void drive() {
