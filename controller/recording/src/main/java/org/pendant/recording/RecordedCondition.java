@@ -62,11 +62,21 @@ public final class RecordedCondition {
 
   /** Whether it held; empty if the recording cannot tell. */
   public Optional<Boolean> holds(VariableSamples variables) {
+    try {
+      Optional<Value> value = value(variables);
+      return value.isPresent() ? Optional.of(Operators.truth(value.get())) : Optional.empty();
+    } catch (ScriptError e) {
+      return Optional.empty();
+    }
+  }
+
+  /** What it was as an expression; empty if the recording cannot tell. */
+  public Optional<Value> value(VariableSamples variables) {
     if (expression.isEmpty()) {
       return Optional.empty();
     }
     try {
-      return Optional.of(Operators.truth(value(expression.get(), variables)));
+      return Optional.of(value(expression.get(), variables));
     } catch (Unknown | ScriptError e) {
       return Optional.empty();
     }

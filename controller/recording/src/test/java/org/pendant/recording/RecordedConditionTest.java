@@ -11,6 +11,7 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
+import org.pendant.script.value.Value;
 import org.pendant.script.variables.VariableSamples;
 
 final class RecordedConditionTest {
@@ -54,6 +55,13 @@ final class RecordedConditionTest {
       })
   void holdsByTheValuesOfVariables(String condition) {
     assertEquals(Optional.of(true), holds(condition));
+  }
+
+  @Test
+  void isComputedAsAnExpression() {
+    assertEquals(
+        Optional.of("7.5"), new RecordedCondition("i * x").value(samples()).map(Value::text));
+    assertEquals(Optional.empty(), new RecordedCondition("unknown").value(samples()));
   }
 
   @ParameterizedTest

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import org.pendant.editors.dap.DebugAdapterConnection;
 import org.pendant.editors.wire.LoopbackListener;
+import org.pendant.editors.wire.ProtocolLog;
 
 /** Command {@code pendant dap}: the debug adapter, for editors. */
 final class DapCommand implements Subcommand {
@@ -56,7 +57,7 @@ final class DapCommand implements Subcommand {
       throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
     }
     OptionalInt port = arguments.whole(PORT);
-    try {
+    try (ProtocolLog _ = new ProtocolLog(line -> console.complain("pendant dap: " + line))) {
       if (port.isPresent()) {
         return listen(port.getAsInt(), console);
       }

@@ -14,6 +14,9 @@ final class AdapterCapabilities {
     all.setSupportsLogPoints(true);
     all.setSupportsBreakpointLocationsRequest(true);
     all.setExceptionBreakpointFilters(ExceptionFilters.all());
+    all.setSupportsStepBack(true);
+    all.setSupportsSteppingGranularity(true);
+    all.setSupportsDataBreakpoints(true);
     all.setSupportsFunctionBreakpoints(true);
     all.setSupportsExceptionInfoRequest(true);
     all.setSupportsTerminateThreadsRequest(true);

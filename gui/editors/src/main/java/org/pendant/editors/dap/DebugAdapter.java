@@ -12,6 +12,8 @@ import org.eclipse.lsp4j.debug.CompletionsResponse;
 import org.eclipse.lsp4j.debug.ConfigurationDoneArguments;
 import org.eclipse.lsp4j.debug.ContinueArguments;
 import org.eclipse.lsp4j.debug.ContinueResponse;
+import org.eclipse.lsp4j.debug.DataBreakpointInfoArguments;
+import org.eclipse.lsp4j.debug.DataBreakpointInfoResponse;
 import org.eclipse.lsp4j.debug.DisconnectArguments;
 import org.eclipse.lsp4j.debug.EvaluateArguments;
 import org.eclipse.lsp4j.debug.EvaluateResponse;
@@ -26,10 +28,13 @@ import org.eclipse.lsp4j.debug.LoadedSourcesResponse;
 import org.eclipse.lsp4j.debug.NextArguments;
 import org.eclipse.lsp4j.debug.PauseArguments;
 import org.eclipse.lsp4j.debug.RestartArguments;
+import org.eclipse.lsp4j.debug.ReverseContinueArguments;
 import org.eclipse.lsp4j.debug.ScopesArguments;
 import org.eclipse.lsp4j.debug.ScopesResponse;
 import org.eclipse.lsp4j.debug.SetBreakpointsArguments;
 import org.eclipse.lsp4j.debug.SetBreakpointsResponse;
+import org.eclipse.lsp4j.debug.SetDataBreakpointsArguments;
+import org.eclipse.lsp4j.debug.SetDataBreakpointsResponse;
 import org.eclipse.lsp4j.debug.SetExceptionBreakpointsArguments;
 import org.eclipse.lsp4j.debug.SetExceptionBreakpointsResponse;
 import org.eclipse.lsp4j.debug.SetExpressionArguments;
@@ -42,6 +47,7 @@ import org.eclipse.lsp4j.debug.SourceArguments;
 import org.eclipse.lsp4j.debug.SourceResponse;
 import org.eclipse.lsp4j.debug.StackTraceArguments;
 import org.eclipse.lsp4j.debug.StackTraceResponse;
+import org.eclipse.lsp4j.debug.StepBackArguments;
 import org.eclipse.lsp4j.debug.StepInArguments;
 import org.eclipse.lsp4j.debug.StepOutArguments;
 import org.eclipse.lsp4j.debug.TerminateArguments;
@@ -60,8 +66,7 @@ import org.pendant.script.function.Builtins;
 final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final SessionThread turns;
   private final DebugSession session;
-  private final BreakpointRequests breakpoints;
-  private final ExceptionFilters filters;
+  private final StopKinds stops;
   private final Launching launching;
   private final ExecutionRequests execution;
   private final StackRequests inspection;
@@ -69,7 +74,6 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final ThreadRequests threads;
   private final SourceRequests sources;
   private final CompletionRequests completions;
-  private final FunctionBreakpoints functions;
   private final Runnable left;
 
   /**
@@ -88,13 +92,18 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     StopWishes wishes = new StopWishes();
     session = new DebugSession(turns, client);
     BreakpointTable table = new BreakpointTable();
-    breakpoints = new BreakpointRequests(session, table, builtins);
-    functions = new FunctionBreakpoints(session, table, breakpoints, builtins);
-    filters = new ExceptionFilters(session);
-    launching = new Launching(session, targets, builtins, breakpoints, wishes, filters, functions);
-    execution = new ExecutionRequests(session, wishes);
+    BreakpointRequests lines = new BreakpointRequests(session, table, builtins);
+    DataBreakpoints data = new DataBreakpoints(session, table);
+    stops =
+        new StopKinds(
+            lines,
+            new FunctionBreakpoints(session, table, lines, builtins),
+            data,
+            new ExceptionFilters(session));
+    launching = new Launching(session, targets, builtins, stops, wishes);
+    execution = new ExecutionRequests(session, wishes, new PastRequests(session, table));
     inspection = new StackRequests(session);
-    values = new ValueRequests(session);
+    values = new ValueRequests(session, data);
     threads = new ThreadRequests(session);
     sources = new SourceRequests(session, execution);
     completions = new CompletionRequests(session, builtins);
@@ -170,25 +179,37 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
 
   @Override
   public CompletableFuture<SetBreakpointsResponse> setBreakpoints(SetBreakpointsArguments wanted) {
-    return turns.request(() -> breakpoints.set(wanted));
+    return turns.request(() -> stops.lines().set(wanted));
   }
 
   @Override
   public CompletableFuture<BreakpointLocationsResponse> breakpointLocations(
       BreakpointLocationsArguments asked) {
-    return now(() -> breakpoints.locations(asked));
+    return now(() -> stops.lines().locations(asked));
   }
 
   @Override
   public CompletableFuture<SetExceptionBreakpointsResponse> setExceptionBreakpoints(
       SetExceptionBreakpointsArguments wanted) {
-    return now(() -> filters.set(wanted));
+    return now(() -> stops.failures().set(wanted));
   }
 
   @Override
   public CompletableFuture<SetFunctionBreakpointsResponse> setFunctionBreakpoints(
       SetFunctionBreakpointsArguments wanted) {
-    return turns.request(() -> functions.set(wanted));
+    return turns.request(() -> stops.functions().set(wanted));
+  }
+
+  @Override
+  public CompletableFuture<DataBreakpointInfoResponse> dataBreakpointInfo(
+      DataBreakpointInfoArguments asked) {
+    return turns.request(() -> stops.data().info(asked));
+  }
+
+  @Override
+  public CompletableFuture<SetDataBreakpointsResponse> setDataBreakpoints(
+      SetDataBreakpointsArguments wanted) {
+    return now(() -> stops.data().set(wanted));
   }
 
   // --- going on and stopping
@@ -200,17 +221,27 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
 
   @Override
   public CompletableFuture<Void> next(NextArguments told) {
-    return turns.request(() -> execution.stepOver(told.getThreadId()));
+    return turns.request(() -> execution.stepOver(told.getThreadId(), told.getGranularity()));
   }
 
   @Override
   public CompletableFuture<Void> stepIn(StepInArguments told) {
-    return turns.request(() -> execution.stepInto(told.getThreadId()));
+    return turns.request(() -> execution.stepInto(told.getThreadId(), told.getGranularity()));
   }
 
   @Override
   public CompletableFuture<Void> stepOut(StepOutArguments told) {
-    return turns.request(() -> execution.stepOut(told.getThreadId()));
+    return turns.request(() -> execution.stepOut(told.getThreadId(), told.getGranularity()));
+  }
+
+  @Override
+  public CompletableFuture<Void> stepBack(StepBackArguments told) {
+    return turns.request(() -> execution.stepBack(told.getGranularity()));
+  }
+
+  @Override
+  public CompletableFuture<Void> reverseContinue(ReverseContinueArguments told) {
+    return turns.request(execution::reverseContinue);
   }
 
   @Override

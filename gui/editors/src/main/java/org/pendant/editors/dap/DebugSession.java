@@ -25,7 +25,6 @@ final class DebugSession {
   private boolean paging;
   private Optional<Debuggee> debuggee = Optional.empty();
   private Optional<StandingProgram> view = Optional.empty();
-  private Optional<String> exception = Optional.empty();
 
   DebugSession(SessionThread thread, Supplier<IDebugProtocolClient> client) {
     this.thread = thread;
@@ -83,15 +82,9 @@ final class DebugSession {
     return view.orElseThrow(() -> Refusals.of("the program is not stopped"));
   }
 
-  /** What the program stopped for, if that was an error or a safety function. */
-  Optional<String> exception() {
-    return exception;
-  }
-
   /** The program goes on. */
   void goOn() {
     view = Optional.empty();
-    exception = Optional.empty();
     references.clear();
   }
 
@@ -99,8 +92,6 @@ final class DebugSession {
   void stop(StandingProgram moment, StoppedEventArguments told) {
     goOn();
     view = Optional.of(moment);
-    exception =
-        Optional.ofNullable(told.getText()).filter(text -> told.getReason().equals("exception"));
     tellThreads(moment.threads().stream().map(ThreadSnapshot::id).toList());
     told.setAllThreadsStopped(true);
     client().stopped(told);

@@ -4,14 +4,18 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.eclipse.lsp4j.debug.ContinueResponse;
+import org.eclipse.lsp4j.debug.SteppingGranularity;
+import org.pendant.editors.dap.look.PastView;
 import org.pendant.script.debug.Debugger;
 
 /** Requests that let a program go on, and that stop it. */
 final class ExecutionRequests {
   private final DebugSession session;
   private final StopWishes wishes;
+  private final PastRequests past;
 
-  ExecutionRequests(DebugSession session, StopWishes wishes) {
+  ExecutionRequests(DebugSession session, StopWishes wishes, PastRequests past) {
+    this.past = past;
     this.session = session;
     this.wishes = wishes;
   }
@@ -19,6 +23,9 @@ final class ExecutionRequests {
   CompletableFuture<ContinueResponse> resume() {
     ContinueResponse response = new ContinueResponse();
     response.setAllThreadsContinued(true);
+    if (past.past()) {
+      return past.resume().thenApply(done -> response);
+    }
     if (session.program().run().atSafetyStop()) {
       session.goOn();
       session.program().run().leaveSafetyStop();
@@ -27,27 +34,48 @@ final class ExecutionRequests {
     return go(Debugger::resume).thenApply(done -> response);
   }
 
-  CompletableFuture<Void> stepOver(int threadNumber) {
-    return step(Debugger::stepOver, threadNumber);
+  CompletableFuture<Void> stepOver(int threadNumber, SteppingGranularity granularity) {
+    return step(Debugger::stepOver, threadNumber, granularity);
   }
 
-  CompletableFuture<Void> stepInto(int threadNumber) {
-    return step(Debugger::stepInto, threadNumber);
+  CompletableFuture<Void> stepInto(int threadNumber, SteppingGranularity granularity) {
+    return step(Debugger::stepInto, threadNumber, granularity);
   }
 
-  CompletableFuture<Void> stepOut(int threadNumber) {
-    return step(Debugger::stepOut, threadNumber);
+  CompletableFuture<Void> stepOut(int threadNumber, SteppingGranularity granularity) {
+    return step(Debugger::stepOut, threadNumber, granularity);
+  }
+
+  CompletableFuture<Void> stepBack(SteppingGranularity granularity) {
+    return granularity == SteppingGranularity.INSTRUCTION ? past.frameBack() : past.stepBack();
+  }
+
+  CompletableFuture<Void> reverseContinue() {
+    return past.reverseContinue();
   }
 
   /** Lets the program run until a thread comes to a line that has a statement. */
   CompletableFuture<Void> runTo(int threadNumber, int line) {
+    if (past.past()) {
+      return Refusals.answer(PastView.UNCHANGEABLE);
+    }
     wishes.expectLine(true);
     int thread = DebugSession.thread(threadNumber);
     return go(debugger -> debugger.runTo(thread, line));
   }
 
-  private CompletableFuture<Void> step(BiConsumer<Debugger, Integer> step, int threadNumber) {
+  private CompletableFuture<Void> step(
+      BiConsumer<Debugger, Integer> step, int threadNumber, SteppingGranularity granularity) {
+    boolean frame = granularity == SteppingGranularity.INSTRUCTION;
+    if (past.past()) {
+      return frame ? past.frameOn() : past.stepOn();
+    }
     wishes.expectLine(false);
+    if (frame) {
+      wishes.expect(StopWishes.Pause.FRAME);
+      session.program().run().holdAfterFrame();
+      return go(Debugger::resume);
+    }
     int thread = DebugSession.thread(threadNumber);
     return go(debugger -> step.accept(debugger, thread));
   }

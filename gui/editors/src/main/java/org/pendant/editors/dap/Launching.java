@@ -24,10 +24,8 @@ final class Launching {
   private final DebugSession session;
   private final DebugTargets targets;
   private final Builtins<ControlBox> builtins;
-  private final BreakpointRequests breakpoints;
+  private final StopKinds stops;
   private final StopWishes wishes;
-  private final ExceptionFilters filters;
-  private final FunctionBreakpoints functions;
   private boolean configured;
   private boolean started;
   private boolean launching;
@@ -42,17 +40,13 @@ final class Launching {
       DebugSession session,
       DebugTargets targets,
       Builtins<ControlBox> builtins,
-      BreakpointRequests breakpoints,
-      StopWishes wishes,
-      ExceptionFilters filters,
-      FunctionBreakpoints functions) {
-    this.functions = functions;
+      StopKinds stops,
+      StopWishes wishes) {
     this.session = session;
     this.targets = targets;
     this.builtins = builtins;
-    this.breakpoints = breakpoints;
+    this.stops = stops;
     this.wishes = wishes;
-    this.filters = filters;
   }
 
   /** Reads a program and switches a robot on; it starts when the client has set its breakpoints. */
@@ -122,15 +116,12 @@ final class Launching {
       throw Refusals.of(
           target.file() + ": a secondary program runs within a frame and cannot be debugged");
     }
-    RunEvents events = new RunEvents(session, breakpoints, wishes, output);
+    RunEvents events = new RunEvents(session, stops, wishes, output);
     RobotRun run =
         RobotRun.begin(
             new Controller(target.options(), builtins), target, events, session.thread());
     session.debug(Optional.of(new Debuggee(arguments, target, program, text, run, events)));
-    filters.apply();
-    functions.find();
-    breakpoints.launched();
-    var _ = breakpoints.install();
+    var _ = stops.launched();
   }
 
   private static String mistakes(DebugTarget target, List<Diagnostic> diagnostics) {

@@ -29,6 +29,15 @@ final class Refusals {
     return CompletableFuture.failedFuture(of(reason));
   }
 
+  /** What people are told of a question that failed. */
+  static String words(Throwable fault) {
+    Throwable cause = fault;
+    while (cause instanceof CompletionException && cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    return ByteText.decoded(String.valueOf(cause.getMessage()));
+  }
+
   /** What a client is told of a request that failed. */
   static ResponseError told(Throwable fault, Consumer<Throwable> faults) {
     Throwable cause = fault;

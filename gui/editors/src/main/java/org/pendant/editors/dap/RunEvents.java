@@ -2,6 +2,7 @@ package org.pendant.editors.dap;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.eclipse.lsp4j.debug.ExitedEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArgumentsCategory;
@@ -11,6 +12,7 @@ import org.eclipse.lsp4j.debug.TerminatedEventArguments;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.editors.dap.look.LiveView;
+import org.pendant.editors.dap.run.DataWatch;
 import org.pendant.editors.dap.run.RobotRun;
 import org.pendant.editors.dap.run.RunListener;
 import org.pendant.editors.dap.run.RunResult;
@@ -22,7 +24,7 @@ import org.pendant.script.debug.PauseReason;
 /** Run events: tells the client what its program does, in the turns of the session. */
 final class RunEvents implements RunListener {
   private final DebugSession session;
-  private final BreakpointRequests breakpoints;
+  private final StopKinds stops;
   private final StopWishes wishes;
   private final OutputEvents output;
   private long toldStop;
@@ -31,13 +33,9 @@ final class RunEvents implements RunListener {
   /** Only for the thread of the session. */
   private boolean detached;
 
-  RunEvents(
-      DebugSession session,
-      BreakpointRequests breakpoints,
-      StopWishes wishes,
-      OutputEvents output) {
+  RunEvents(DebugSession session, StopKinds stops, StopWishes wishes, OutputEvents output) {
     this.session = session;
-    this.breakpoints = breakpoints;
+    this.stops = stops;
     this.wishes = wishes;
     this.output = output;
   }
@@ -77,9 +75,12 @@ final class RunEvents implements RunListener {
 
   private StoppedEventArguments told(DebugState.Stop stop) {
     StoppedEventArguments told = new StoppedEventArguments();
+    // whatever stops it first, nothing is expected any more
+    StopWishes.Pause asked = wishes.takePause();
+    boolean toLine = wishes.takeLine();
     switch (stop.reason()) {
       case PauseReason.AtBreakpoint(int line, long _) -> {
-        BreakpointTable.Hit hit = breakpoints.at(line);
+        BreakpointTable.Hit hit = stops.lines().at(line);
         told.setReason(
             hit.lines().isEmpty() && !hit.functions().isEmpty()
                 ? StoppedEventArgumentsReason.FUNCTION_BREAKPOINT
@@ -90,17 +91,19 @@ final class RunEvents implements RunListener {
         told.setReason(StoppedEventArgumentsReason.BREAKPOINT);
         told.setDescription("The condition of a breakpoint failed");
         told.setText(ByteText.decoded(message));
-        told.setHitBreakpointIds(breakpoints.at(line).ids());
+        told.setHitBreakpointIds(stops.lines().at(line).ids());
       }
       case PauseReason.Stepped _ ->
           told.setReason(
-              wishes.takeLine()
-                  ? StoppedEventArgumentsReason.GOTO
-                  : StoppedEventArgumentsReason.STEP);
+              toLine ? StoppedEventArgumentsReason.GOTO : StoppedEventArgumentsReason.STEP);
       case PauseReason.PauseRequested _ -> {
-        StopWishes.Pause why = wishes.takePause();
-        told.setReason(why.reason());
-        told.setDescription(why.description());
+        List<DataWatch.Change> changes = stops.data().changes();
+        if (!changes.isEmpty()) {
+          changed(told, changes);
+          break;
+        }
+        told.setReason(asked.reason());
+        told.setDescription(asked.description());
       }
       case PauseReason.Failed(var failure) -> {
         told.setReason(StoppedEventArgumentsReason.EXCEPTION);
@@ -109,6 +112,13 @@ final class RunEvents implements RunListener {
       }
     }
     return told;
+  }
+
+  private static void changed(StoppedEventArguments told, List<DataWatch.Change> changes) {
+    told.setReason(StoppedEventArgumentsReason.DATA_BREAKPOINT);
+    told.setDescription(
+        changes.stream().map(DataWatch.Change::words).collect(Collectors.joining("; ")));
+    told.setHitBreakpointIds(changes.stream().map(DataWatch.Change::id).toArray(Integer[]::new));
   }
 
   @Override

@@ -12,6 +12,7 @@ import org.eclipse.lsp4j.debug.TerminateThreadsArguments;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.editors.dap.look.LiveView;
+import org.pendant.editors.dap.look.PastView;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.PauseReason;
 import org.pendant.script.vm.ScriptFailure;
@@ -27,7 +28,7 @@ final class ThreadRequests {
   /** Ends threads of a stopped program, and those that they have started. */
   CompletableFuture<Void> end(TerminateThreadsArguments asked) {
     if (!(session.stopped() instanceof LiveView live)) {
-      return Refusals.answer("the past cannot be changed: go on to now first");
+      return Refusals.answer(PastView.UNCHANGEABLE);
     }
     int[] numbers = Objects.requireNonNullElse(asked.getThreadIds(), new int[0]);
     List<Integer> threads = Arrays.stream(numbers).mapToObj(DebugSession::thread).toList();

@@ -24,8 +24,10 @@ import org.pendant.editors.dap.look.Shown;
 /** Requests about values: looked at piece by piece, computed, and changed. */
 final class ValueRequests {
   private final DebugSession session;
+  private final DataBreakpoints data;
 
-  ValueRequests(DebugSession session) {
+  ValueRequests(DebugSession session, DataBreakpoints data) {
+    this.data = data;
     this.session = session;
   }
 
@@ -167,6 +169,7 @@ final class ValueRequests {
   private CompletableFuture<Shown> changed(CompletableFuture<Shown> assigned) {
     return assigned.thenApply(
         shown -> {
+          data.changedByHand();
           session.tellChanged(InvalidatedAreas.VARIABLES);
           return shown;
         });

@@ -93,6 +93,7 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
                     toClient,
                     client.faults::add,
                     complaint -> client.faults.add(new IOException(complaint)));
+                toClient.close();
                 client.served.complete(true);
               } catch (Throwable e) {
                 client.served.completeExceptionally(e);

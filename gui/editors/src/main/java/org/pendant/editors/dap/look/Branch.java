@@ -3,6 +3,7 @@ package org.pendant.editors.dap.look;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
 
 /** Branch: parts of a value, or variables that belong together. They are made when asked for. */
 public interface Branch {
@@ -35,13 +36,23 @@ public interface Branch {
         new IllegalArgumentException(name + " cannot be changed from here"));
   }
 
-  /** The expression of a part that data breakpoints can watch; empty for none. */
+  /** The name by which data breakpoints know a part; empty where they cannot watch it. */
   default Optional<String> watchable(String name) {
     return Optional.empty();
   }
 
   /** Of parts that are there already. */
   static Branch of(List<Shown> parts, boolean indexed) {
+    return of(parts, indexed, name -> Optional.empty());
+  }
+
+  /**
+   * Of parts that are there already.
+   *
+   * @param watchable names of them for data breakpoints
+   */
+  static Branch of(
+      List<Shown> parts, boolean indexed, Function<String, Optional<String>> watchable) {
     List<Shown> all = List.copyOf(parts);
     return new Branch() {
       @Override
@@ -57,6 +68,11 @@ public interface Branch {
       @Override
       public CompletableFuture<List<Shown>> page(int start, int count) {
         return CompletableFuture.completedFuture(cut(all, start, count));
+      }
+
+      @Override
+      public Optional<String> watchable(String name) {
+        return watchable.apply(name);
       }
     };
   }

@@ -16,6 +16,9 @@ import org.pendant.script.value.ValueKind;
  * @param depth of the call, 1 for the outermost
  */
 public record LiveScope(RobotRun run, int thread, int depth) {
+  /** Begins the name by which data breakpoints know an expression. */
+  public static final String WATCHABLE = "value:";
+
   /** The scope where all global variables can be seen. */
   public static LiveScope global(RobotRun run) {
     return new LiveScope(run, Debugger.MAIN, Debugger.OUTERMOST);
@@ -44,6 +47,13 @@ public record LiveScope(RobotRun run, int thread, int depth) {
     String expression = ByteText.asBytes(value);
     return run.ask(debugger -> debugger.assign(thread, depth, bytes, expression))
         .thenApply(this::shown);
+  }
+
+  /** Calls come and go, only global variables can be watched. */
+  private Optional<String> watchable(String expression) {
+    return thread == Debugger.MAIN && depth == Debugger.OUTERMOST
+        ? Optional.of(WATCHABLE + expression)
+        : Optional.empty();
   }
 
   private Shown shown(Variable variable) {
@@ -77,7 +87,7 @@ public record LiveScope(RobotRun run, int thread, int depth) {
 
     @Override
     public Optional<String> watchable(String name) {
-      return Optional.of(name);
+      return scope.watchable(name);
     }
   }
 
@@ -110,7 +120,7 @@ public record LiveScope(RobotRun run, int thread, int depth) {
 
     @Override
     public Optional<String> watchable(String name) {
-      return Optional.of(target(name));
+      return scope.watchable(target(name));
     }
 
     private String target(String name) {

@@ -48,7 +48,7 @@ public final class RobotBranches {
     for (AnalogBank bank : AnalogBank.values()) {
       all.add(shown(bank.text(), state));
     }
-    return Branch.of(all, false);
+    return Branch.of(all, false, RobotBranches::watchable);
   }
 
   /** The general-purpose registers. */
@@ -59,7 +59,7 @@ public final class RobotBranches {
         all.add(shown(direction.text() + "_" + kind.text() + "_register", state));
       }
     }
-    return Branch.of(all, false);
+    return Branch.of(all, false, RobotBranches::watchable);
   }
 
   /** Time, modes and the arm. */
@@ -72,7 +72,11 @@ public final class RobotBranches {
     stop.ifPresent(message -> all.add(Shown.leaf("safety_stop", message, "")));
     all.add(Shown.leaf("moving", word(state.arm().moving()), ""));
     OF_ROBOT.forEach(name -> all.add(shown(name, state)));
-    return Branch.of(all, false);
+    return Branch.of(all, false, RobotBranches::watchable);
+  }
+
+  private static Optional<String> watchable(String name) {
+    return WatchedSignal.of(name).map(signal -> WatchedSignal.WATCHABLE + name);
   }
 
   private static String word(Enum<?> value) {
@@ -97,7 +101,13 @@ public final class RobotBranches {
             .toList();
     List<Shown> parts =
         IntStream.range(0, numbers.length).mapToObj(i -> part(quantity, i, texts.get(i))).toList();
-    return new Shown(name, summary(texts), "", "", Optional.of(Branch.of(parts, true)));
+    return new Shown(
+        name,
+        summary(texts),
+        "",
+        "",
+        Optional.of(
+            Branch.of(parts, true, part -> Optional.of(WatchedSignal.WATCHABLE + name + part))));
   }
 
   private static Shown part(StateQuantity quantity, int index, String text) {
@@ -117,7 +127,7 @@ public final class RobotBranches {
     return symbol.isEmpty() ? "" : " " + symbol;
   }
 
-  private static String text(ScalarType type, double number) {
+  static String text(ScalarType type, double number) {
     return switch (type) {
       case BOOL -> word(number != 0);
       case UINT8, INT32, UINT32, UINT64 -> String.valueOf((long) number);

@@ -19,6 +19,7 @@ import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
+import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.vm.Program;
@@ -46,10 +47,13 @@ public final class RobotRun implements AutoCloseable {
   private final Thread thread;
   private Clock clock;
   private long toldLostNs;
+  private long lastStop;
+  private volatile boolean starting;
   private volatile boolean passing;
   private volatile boolean stopAtSafetyStops;
   private volatile boolean closing;
   private volatile boolean over;
+  private volatile boolean holdAfterFrame;
   private volatile boolean atSafetyStop;
   private volatile Optional<FrameWatch> watch = Optional.empty();
 
@@ -125,6 +129,8 @@ public final class RobotRun implements AutoCloseable {
    * @param held whether it is held before its first statement
    */
   public CompletableFuture<Optional<String>> start(Program program, String file, boolean held) {
+    // the commands stay together until time passes, so that each run is the same
+    starting = true;
     if (!waveforms.equals(InputWaveforms.NONE)) {
       var _ = robot.submit(new IoCommand.PlayInputs(waveforms));
     }
@@ -142,6 +148,7 @@ public final class RobotRun implements AutoCloseable {
 
   private void letPass() {
     passing = true;
+    starting = false;
     work.release();
   }
 
@@ -166,6 +173,11 @@ public final class RobotRun implements AutoCloseable {
     }
   }
 
+  /** Has the program held again after the frame that is under way or comes next. */
+  public void holdAfterFrame() {
+    holdAfterFrame = true;
+  }
+
   /** Whether nothing of the program is left. */
   public boolean over() {
     return over;
@@ -177,23 +189,22 @@ public final class RobotRun implements AutoCloseable {
    */
   public <T> CompletableFuture<T> ask(Question<T> question) {
     CompletableFuture<T> found = new CompletableFuture<>();
-    DebugCommand.Debug command =
-        new DebugCommand.Debug(
-            debugger -> {
-              try {
-                found.complete(question.of(debugger));
-              } catch (ScriptError | RuntimeException e) {
-                found.completeExceptionally(e);
-              }
-            });
-    // Before the robot hears of the question: what comes of it is told before what the robot does
-    // then.
+    // before it is asked: what comes of it is told later than the answer
     CompletableFuture<T> answer = found.whenCompleteAsync((value, fault) -> {}, answers);
     var _ =
         robot
-            .submit(command)
+            .submit(
+                new DebugCommand.Debug(
+                    debugger -> {
+                      try {
+                        found.complete(question.of(debugger));
+                      } catch (ScriptError | RuntimeException e) {
+                        found.completeExceptionally(e);
+                      }
+                    }))
             .thenAccept(
                 reply ->
+                    // where it was not even asked
                     found.completeExceptionally(
                         new IllegalArgumentException(reply.complaint().orElse("nothing came"))));
     return answer;
@@ -227,18 +238,31 @@ public final class RobotRun implements AutoCloseable {
       clock.startAfresh();
       if (held) {
         drive.advance();
-      } else if (passing) {
+      } else if (passing || starting) {
         return;
       } else {
         drive.applyCommands();
       }
     }
     ControllerState state = drive.state();
+    holdAgain(state);
     ring.take(state);
     listener.frame(state);
     if (passing && !state.debug().held()) {
       follow(state);
     }
+  }
+
+  private void holdAgain(ControllerState state) {
+    long stop = state.debug().stop().map(DebugState.Stop::number).orElse(0L);
+    if (holdAfterFrame && stop == 0) {
+      holdAfterFrame = false;
+      var _ = robot.submit(new DebugCommand.Debug(Debugger::pause));
+    } else if (stop != lastStop) {
+      // something else has held it within the frame
+      holdAfterFrame = false;
+    }
+    lastStop = stop == 0 ? lastStop : stop;
   }
 
   private void follow(ControllerState state) {

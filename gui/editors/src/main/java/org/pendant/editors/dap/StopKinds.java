@@ -1,0 +1,27 @@
+package org.pendant.editors.dap;
+
+import java.util.concurrent.CompletableFuture;
+
+/**
+ * Stop kinds: all that can stop a program of a session.
+ *
+ * @param lines breakpoints on lines
+ * @param functions breakpoints on functions
+ * @param data breakpoints on values
+ * @param failures which failures stop it
+ */
+record StopKinds(
+    BreakpointRequests lines,
+    FunctionBreakpoints functions,
+    DataBreakpoints data,
+    ExceptionFilters failures) {
+
+  /** Another program is there: it stops where the client has asked for before. */
+  CompletableFuture<Boolean> launched() {
+    failures.apply();
+    data.apply();
+    functions.find();
+    lines.launched();
+    return lines.install();
+  }
+}
