@@ -12,7 +12,7 @@ test('files whose name ends in _test.script hold tests', () => {
 
 test('functions that begin with test_ are tests, at the place of their name', () => {
   const found = discover('def helper():\nend\n\ndef  test_grip( width ):\nend\n');
-  assert.deepEqual(found, [{ name: 'test_grip', line: 3, column: 5, tags: [], skipped: undefined }]);
+  assert.deepEqual(found, [{ name: 'test_grip', line: 3, column: 5, tags: [], cases: [], skipped: undefined }]);
 });
 
 test('functions within functions are no tests', () => {
@@ -41,6 +41,11 @@ test('marks stand in the comments right above', () => {
   assert.equal(first?.skipped, 'no camera yet');
   assert.deepEqual(second?.tags, []);
   assert.equal(second?.skipped, undefined);
+});
+
+test('the cases of a table are told in their order', () => {
+  const [found] = discover('# @case 0.1, True\n#   @case  [1, 2], "x"  \n# @case 0.1, True\ndef test_a(x, y):\nend\n');
+  assert.deepEqual(found?.cases, ['0.1, True', '[1, 2], "x"']);
 });
 
 test('an empty line parts a comment from the test below', () => {

@@ -21,7 +21,7 @@ test('the report of a run is read, its arguments are those that are given', asyn
   let output = '';
   const result = await runTests(
     {
-      command: standIn(`echo "$1 $2 $4 $5 $6 $7"; printf '%s' '${whole}' > "$3"; exit 1`),
+      command: standIn(`echo "$1 $2 $4 $5 $6 $7 $8"; printf '%s' '${whole}' > "$3"; exit 1`),
       folder,
       arguments: ['--', 'a_test.script'],
       coverage: false,
@@ -29,7 +29,7 @@ test('the report of a run is read, its arguments are those that are given', asyn
     (text) => (output += text),
     new AbortController().signal,
   );
-  assert.equal(output, 'test --junit --color always -- a_test.script\n');
+  assert.equal(output, 'test --junit --verbose --color always -- a_test.script\n');
   assert.deepEqual(
     result.report.tests.map((each) => each.name),
     ['test_a'],

@@ -76,6 +76,10 @@ export class LanguageServer implements vscode.Disposable {
       },
       outputChannel: this.output,
       markdown: { isTrusted: false, supportHtml: false },
+      middleware: {
+        provideCompletionItem: async (document, position, context, token, next) =>
+          withHints(await next(document, position, context, token)),
+      },
     });
     this.client = client;
     client.onDidChangeState((event) => {
@@ -108,6 +112,17 @@ export class LanguageServer implements vscode.Disposable {
     this.current = state;
     this.changed.fire(state);
   }
+}
+
+/** Calls that are completed show their arguments at once: a command of VS Code, which no server can name. */
+function withHints<T extends vscode.CompletionItem[] | vscode.CompletionList | null | undefined>(offered: T): T {
+  const items = Array.isArray(offered) ? offered : (offered?.items ?? []);
+  for (const item of items) {
+    if (item.kind === vscode.CompletionItemKind.Function && item.insertText instanceof vscode.SnippetString) {
+      item.command ??= { title: 'Arguments', command: 'editor.action.triggerParameterHints' };
+    }
+  }
+  return offered;
 }
 
 function settings(): object {

@@ -6,6 +6,8 @@ export interface FoundTest {
   readonly line: number;
   readonly column: number;
   readonly tags: readonly string[];
+  /** The arguments of its cases, each once, as they are written. */
+  readonly cases: readonly string[];
   /** Why it is not run, if it is not. */
   readonly skipped: string | undefined;
 }
@@ -39,6 +41,7 @@ export function discover(text: string): FoundTest[] {
         line,
         column: (definition[1] ?? '').length,
         tags: marked(above, 'tag').flatMap((each) => each.split(',').map((tag) => tag.trim())).filter((tag) => tag !== ''),
+        cases: [...new Set(marked(above, 'case').filter((each) => each !== ''))],
         skipped: marked(above, 'skip')[0],
       });
     }

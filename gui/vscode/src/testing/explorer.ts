@@ -6,6 +6,7 @@ import { discover, holdsTests } from './discovery';
 import type { Call, Place, TestOutcome } from './junit';
 import type { FileReach } from './lcov';
 import { runTests } from './process';
+import { Progress } from './progress';
 import { functionOf, selection, type Wanted } from './selection';
 
 const FILES = '**/*_test.script';
@@ -123,6 +124,15 @@ export class TestExplorer implements vscode.Disposable {
       item.sortText = String(i).padStart(6, '0');
       item.tags = test.tags.map((tag) => new vscode.TestTag(tag));
       item.description = test.skipped === undefined ? '' : `skipped: ${test.skipped}`;
+      const cases = test.cases.map((each) => `${test.name}[${each}]`);
+      item.children.forEach((each) => {
+        if (!cases.includes(each.id)) {
+          item.children.delete(each.id);
+        }
+      });
+      for (const each of cases) {
+        this.caseOf(item, each).range = item.range;
+      }
       return item;
     });
     file.children.replace(now);
@@ -186,13 +196,22 @@ export class TestExplorer implements vscode.Disposable {
       leaves(item).forEach((each) => waiting.add(each));
     }
     waiting.forEach((each) => run.started(each));
+    const progress = new Progress();
     const extra = vscode.workspace
       .getConfiguration('pendant', vscode.Uri.file(folder))
       .get<string[]>('test.arguments', []);
     try {
       const { report, reach } = await runTests(
         { command: how.command, folder, arguments: [...extra, ...selection(wanted)], coverage: how.coverage },
-        (text) => run.appendOutput(text.replaceAll('\r\n', '\n').replaceAll('\n', '\r\n')),
+        (text) => {
+          run.appendOutput(text.replaceAll('\r\n', '\n').replaceAll('\n', '\r\n'));
+          for (const each of progress.take(text)) {
+            const item = this.find(each.file, each.name, folder);
+            if (item !== undefined && waiting.delete(item)) {
+              run.passed(item);
+            }
+          }
+        },
         how.stop,
       );
       for (const outcome of report.tests) {
@@ -223,19 +242,15 @@ export class TestExplorer implements vscode.Disposable {
     waiting: Set<vscode.TestItem>,
     run: vscode.TestRun,
   ): void {
-    const test = this.controller.items
-      .get(uriOf(outcome.file, folder).toString())
-      ?.children.get(functionOf(outcome.name));
-    if (test === undefined) {
-      return;
-    }
-    const item = outcome.name === test.id ? test : this.caseOf(test, outcome.name);
-    if (!items.some((each) => isWithin(item, each))) {
+    const item = this.find(outcome.file, outcome.name, folder);
+    if (item === undefined || !items.some((each) => isWithin(item, each))) {
       // A filter is a part of a name: this one has run beside those that were wanted.
       return;
     }
-    waiting.delete(test);
     waiting.delete(item);
+    if (item.id !== functionOf(item.id) && item.parent !== undefined) {
+      waiting.delete(item.parent);
+    }
     switch (outcome.status) {
       case 'passed':
         run.passed(item, outcome.robotTimeMs);
@@ -252,7 +267,12 @@ export class TestExplorer implements vscode.Disposable {
     }
   }
 
-  /** The case of a test: what cases there are is known once they have run. */
+  private find(file: string, name: string, folder: string): vscode.TestItem | undefined {
+    const test = this.controller.items.get(uriOf(file, folder).toString())?.children.get(functionOf(name));
+    return test === undefined || test.id === name ? test : this.caseOf(test, name);
+  }
+
+  /** The case of a test; made where a report names one that its text did not. */
   private caseOf(test: vscode.TestItem, name: string): vscode.TestItem {
     const known = test.children.get(name);
     if (known !== undefined) {

@@ -35,7 +35,7 @@ export async function runTests(
   try {
     const junit = path.join(reports, 'tests.xml');
     const lcov = path.join(reports, 'coverage.info');
-    const options = ['--junit', junit, '--color', 'always', ...(tests.coverage ? ['--lcov', lcov] : [])];
+    const options = ['--junit', junit, '--verbose', '--color', 'always', ...(tests.coverage ? ['--lcov', lcov] : [])];
     const code = await run(tests, ['test', ...options, ...tests.arguments], output, stop);
     const xml = await fs.readFile(junit, 'utf8').catch(() => {
       throw new Error(`pendant test ended with ${code} and wrote no report; the output says why`);
