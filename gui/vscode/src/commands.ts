@@ -78,6 +78,7 @@ export function registerCommands(parts: Parts): vscode.Disposable[] {
         openWindow(pendant, file, log);
       }
     },
+    'pendant.showRobot': () => vscode.commands.executeCommand('pendant.robot.focus'),
     'pendant.newProgram': () => newDocument(PROGRAM),
     'pendant.newTests': () => newDocument(TESTS),
     'pendant.restart': () => server.restart(),

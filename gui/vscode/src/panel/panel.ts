@@ -1,4 +1,4 @@
-/** The view *Robot* beside the debug views: the arm, joints and signals at each stop. */
+/** The view *Robot* in the panel below: the arm, joints and signals at each stop. */
 import * as vscode from 'vscode';
 import type { DebugProtocol } from '@vscode/debugprotocol';
 import type { Show, Wish } from './messages';
@@ -25,7 +25,9 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
     const out = vscode.Uri.joinPath(this.extension, 'out');
     view.webview.options = { enableScripts: true, localResourceRoots: [out] };
     view.webview.html = page(view.webview, out);
-    view.webview.onDidReceiveMessage((wish: Wish) => this.carryOut(wish));
+    view.webview.onDidReceiveMessage((wish: Wish) =>
+      this.carryOut(wish).catch((error) => this.log.warn(`robot panel: ${error}`)),
+    );
     view.onDidDispose(() => {
       this.view = undefined;
     });
@@ -36,6 +38,8 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
       onWillStartSession: () => {
         this.session = session;
         this.stops.clear();
+        // The view is there from the first session on, and stays.
+        void vscode.commands.executeCommand('setContext', 'pendant.debugged', true);
         this.be('running');
       },
       onDidSendMessage: (message: DebugProtocol.ProtocolMessage) => {
@@ -123,10 +127,10 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
     const stop = this.stops.find(number);
     if (stop !== undefined && stop.file !== '' && stop.line > 0) {
       const place = new vscode.Position(stop.line - 1, 0);
-      await vscode.window.showTextDocument(vscode.Uri.file(stop.file), {
-        selection: new vscode.Range(place, place),
-        preserveFocus: true,
-      });
+      const range = new vscode.Range(place, place);
+      const editor = await vscode.window.showTextDocument(vscode.Uri.file(stop.file), { preserveFocus: true });
+      editor.selection = new vscode.Selection(place, place);
+      editor.revealRange(range, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
     }
   }
 

@@ -341,7 +341,9 @@ function isWithin(item: vscode.TestItem, other: vscode.TestItem): boolean {
 
 function message(outcome: TestOutcome, folder: string): vscode.TestMessage {
   const output = outcome.output === '' ? '' : `\n\nOutput:\n${outcome.output.replace(/\n$/, '')}`;
-  const made = new vscode.TestMessage(outcome.details === '' ? outcome.message : `${outcome.details}${output}`);
+  // The place of the first line is that of the message.
+  const [, ...more] = outcome.details.split('\n');
+  const made = new vscode.TestMessage([outcome.message, ...more].join('\n') + output);
   setLocation(made, outcome.place, folder);
   made.stackTrace = outcome.stack.map((each) => frame(each, folder));
   return made;

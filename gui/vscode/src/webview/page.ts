@@ -66,8 +66,12 @@ function build(): void {
     );
     return;
   }
-  const parts = [view(stop.reading), status(stop), joints(stop.reading), signals(stop), facts(stop.reading), history(stop)];
-  main.replaceChildren(...parts);
+  main.replaceChildren(
+    group('robot', view(stop.reading), status(stop)),
+    joints(stop.reading),
+    group('io', signals(stop), facts(stop.reading)),
+    history(stop),
+  );
   paint();
 }
 
@@ -108,17 +112,17 @@ function joints({ joints: positions, tcp }: RobotReading): HTMLElement {
     const fill = element('span', position < 0 ? 'fill negative' : 'fill');
     fill.style.setProperty('--share', String(Math.min(1, Math.abs(position) / (2 * Math.PI))));
     bar.append(fill);
-    table.append(element('span', 'name', JOINTS[i] ?? ''), bar, element('span', 'number', `${(position * DEGREES).toFixed(1)}°`));
+    table.append(element('span', 'name', JOINTS[i] ?? ''), bar, element('span', 'number', `${fixed(position * DEGREES, 1)}°`));
   });
   const pose = element('div', 'pose');
   tcp.forEach((each, i) => {
     const cell = element('span', 'cell');
-    const text = i < 3 ? (1000 * each).toFixed(1) : each.toFixed(3);
+    const text = i < 3 ? fixed(1000 * each, 1) : fixed(each, 3);
     cell.append(element('span', 'name', POSE[i] ?? ''), element('span', 'number', text));
     pose.append(cell);
   });
   pose.title = 'TCP in the base frame: mm, and the rotation vector in rad';
-  const box = element('section', '');
+  const box = element('section', 'positions');
   box.append(table, pose);
   return box;
 }
@@ -159,7 +163,7 @@ function history(current: Stop): HTMLElement {
   box.append(element('h3', '', 'Stops'));
   for (const stop of [...shown.stops].reverse()) {
     const row = element('button', stop === current ? 'stop current' : 'stop');
-    const place = stop.line > 0 ? `${stop.function}, line ${stop.line}` : stop.function;
+    const place = stop.line > 0 ? `${stop.function}:${stop.line}` : stop.function;
     row.append(element('span', 'time', stop.reading.time), element('span', 'place', place), element('span', 'reason', stop.reason));
     row.title = 'Shows the robot as it was then, and the line';
     row.onclick = () => {
@@ -214,6 +218,17 @@ function paint(): void {
   const foreground: Vector = [(colour[0] ?? 128) / 255, (colour[1] ?? 128) / 255, (colour[2] ?? 128) / 255];
   const { joints: positions, tcp } = stop.reading;
   scene.draw({ joints: positions, tcp, trail }, foreground);
+}
+
+function group(className: string, ...parts: HTMLElement[]): HTMLElement {
+  const box = element('div', className);
+  box.append(...parts);
+  return box;
+}
+
+/** Without the sign of a zero. */
+function fixed(number: number, digits: number): string {
+  return number.toFixed(digits).replace(/^-(?=[0.]+$)/, '');
 }
 
 function element(tag: string, className: string, text = ''): HTMLElement {
