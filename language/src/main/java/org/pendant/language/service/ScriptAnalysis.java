@@ -2,6 +2,7 @@ package org.pendant.language.service;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedSet;
 import org.pendant.language.check.Checker;
 import org.pendant.language.check.FunctionScope;
@@ -167,6 +168,19 @@ public final class ScriptAnalysis {
   /** Every place where a name stands, in the order of the text. */
   public List<Occurrence> occurrences() {
     return index.all();
+  }
+
+  /** The functions, secondary programs and threads of the text, also those inside others. */
+  public List<DefinedFunction> definitions() {
+    return scopes.definitions().stream()
+        .filter(each -> !each.name().isEmpty())
+        .map(each -> new DefinedFunction(signatures.of(each), each.nameRange()))
+        .toList();
+  }
+
+  /** The names of the global variables. */
+  public Set<String> globals() {
+    return scopes.globals();
   }
 
   /** Every call of a function or method and every start of a thread, in the order of the text. */

@@ -176,6 +176,7 @@ final class TextRequests implements TextDocumentService {
 
   @Override
   public void didSave(DidSaveTextDocumentParams saved) {
+    session.documents().forgetImports();
     if (session.settings().dryRun() != DryRunTime.OFF) {
       session.documents().find(saved.getTextDocument().getUri()).ifPresent(dryRuns::ask);
     }

@@ -102,8 +102,12 @@ final class WorkspaceFiles {
       if (before != null && before.stamp().equals(stamp)) {
         return Optional.of(before);
       }
-      Facts found = facts(documents.ofDisk(uri, Files.readAllBytes(file)), stamp);
-      known.put(file, found);
+      Document document = documents.ofDisk(uri, Files.readAllBytes(file));
+      Facts found = facts(document, stamp);
+      // what is wrong in one that imports others depends on these
+      if (document.imported().isEmpty()) {
+        known.put(file, found);
+      }
       return Optional.of(found);
     } catch (IOException e) {
       // Gone or unreadable by now: nothing can be said of it.

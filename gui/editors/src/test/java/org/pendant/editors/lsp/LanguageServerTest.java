@@ -14,13 +14,16 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import org.eclipse.lsp4j.ClientCapabilities;
+import org.eclipse.lsp4j.DefinitionParams;
 import org.eclipse.lsp4j.DiagnosticCapabilities;
 import org.eclipse.lsp4j.DocumentDiagnosticParams;
 import org.eclipse.lsp4j.GeneralClientCapabilities;
+import org.eclipse.lsp4j.Hover;
 import org.eclipse.lsp4j.HoverParams;
 import org.eclipse.lsp4j.InitializeParams;
 import org.eclipse.lsp4j.InitializeResult;
 import org.eclipse.lsp4j.InlayHintParams;
+import org.eclipse.lsp4j.Location;
 import org.eclipse.lsp4j.MonikerParams;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
@@ -129,6 +132,48 @@ final class LanguageServerTest {
       assertEquals(1, report.getItems().size());
       var file = report.getItems().getFirst().getWorkspaceFullDocumentDiagnosticReport();
       assertEquals(1, file.getItems().size());
+    }
+  }
+
+  @Test
+  void aFileOfTestsKnowsTheScriptsThatItImports() throws Exception {
+    Path program = folder.resolve("cell.script");
+    Files.writeString(program, "SIZE = 3\n# Picks one.\ndef pick(height):\nend\n");
+    String uri = folder.resolve("cell_test.script").toUri().toString();
+    try (EditorClient editor = EditorClient.start()) {
+      editor.initialize(new InitializeParams());
+      editor.open(
+          uri,
+          """
+          import_script("cell.script")
+          def test_pick():
+            pick(SIZE)
+            put(OTHER)
+          end
+          """);
+      assertEquals(
+          List.of("function put is not defined", "variable OTHER is never assigned"),
+          editor.nextDiagnostics().getDiagnostics().stream()
+              .map(each -> each.getMessage())
+              .toList());
+      Position pick = new Position(2, 3);
+      Location definition =
+          editor
+              .server()
+              .getTextDocumentService()
+              .definition(new DefinitionParams(new TextDocumentIdentifier(uri), pick))
+              .get()
+              .getLeft()
+              .getFirst();
+      assertEquals(program.toUri().toString(), definition.getUri());
+      assertEquals(2, definition.getRange().getStart().getLine());
+      Hover hover =
+          editor
+              .server()
+              .getTextDocumentService()
+              .hover(new HoverParams(new TextDocumentIdentifier(uri), pick))
+              .get();
+      assertTrue(hover.getContents().getRight().getValue().contains("Picks one."));
     }
   }
 

@@ -21,9 +21,20 @@ public final class DiagnosticAnswers {
   /** All of {@code document}, the first ones where there are too many. */
   public static List<Diagnostic> of(Document document) {
     return document.analysis().diagnostics().stream()
+        .filter(each -> !isImported(document, each))
         .limit(MAX_DIAGNOSTICS)
         .map(each -> diagnostic(document, each))
         .toList();
+  }
+
+  /** Whether it misses a variable that comes from a script that is imported. */
+  private static boolean isImported(
+      Document document, org.pendant.language.source.Diagnostic diagnostic) {
+    return diagnostic.code().equals("unknown-variable")
+        && document
+            .imported()
+            .filter(names -> names.hasVariable(document.source().text(diagnostic.range())))
+            .isPresent();
   }
 
   static Diagnostic diagnostic(

@@ -25,7 +25,28 @@ public final class Names {
     return document
         .analysis()
         .definition(document.offset(position))
-        .map(range -> location(document, range));
+        .map(range -> location(document, range))
+        .or(() -> imported(document, position));
+  }
+
+  /** The definition in a script that is imported. */
+  private static Optional<Location> imported(Document document, Position position) {
+    Optional<String> name =
+        document
+            .analysis()
+            .occurrence(document.offset(position))
+            .map(occurrence -> occurrence.symbol().name());
+    return document
+        .imported()
+        .filter(names -> name.isPresent())
+        .flatMap(
+            names ->
+                names
+                    .script(name.get())
+                    .map(
+                        script ->
+                            location(
+                                script, names.definition(name.get()).orElseThrow().nameRange())));
   }
 
   /**

@@ -2,6 +2,7 @@ package org.pendant.editors.lsp.text;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
@@ -11,6 +12,7 @@ import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
+import org.pendant.testing.builtin.TestCatalogue;
 
 /**
  * Document: one version of a text, which never changes. It is analysed when something about it is
@@ -25,15 +27,28 @@ public final class Document {
   private final Source source;
   private final Catalogue catalogue;
   private final TextPositions positions;
+  private final ImportedNames.Finder imports;
   private ScriptAnalysis analysis;
+  private Optional<ImportedNames> imported = Optional.empty();
 
   private Document(
-      String uri, int version, Source source, Catalogue catalogue, PositionEncoding encoding) {
+      String uri,
+      int version,
+      Source source,
+      Catalogue catalogue,
+      ImportedNames.Finder imports,
+      TextPositions positions) {
     this.uri = uri;
     this.version = version;
     this.source = source;
     this.catalogue = catalogue;
-    positions = new TextPositions(source.text(), encoding);
+    this.imports = imports;
+    this.positions = positions;
+  }
+
+  /** Nothing can be imported. */
+  static Optional<Document> noImport(String uri, String name) {
+    return Optional.empty();
   }
 
   /**
@@ -44,14 +59,32 @@ public final class Document {
    */
   public static Document of(
       String uri, int version, String text, Catalogue catalogue, PositionEncoding encoding) {
-    return of(uri, version, text.getBytes(StandardCharsets.UTF_8), catalogue, encoding);
+    return of(
+        uri,
+        version,
+        text.getBytes(StandardCharsets.UTF_8),
+        catalogue,
+        Document::noImport,
+        encoding);
   }
 
-  /** As the other, with the bytes of a file. */
-  public static Document of(
-      String uri, int version, byte[] bytes, Catalogue catalogue, PositionEncoding encoding) {
+  /** As the other, with bytes, and scripts that it may import. */
+  static Document of(
+      String uri,
+      int version,
+      byte[] bytes,
+      Catalogue catalogue,
+      ImportedNames.Finder imports,
+      PositionEncoding encoding) {
     refuseLong(uri, bytes.length);
-    return new Document(uri, version, Source.of(UriPath.fileName(uri), bytes), catalogue, encoding);
+    Source source = Source.of(UriPath.fileName(uri), bytes);
+    TextPositions positions = new TextPositions(source.text(), encoding);
+    return new Document(uri, version, source, catalogue, imports, positions);
+  }
+
+  /** The same text, which has not been looked at yet: what it imports may have changed. */
+  Document unread() {
+    return new Document(uri, version, source, catalogue, imports, positions);
   }
 
   private static void refuseLong(String uri, long bytes) {
@@ -87,7 +120,8 @@ public final class Document {
     refuseLong(uri, (long) before.length() - (range.end() - range.start()) + inserted.length());
     String after = before.substring(0, range.start()) + inserted + before.substring(range.end());
     Source changed = Source.of(source.name(), after.getBytes(StandardCharsets.ISO_8859_1));
-    return new Document(uri, newVersion, changed, catalogue, encoding);
+    return new Document(
+        uri, newVersion, changed, catalogue, imports, new TextPositions(changed.text(), encoding));
   }
 
   public String uri() {
@@ -111,8 +145,18 @@ public final class Document {
   public synchronized ScriptAnalysis analysis() {
     if (analysis == null) {
       analysis = ScriptAnalysis.of(source, catalogue);
+      if (TestCatalogue.isFor(source.name())) {
+        imported = ImportedNames.of(analysis, uri, imports);
+        imported.ifPresent(names -> analysis = ScriptAnalysis.of(source, names));
+      }
     }
     return analysis;
+  }
+
+  /** What it has of the scripts that it imports; empty for a text that imports none. */
+  public synchronized Optional<ImportedNames> imported() {
+    analysis();
+    return imported;
   }
 
   public int offset(Position position) {

@@ -1,5 +1,9 @@
 package org.pendant.editors.lsp.text;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -36,14 +40,52 @@ public final class Documents {
       throw new IllegalArgumentException(
           uri + " is not opened, " + MAX_OPEN + " texts are open already");
     }
-    Document document = Document.of(uri, version, text, catalogue(uri), encoding);
+    Document document = of(uri, version, text.getBytes(StandardCharsets.UTF_8));
     open.put(uri, document);
     return document;
   }
 
+  private Document of(String uri, int version, byte[] bytes) {
+    return Document.of(uri, version, bytes, catalogue(uri), this::imported, encoding);
+  }
+
+  /**
+   * A script that a file names, as the client has it open or as it is on the disk. A document of
+   * its own, which imports nothing itself: files may name each other.
+   */
+  private Optional<Document> imported(String uri, String name) {
+    Optional<Path> file = UriPath.beside(uri, name);
+    if (file.isEmpty()) {
+      return Optional.empty();
+    }
+    String named = file.get().toUri().toString();
+    try {
+      Optional<Document> known = find(named);
+      byte[] bytes = known.isPresent() ? known.get().source().bytes() : bytes(file.get());
+      return Optional.of(
+          Document.of(named, 0, bytes, catalogue(named), Document::noImport, encoding));
+    } catch (IOException | IllegalArgumentException e) {
+      // a script that is not there, or is too long, has no names
+      return Optional.empty();
+    }
+  }
+
+  private static byte[] bytes(Path file) throws IOException {
+    if (Files.size(file) > Document.MAX_BYTES) {
+      throw new IOException(file + " is too long");
+    }
+    return Files.readAllBytes(file);
+  }
+
+  /** Has what files import looked up anew: a script has changed. */
+  public void forgetImports() {
+    open.replaceAll(
+        (uri, document) -> document.imported().isEmpty() ? document : document.unread());
+  }
+
   /** A text of the disk, which is not kept. */
   public Document ofDisk(String uri, byte[] bytes) {
-    return Document.of(uri, 0, bytes, catalogue(uri), encoding);
+    return of(uri, 0, bytes);
   }
 
   /**

@@ -3,6 +3,7 @@ package org.pendant.editors.lsp.text;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.nio.file.FileSystemNotFoundException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -18,6 +19,15 @@ public final class UriPath {
           ? Optional.of(Path.of(parsed))
           : Optional.empty();
     } catch (URISyntaxException | IllegalArgumentException | FileSystemNotFoundException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** The file that {@code name} means in the file {@code uri}; empty for what is no file. */
+  static Optional<Path> beside(String uri, String name) {
+    try {
+      return path(uri).map(from -> from.resolveSibling(name).normalize());
+    } catch (InvalidPathException e) {
       return Optional.empty();
     }
   }
