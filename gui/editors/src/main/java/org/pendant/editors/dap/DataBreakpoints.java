@@ -121,6 +121,9 @@ final class DataBreakpoints {
   }
 
   private static Optional<DataWatch.Reader> reader(String dataId) {
+    if (dataId == null) {
+      return Optional.empty();
+    }
     if (dataId.startsWith(LiveScope.WATCHABLE)) {
       return Optional.of(DataWatch.expression(dataId.substring(LiveScope.WATCHABLE.length())));
     }

@@ -102,6 +102,9 @@ final class DebugAdapterFuzzTest {
   private static final List<String> EXPRESSIONS =
       List.of("x", "a[1]", "b.c", "1+", "\\\"", "sleep(1)", "get_actual_tcp_pose()", "x = 4", "");
 
+  private static final List<String> DATA =
+      List.of("value:x", "value:a[1]", "signal:digital_out[0]", "signal:", "value:", "x", ":");
+
   private final Random random = new Random(Long.getLong("test.seed", 1));
   private final Map<Integer, String> asked = new TreeMap<>();
   private int nextId;
@@ -218,6 +221,10 @@ final class DebugAdapterFuzzTest {
     breakpoint.addProperty("line", number());
     if (random.nextInt(3) == 0) {
       breakpoint.addProperty("condition", "x > 3");
+    }
+    if (random.nextInt(3) > 0) {
+      breakpoint.addProperty("name", random.nextBoolean() ? "p" : "none");
+      breakpoint.addProperty("dataId", DATA.get(random.nextInt(DATA.size())));
     }
     if (random.nextInt(5) == 0) {
       breakpoint.addProperty("hitCondition", ">2");
