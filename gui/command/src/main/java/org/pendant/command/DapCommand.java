@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.editors.dap.DebugAdapterConnection;
 import org.pendant.editors.wire.LoopbackListener;
@@ -83,6 +84,7 @@ final class DapCommand implements Subcommand {
       throws InterruptedException {
     DebugAdapterConnection.serve(
         new DebuggedPrograms(),
+        Optional.empty(),
         in,
         out,
         fault -> tell(fault, console),

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.ControllerOptions;
@@ -30,6 +31,7 @@ import org.pendant.protocols.teachpendant.PendantSetup;
  * @param panel folders of programs and of log files
  * @param toolDevice the serial device at the tool connector
  * @param trace takes what goes over all connections
+ * @param attachPort where editors attach to it
  */
 record ServeOptions(
     ControllerOptions controller,
@@ -39,7 +41,8 @@ record ServeOptions(
     RemoteControl remote,
     PendantSetup panel,
     Optional<String> toolDevice,
-    Optional<OutputFile> trace) {
+    Optional<OutputFile> trace,
+    OptionalInt attachPort) {
 
   private static final int MAX_ROBOTS = 100;
 
@@ -111,6 +114,7 @@ record ServeOptions(
                   POWER_TIME,
                   TRACE,
                   OutputFile.FORCE,
+                  AttachPort.OPTION,
                   ToolSerialOption.OPTION),
               RunOptions.OF_CONTROLLER.stream())
           .toList();
@@ -128,6 +132,10 @@ record ServeOptions(
     }
     if (arguments.value(TRACE).isPresent()) {
       throw new UsageException(TRACE.name() + " is the file of one robot, there are " + count);
+    }
+    if (arguments.has(AttachPort.OPTION)) {
+      throw new UsageException(
+          AttachPort.OPTION.name() + " is the port of one robot, there are " + count);
     }
     List<ServeOptions> robots = new ArrayList<>();
     for (int i = 0; i < count; i++) {
@@ -163,7 +171,8 @@ record ServeOptions(
         new PendantSetup(
             controller.robotId(), ProgramsFolder.at(programs), logs, ControlOption.of(arguments)),
         ToolSerialOption.of(arguments),
-        trace(arguments));
+        trace(arguments),
+        arguments.whole(AttachPort.OPTION));
   }
 
   private static Optional<OutputFile> trace(Arguments arguments) throws UsageException {

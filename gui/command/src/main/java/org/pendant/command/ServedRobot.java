@@ -14,6 +14,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.editors.dap.run.AttachableRobot;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.dashboard.DashboardServer;
@@ -49,6 +50,7 @@ final class ServedRobot implements AutoCloseable {
   private final ToolSerialLine tool;
   private final ScriptConnectors scriptConnectors;
   private final Robot robot;
+  private final AttachableRobot attachable;
   private final FrameLoop loop;
   private final StateBroadcaster frames;
   private final RemotePendant remotePendant;
@@ -56,6 +58,7 @@ final class ServedRobot implements AutoCloseable {
   private final String prefix;
   private Optional<LogPrinter> printer = Optional.empty();
   private Optional<WireTrace> trace = Optional.empty();
+  private Optional<AttachPort> attachPort = Optional.empty();
 
   /**
    * Opens the ports and begins with the frames.
@@ -72,6 +75,7 @@ final class ServedRobot implements AutoCloseable {
         new Controller(
             options.controller().withOutside(scriptConnectors.connectors().withToolSerial(tool)));
     robot = controller;
+    attachable = new AttachableRobot(controller, controller::programSource);
     PeerLog log = ServerLog.of(robot);
     loop = FrameLoop.start(controller, new WallClock());
     frames = new StateBroadcaster(robot.feed(), log);
@@ -143,6 +147,18 @@ final class ServedRobot implements AutoCloseable {
       } catch (IOException e) {
         throw new UsageException(file.name() + ": cannot be written, " + FileTrouble.reason(e));
       }
+    }
+  }
+
+  /**
+   * Lets editors attach from now on, if that was asked for.
+   *
+   * @throws UsageException if the port is taken
+   */
+  void letAttach() throws UsageException {
+    if (options.attachPort().isPresent()) {
+      attachPort =
+          Optional.of(new AttachPort(options.attachPort().getAsInt(), attachable, console));
     }
   }
 
@@ -227,6 +243,7 @@ final class ServedRobot implements AutoCloseable {
         loop;
         frames;
         ports) {
+      attachPort.ifPresent(AttachPort::close);
       printer.ifPresent(LogPrinter::close);
     }
     endTrace();

@@ -34,7 +34,7 @@ final class Service {
   /**
    * Serves until it is told to end.
    *
-   * @throws UsageException if a trace cannot be begun
+   * @throws UsageException if a trace cannot be begun or the port for editors is taken
    */
   ExitCode run() throws UsageException {
     try {
@@ -53,6 +53,7 @@ final class Service {
         return ExitCode.UNAVAILABLE;
       }
       robot.trace();
+      robot.letAttach();
     }
     robots.forEach(ServedRobot::load);
     robots.forEach(ServedRobot::announce);

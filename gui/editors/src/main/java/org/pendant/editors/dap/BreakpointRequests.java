@@ -74,7 +74,11 @@ final class BreakpointRequests {
   }
 
   private Optional<DebuggedText> text(Source source) {
-    return session.debuggee().map(Debuggee::text).filter(text -> text.isMeant(source));
+    return session
+        .debuggee()
+        .map(Debuggee::text)
+        .filter(DebuggedText::known)
+        .filter(text -> text.isMeant(source));
   }
 
   /** What became of a breakpoint. */
@@ -85,8 +89,8 @@ final class BreakpointRequests {
     told.setLine(session.form().line(wanted.line()));
     if (wanted.refusal().isPresent()) {
       unverified(told, wanted.refusal().get(), BreakpointNotVerifiedReason.FAILED);
-    } else if (session.debuggee().isEmpty()) {
-      unverified(told, "no program was launched yet", BreakpointNotVerifiedReason.PENDING);
+    } else if (session.debuggee().isEmpty() || !session.program().text().known()) {
+      unverified(told, "no program is there yet", BreakpointNotVerifiedReason.PENDING);
     } else if (text(source).isEmpty()) {
       unverified(
           told,
@@ -132,9 +136,13 @@ final class BreakpointRequests {
         });
   }
 
+  /** Another debugger has none of them yet. */
+  void anotherDebugger() {
+    table.forgetInstalled();
+  }
+
   /** Tells what became of the breakpoints that were set before the program was there. */
   void launched() {
-    table.forgetInstalled();
     for (BreakpointTable.OfSource of : table.sources()) {
       for (BreakpointTable.Wanted each : of.all()) {
         BreakpointEventArguments changed = new BreakpointEventArguments();

@@ -17,7 +17,7 @@ import org.eclipse.lsp4j.debug.SetDataBreakpointsResponse;
 import org.pendant.editors.dap.look.LiveScope;
 import org.pendant.editors.dap.look.WatchedSignal;
 import org.pendant.editors.dap.run.DataWatch;
-import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.DebuggedRobot;
 
 /** Requests about breakpoints on values: global variables, expressions, signals, registers, arm. */
 final class DataBreakpoints {
@@ -140,7 +140,7 @@ final class DataBreakpoints {
         debuggee
             .filter(each -> !wanted.isEmpty())
             .map(each -> new DataWatch(each.run().robot()::state, wanted));
-    debuggee.ifPresent(each -> each.run().watch(watch.map(RobotRun.FrameWatch.class::cast)));
+    debuggee.ifPresent(each -> each.run().watch(watch.map(DebuggedRobot.FrameWatch.class::cast)));
   }
 
   /** What people change themselves stops nothing. */

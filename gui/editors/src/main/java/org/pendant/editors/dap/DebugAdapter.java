@@ -59,6 +59,7 @@ import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolServer;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.editors.dap.run.AttachableRobot;
 import org.pendant.editors.dap.run.DebugTargets;
 import org.pendant.script.function.Builtins;
 
@@ -68,6 +69,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final DebugSession session;
   private final StopKinds stops;
   private final Launching launching;
+  private final Attaching attaching;
   private final ExecutionRequests execution;
   private final StackRequests inspection;
   private final ValueRequests values;
@@ -79,10 +81,12 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   /**
    * An adapter for one client.
    *
+   * @param robot that the client may attach to
    * @param left is run when the client has said that it leaves
    */
   DebugAdapter(
       DebugTargets targets,
+      Optional<AttachableRobot> robot,
       SessionThread turns,
       Supplier<IDebugProtocolClient> client,
       Runnable left) {
@@ -101,6 +105,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
             data,
             new ExceptionFilters(session));
     launching = new Launching(session, targets, builtins, stops, wishes);
+    attaching = new Attaching(session, robot, builtins, stops, wishes);
     execution = new ExecutionRequests(session, wishes, new PastRequests(session, table));
     inspection = new StackRequests(session);
     values = new ValueRequests(session, data);
@@ -129,6 +134,11 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   @Override
   public CompletableFuture<Void> launch(Map<String, Object> told) {
     return turns.request(() -> launching.launch(told));
+  }
+
+  @Override
+  public CompletableFuture<Void> attach(Map<String, Object> told) {
+    return turns.request(attaching::attach);
   }
 
   @Override

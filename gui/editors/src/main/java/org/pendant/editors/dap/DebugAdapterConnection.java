@@ -2,6 +2,7 @@ package org.pendant.editors.dap;
 
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -10,6 +11,7 @@ import java.util.function.Consumer;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.eclipse.lsp4j.jsonrpc.Launcher;
 import org.eclipse.lsp4j.jsonrpc.debug.DebugLauncher;
+import org.pendant.editors.dap.run.AttachableRobot;
 import org.pendant.editors.dap.run.DebugTargets;
 import org.pendant.editors.wire.CheckedFrames;
 
@@ -21,12 +23,14 @@ public final class DebugAdapterConnection {
    * Serves the client until it disconnects or its stream ends; the caller waits.
    *
    * @param targets makes what is debugged
+   * @param robot that the client may attach to
    * @param faults is told of what goes wrong in the adapter itself
    * @param complaints is told what of the client's bytes is left out
    * @throws InterruptedException if the thread is interrupted
    */
   public static void serve(
       DebugTargets targets,
+      Optional<AttachableRobot> robot,
       InputStream input,
       OutputStream output,
       Consumer<Throwable> faults,
@@ -39,7 +43,7 @@ public final class DebugAdapterConnection {
     SessionThread turns = new SessionThread();
     CompletableFuture<IDebugProtocolClient> client = new CompletableFuture<>();
     try (DebugAdapter adapter =
-        new DebugAdapter(targets, turns, client::join, () -> left.complete(true))) {
+        new DebugAdapter(targets, robot, turns, client::join, () -> left.complete(true))) {
       Launcher<IDebugProtocolClient> launcher =
           new DebugLauncher.Builder<IDebugProtocolClient>()
               .setLocalService(adapter)

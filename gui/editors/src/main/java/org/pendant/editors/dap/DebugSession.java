@@ -12,7 +12,7 @@ import org.eclipse.lsp4j.debug.ThreadEventArguments;
 import org.eclipse.lsp4j.debug.ThreadEventArgumentsReason;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.pendant.editors.dap.look.StandingProgram;
-import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.DebuggedRobot;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /** Debug session: what all requests of a client have in common. Only its thread uses it. */
@@ -147,7 +147,7 @@ final class DebugSession {
   }
 
   /** Asks the debugger. */
-  <T> CompletableFuture<T> ask(RobotRun.Question<T> question) {
+  <T> CompletableFuture<T> ask(DebuggedRobot.Question<T> question) {
     return program().run().ask(question);
   }
 }

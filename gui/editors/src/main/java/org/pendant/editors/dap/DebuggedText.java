@@ -29,10 +29,53 @@ final class DebuggedText {
    */
   record Place(int line, int column) {}
 
+  private final boolean known;
+
+  /** Where it comes from, if no file has it. */
+  private final String origin;
+
   DebuggedText(ClientForm form, DebugTarget target) {
+    this(
+        form,
+        target.source().orElseThrow(),
+        target.generated()
+            ? Optional.empty()
+            : Optional.of(Path.of(target.source().orElseThrow().name())),
+        true,
+        "made of a program tree");
+  }
+
+  /**
+   * A text.
+   *
+   * @param file that has it; empty for none
+   */
+  DebuggedText(ClientForm form, org.pendant.language.source.Source source, Optional<Path> file) {
+    this(form, source, file, true, "sent to the robot");
+  }
+
+  private DebuggedText(
+      ClientForm form,
+      org.pendant.language.source.Source source,
+      Optional<Path> file,
+      boolean known,
+      String origin) {
+    this.origin = origin;
     this.form = form;
-    source = target.source().orElseThrow();
-    file = target.generated() ? Optional.empty() : Optional.of(Path.of(source.name()));
+    this.source = source;
+    this.file = file;
+    this.known = known;
+  }
+
+  /** Stands for that of a program which will begin: any text may be meant. */
+  static DebuggedText unknown(ClientForm form) {
+    return new DebuggedText(
+        form, org.pendant.language.source.Source.of("no program", ""), Optional.empty(), false, "");
+  }
+
+  /** Whether there is a program. */
+  boolean known() {
+    return known;
   }
 
   org.pendant.language.source.Source source() {
@@ -48,7 +91,7 @@ final class DebuggedText {
     } else {
       named.setName(source.name());
       named.setSourceReference(GENERATED);
-      named.setOrigin("made of a program tree");
+      named.setOrigin(origin);
       named.setPresentationHint(SourcePresentationHint.NORMAL);
     }
     return named;
@@ -56,6 +99,9 @@ final class DebuggedText {
 
   /** Whether a client means this text. */
   boolean isMeant(Source named) {
+    if (!known) {
+      return true;
+    }
     if (named.getSourceReference() != null && named.getSourceReference() > 0) {
       return file.isEmpty() && named.getSourceReference() == GENERATED;
     }

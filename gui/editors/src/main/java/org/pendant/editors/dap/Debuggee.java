@@ -1,7 +1,6 @@
 package org.pendant.editors.dap;
 
-import org.pendant.editors.dap.run.DebugTarget;
-import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.DebuggedRobot;
 import org.pendant.script.vm.Program;
 
 /**
@@ -11,8 +10,7 @@ import org.pendant.script.vm.Program;
  */
 record Debuggee(
     LaunchArguments arguments,
-    DebugTarget target,
     Program program,
     DebuggedText text,
-    RobotRun run,
+    DebuggedRobot run,
     RunEvents events) {}

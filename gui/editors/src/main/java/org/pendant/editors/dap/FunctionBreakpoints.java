@@ -1,6 +1,7 @@
 package org.pendant.editors.dap;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -8,6 +9,8 @@ import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 import org.eclipse.lsp4j.debug.Breakpoint;
+import org.eclipse.lsp4j.debug.BreakpointEventArguments;
+import org.eclipse.lsp4j.debug.BreakpointEventArgumentsReason;
 import org.eclipse.lsp4j.debug.BreakpointNotVerifiedReason;
 import org.eclipse.lsp4j.debug.FunctionBreakpoint;
 import org.eclipse.lsp4j.debug.SetFunctionBreakpointsArguments;
@@ -25,6 +28,7 @@ final class FunctionBreakpoints {
   private final BreakpointRequests requests;
   private final Catalogue catalogue;
   private FunctionBreakpoint[] asked = {};
+  private List<Integer> ids = List.of();
 
   FunctionBreakpoints(
       DebugSession session,
@@ -39,54 +43,72 @@ final class FunctionBreakpoints {
 
   CompletableFuture<SetFunctionBreakpointsResponse> set(SetFunctionBreakpointsArguments wanted) {
     asked = Objects.requireNonNullElse(wanted.getBreakpoints(), new FunctionBreakpoint[0]);
+    ids = Arrays.stream(asked).map(each -> table.nextId()).toList();
     SetFunctionBreakpointsResponse response = new SetFunctionBreakpointsResponse();
     response.setBreakpoints(find().stream().map(this::told).toArray(Breakpoint[]::new));
     return requests.install().thenApply(done -> response);
   }
 
+  /** Looks for them in another program, and tells what became of them. */
+  void launched() {
+    for (BreakpointTable.Wanted each : find()) {
+      BreakpointEventArguments changed = new BreakpointEventArguments();
+      changed.setReason(BreakpointEventArgumentsReason.CHANGED);
+      changed.setBreakpoint(told(each));
+      session.client().breakpoint(changed);
+    }
+  }
+
   /** Looks for the functions that were asked for in the program of the session. */
-  List<BreakpointTable.Wanted> find() {
+  private List<BreakpointTable.Wanted> find() {
     List<OutlineItem> outline =
-        asked.length == 0 || session.debuggee().isEmpty()
+        asked.length == 0 || !known()
             ? List.of()
             : ScriptAnalysis.of(session.program().text().source(), catalogue).outline();
     List<BreakpointTable.Wanted> all = new ArrayList<>();
-    for (FunctionBreakpoint each : asked) {
+    for (int i = 0; i < asked.length; i++) {
+      int id = ids.get(i);
       all.add(
-          all.size() < BreakpointTable.MOST
-              ? wanted(each, outline)
-              : refused("there are at most " + BreakpointTable.MOST + " of functions"));
+          i < BreakpointTable.MOST
+              ? wanted(id, asked[i], outline)
+              : refused(id, "there are at most " + BreakpointTable.MOST + " of functions"));
     }
     table.setFunctions(all);
     return all;
   }
 
-  private BreakpointTable.Wanted refused(String why) {
-    return new BreakpointTable.Wanted(table.nextId(), 0, Optional.empty(), Optional.of(why));
+  private static BreakpointTable.Wanted refused(int id, String why) {
+    return new BreakpointTable.Wanted(id, 0, Optional.empty(), Optional.of(why));
   }
 
-  private BreakpointTable.Wanted wanted(FunctionBreakpoint each, List<OutlineItem> outline) {
-    if (session.debuggee().isEmpty()) {
-      return refused("no program was launched yet");
+  private boolean known() {
+    return session.debuggee().filter(each -> each.text().known()).isPresent();
+  }
+
+  private BreakpointTable.Wanted wanted(
+      int id, FunctionBreakpoint each, List<OutlineItem> outline) {
+    if (!known()) {
+      return refused(id, "no program is there yet");
     }
     OptionalInt first = HitCondition.first(Objects.requireNonNullElse(each.getHitCondition(), ""));
     if (first.isEmpty()) {
       return refused(
+          id,
           "hit condition is " + each.getHitCondition() + ", must be a number, such as 5, or > 5");
     }
     if (each.getName() == null) {
-      return refused("a function breakpoint needs the name of a function");
+      return refused(id, "a function breakpoint needs the name of a function");
     }
     Optional<OutlineItem> function =
         definitions(outline)
             .filter(item -> item.name().equals(ByteText.asBytes(each.getName().strip())))
             .findFirst();
     if (function.isEmpty()) {
-      return refused("the program has no function " + each.getName());
+      return refused(id, "the program has no function " + each.getName());
     }
     OptionalInt line = firstStatement(function.get());
     if (line.isEmpty()) {
-      return refused(each.getName() + " has no statement");
+      return refused(id, each.getName() + " has no statement");
     }
     org.pendant.script.debug.Breakpoint breakpoint =
         new org.pendant.script.debug.Breakpoint(
@@ -96,7 +118,7 @@ final class FunctionBreakpoints {
             first.getAsInt(),
             "");
     return new BreakpointTable.Wanted(
-        table.nextId(), line.getAsInt(), Optional.of(breakpoint), Optional.empty());
+        id, line.getAsInt(), Optional.of(breakpoint), Optional.empty());
   }
 
   private static Stream<OutlineItem> definitions(List<OutlineItem> among) {

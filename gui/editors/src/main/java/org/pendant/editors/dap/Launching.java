@@ -26,6 +26,7 @@ final class Launching {
   private final Builtins<ControlBox> builtins;
   private final StopKinds stops;
   private final StopWishes wishes;
+  private Optional<RobotRun> launched = Optional.empty();
   private boolean configured;
   private boolean started;
   private boolean launching;
@@ -104,7 +105,7 @@ final class Launching {
           target.problems().stream().findFirst().orElse(target.file() + ": the tree cannot run"));
     }
     DebuggedText text = new DebuggedText(session.form(), target);
-    OutputEvents output = new OutputEvents(target, text);
+    OutputEvents output = new OutputEvents(target.node(), text);
     read.result().diagnostics().forEach(each -> session.client().output(output.of(each)));
     if (read.result().program().isEmpty()) {
       target.outside().run();
@@ -116,11 +117,13 @@ final class Launching {
       throw Refusals.of(
           target.file() + ": a secondary program runs within a frame and cannot be debugged");
     }
-    RunEvents events = new RunEvents(session, stops, wishes, output);
+    RunEvents events = new RunEvents(session, stops, wishes, () -> output);
     RobotRun run =
         RobotRun.begin(
             new Controller(target.options(), builtins), target, events, session.thread());
-    session.debug(Optional.of(new Debuggee(arguments, target, program, text, run, events)));
+    session.debug(Optional.of(new Debuggee(arguments, program, text, run, events)));
+    launched = Optional.of(run);
+    stops.anotherDebugger();
     var _ = stops.launched();
   }
 
@@ -151,7 +154,7 @@ final class Launching {
   }
 
   private CompletableFuture<Void> startWhenConfigured() {
-    if (!configured || started || session.debuggee().isEmpty()) {
+    if (!configured || started || launched.isEmpty()) {
       return CompletableFuture.completedFuture(null);
     }
     started = true;
@@ -161,14 +164,15 @@ final class Launching {
       wishes.expect(StopWishes.Pause.ENTRY);
     }
     session.tellThreads(List.of(Debugger.MAIN));
-    return debuggee
-        .run()
-        .start(debuggee.program(), debuggee.target().file(), held)
+    String file = debuggee.arguments().program();
+    return launched
+        .get()
+        .start(debuggee.program(), file, held)
         .thenAccept(
             refusal ->
                 refusal.ifPresent(
                     why -> {
-                      throw Refusals.of(debuggee.target().file() + ": " + ByteText.decoded(why));
+                      throw Refusals.of(file + ": " + ByteText.decoded(why));
                     }));
   }
 
@@ -176,6 +180,9 @@ final class Launching {
   CompletableFuture<Void> restart(Optional<Map<String, Object>> told) {
     if (launching) {
       return Refusals.answer("a program is being launched");
+    }
+    if (session.debuggee().isPresent() && launched.isEmpty()) {
+      return Refusals.answer("only programs that were launched are restarted");
     }
     LaunchArguments arguments = LaunchArguments.again(session.program().arguments(), told);
     end();
@@ -199,6 +206,7 @@ final class Launching {
     Optional<Debuggee> debuggee = session.debuggee();
     session.debug(Optional.empty());
     started = false;
+    launched = Optional.empty();
     debuggee.ifPresent(
         each -> {
           each.events().detach();

@@ -3,12 +3,12 @@ package org.pendant.editors.dap;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.eclipse.lsp4j.debug.OutputEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArgumentsCategory;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.editors.dap.run.DebugTarget;
 import org.pendant.editors.dap.run.RunResult;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
@@ -22,12 +22,17 @@ final class OutputEvents {
   /** Of a deeper call stack only the innermost calls are shown. */
   static final int MAX_CALLS = 20;
 
-  private final DebugTarget target;
+  private final IntFunction<Optional<String>> node;
   private final Source source;
   private final DebuggedText text;
 
-  OutputEvents(DebugTarget target, DebuggedText text) {
-    this.target = target;
+  /**
+   * Of a program.
+   *
+   * @param node which node of a tree a line belongs to
+   */
+  OutputEvents(IntFunction<Optional<String>> node, DebuggedText text) {
+    this.node = node;
     this.text = text;
     source = text.source();
   }
@@ -155,7 +160,7 @@ final class OutputEvents {
 
   /** The node of the tree that a line belongs to, as a line of its own. */
   private String node(int line) {
-    return target.node().apply(line).map(node -> "\n" + node + "stopped here").orElse("");
+    return node.apply(line).map(found -> "\n" + found + "stopped here").orElse("");
   }
 
   /** A remark about the program. */

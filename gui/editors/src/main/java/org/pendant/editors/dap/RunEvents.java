@@ -2,6 +2,7 @@ package org.pendant.editors.dap;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.eclipse.lsp4j.debug.ExitedEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArguments;
@@ -13,7 +14,7 @@ import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.editors.dap.look.LiveView;
 import org.pendant.editors.dap.run.DataWatch;
-import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.DebuggedRobot;
 import org.pendant.editors.dap.run.RunListener;
 import org.pendant.editors.dap.run.RunResult;
 import org.pendant.language.source.ByteText;
@@ -26,14 +27,15 @@ final class RunEvents implements RunListener {
   private final DebugSession session;
   private final StopKinds stops;
   private final StopWishes wishes;
-  private final OutputEvents output;
+  private final Supplier<OutputEvents> output;
   private long toldStop;
   private long toldEntry;
 
   /** Only for the thread of the session. */
   private boolean detached;
 
-  RunEvents(DebugSession session, StopKinds stops, StopWishes wishes, OutputEvents output) {
+  RunEvents(
+      DebugSession session, StopKinds stops, StopWishes wishes, Supplier<OutputEvents> output) {
     this.session = session;
     this.stops = stops;
     this.wishes = wishes;
@@ -42,7 +44,7 @@ final class RunEvents implements RunListener {
 
   @Override
   public void frame(ControllerState state) throws InterruptedException {
-    List<OutputEventArguments> said = output.of(state, toldEntry);
+    List<OutputEventArguments> said = output.get().of(state, toldEntry);
     toldEntry = Math.max(toldEntry, state.newestEntry());
     if (!said.isEmpty()) {
       session.thread().event(() -> said.forEach(session.client()::output));
@@ -60,7 +62,7 @@ final class RunEvents implements RunListener {
   }
 
   /** The run, as long as the session is about it. */
-  private Optional<RobotRun> run() {
+  private Optional<DebuggedRobot> run() {
     return session.debuggee().map(Debuggee::run).filter(run -> !detached);
   }
 
@@ -130,7 +132,7 @@ final class RunEvents implements RunListener {
     if (run().isEmpty()) {
       return;
     }
-    RobotRun run = run().get();
+    DebuggedRobot run = run().get();
     StoppedEventArguments told = new StoppedEventArguments();
     told.setReason(StoppedEventArgumentsReason.EXCEPTION);
     told.setDescription("A safety function has stopped the arm");
@@ -143,7 +145,7 @@ final class RunEvents implements RunListener {
 
   @Override
   public void note(String text) {
-    session.thread().execute(() -> session.client().output(output.note(text)));
+    session.thread().execute(() -> session.client().output(output.get().note(text)));
   }
 
   @Override
@@ -155,7 +157,7 @@ final class RunEvents implements RunListener {
     if (detached) {
       return;
     }
-    output.of(result).ifPresent(session.client()::output);
+    output.get().of(result).ifPresent(session.client()::output);
     session.goOn();
     session.tellThreads(List.of());
     ExitedEventArguments exited = new ExitedEventArguments();

@@ -16,11 +16,16 @@ record StopKinds(
     DataBreakpoints data,
     ExceptionFilters failures) {
 
+  /** Another debugger is there, which has no breakpoints yet. */
+  void anotherDebugger() {
+    lines.anotherDebugger();
+  }
+
   /** Another program is there: it stops where the client has asked for before. */
   CompletableFuture<Boolean> launched() {
     failures.apply();
     data.apply();
-    functions.find();
+    functions.launched();
     lines.launched();
     return lines.install();
   }

@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
@@ -146,7 +147,12 @@ final class DebugAdapterFuzzTest {
             () -> {
               try {
                 DebugAdapterConnection.serve(
-                    new FilesOnDisk(), atServer, toClient, faults::add, complaint -> {});
+                    new FilesOnDisk(),
+                    Optional.empty(),
+                    atServer,
+                    toClient,
+                    faults::add,
+                    complaint -> {});
                 toClient.close();
                 served.complete(true);
               } catch (Throwable e) {

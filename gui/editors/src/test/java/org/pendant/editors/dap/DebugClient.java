@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -48,6 +49,7 @@ import org.eclipse.lsp4j.debug.launch.DSPLauncher;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolServer;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
+import org.pendant.editors.dap.run.AttachableRobot;
 
 /** A client for tests, connected to a debug adapter of its own by streams. */
 final class DebugClient implements IDebugProtocolClient, AutoCloseable {
@@ -78,6 +80,11 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
 
   /** A client that will debug the file {@code program}; it has said nothing yet. */
   static DebugClient connect(Path program) throws IOException {
+    return connect(program, Optional.empty());
+  }
+
+  /** As the other one, with a robot to attach to. */
+  static DebugClient connect(Path program, Optional<AttachableRobot> robot) throws IOException {
     DebugClient client = new DebugClient(program);
     PipedInputStream atServer = new PipedInputStream(client.toServer, PIPE_BYTES);
     PipedInputStream atClient = new PipedInputStream(PIPE_BYTES);
@@ -89,6 +96,7 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
               try {
                 DebugAdapterConnection.serve(
                     new FilesOnDisk(),
+                    robot,
                     atServer,
                     toClient,
                     client.faults::add,

@@ -3,7 +3,7 @@ package org.pendant.editors.dap.look;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.DebuggedRobot;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.debug.Variable;
@@ -15,12 +15,12 @@ import org.pendant.script.value.ValueKind;
  * @param thread of the call
  * @param depth of the call, 1 for the outermost
  */
-public record LiveScope(RobotRun run, int thread, int depth) {
+public record LiveScope(DebuggedRobot run, int thread, int depth) {
   /** Begins the name by which data breakpoints know an expression. */
   public static final String WATCHABLE = "value:";
 
   /** The scope where all global variables can be seen. */
-  public static LiveScope global(RobotRun run) {
+  public static LiveScope global(DebuggedRobot run) {
     return new LiveScope(run, Debugger.MAIN, Debugger.OUTERMOST);
   }
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.editors.dap.run.RobotRun;
+import org.pendant.editors.dap.run.DebuggedRobot;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
@@ -13,7 +13,7 @@ import org.pendant.script.vm.ThreadSnapshot;
  * @param state the snapshot that was published when it stopped
  * @param threads as they stand
  */
-public record LiveView(RobotRun run, ControllerState state, List<ThreadSnapshot> threads)
+public record LiveView(DebuggedRobot run, ControllerState state, List<ThreadSnapshot> threads)
     implements StandingProgram {
   /** Copies the list. */
   public LiveView {

@@ -15,7 +15,7 @@ import org.pendant.script.value.ScriptError;
  * Data watch: holds a program when values have changed, looked at before each frame. The thread
  * that drives the robot looks; another one may take what was found.
  */
-public final class DataWatch implements RobotRun.FrameWatch {
+public final class DataWatch implements DebuggedRobot.FrameWatch {
   private static final String NOTHING = "no value";
 
   private final Supplier<ControllerState> robot;

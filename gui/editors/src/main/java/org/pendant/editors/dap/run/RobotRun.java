@@ -19,9 +19,7 @@ import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
-import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
-import org.pendant.script.value.ScriptError;
 import org.pendant.script.vm.Program;
 
 /**
@@ -29,7 +27,7 @@ import org.pendant.script.vm.Program;
  * does. Before the program begins, while a debugger holds it, at a safety stop and after the end no
  * time passes and nothing is computed; requests are answered all the same. Any thread may call it.
  */
-public final class RobotRun implements AutoCloseable {
+public final class RobotRun implements DebuggedRobot {
   /** Memory of the recording: some minutes of an arm that never rests. */
   private static final long RECORDING_BYTES = 64L << 20;
 
@@ -41,44 +39,28 @@ public final class RobotRun implements AutoCloseable {
   private final Runnable outside;
   private final RunListener listener;
   private final Executor answers;
+  private final DebuggerLink link;
+  private final HoldAfterFrame hold;
   private final ProgramFollower follower;
   private final RecordingRing ring;
   private final Semaphore work = new Semaphore(0);
   private final Thread thread;
   private Clock clock;
   private long toldLostNs;
-  private long lastStop;
   private volatile boolean starting;
   private volatile boolean passing;
   private volatile boolean stopAtSafetyStops;
   private volatile boolean closing;
   private volatile boolean over;
-  private volatile boolean holdAfterFrame;
   private volatile boolean atSafetyStop;
   private volatile Optional<FrameWatch> watch = Optional.empty();
-
-  /** Asks the debugger something before each frame; it may hold the program. */
-  @FunctionalInterface
-  public interface FrameWatch {
-    void look(Debugger debugger);
-  }
-
-  /** Something to ask the debugger. */
-  @FunctionalInterface
-  public interface Question<T> {
-    /**
-     * Asks it.
-     *
-     * @throws IllegalArgumentException if it cannot be done now
-     * @throws ScriptError if an expression fails
-     */
-    T of(Debugger debugger) throws ScriptError;
-  }
 
   private RobotRun(
       Controller controller, DebugTarget target, RunListener listener, Executor answers) {
     robot = controller;
     this.answers = answers;
+    link = new DebuggerLink(controller, answers);
+    hold = new HoldAfterFrame(controller);
     drive = controller;
     clock = target.clock().get();
     waveforms = target.waveforms();
@@ -102,22 +84,22 @@ public final class RobotRun implements AutoCloseable {
     return run;
   }
 
-  /** The robot, to be read and asked. */
+  @Override
   public Robot robot() {
     return robot;
   }
 
-  /** What it has done so far. */
+  @Override
   public Recording recording() {
     return ring.recording();
   }
 
-  /** Whether people want to look at a safety stop before it ends the program. */
+  @Override
   public void stopAtSafetyStops(boolean wanted) {
     stopAtSafetyStops = wanted;
   }
 
-  /** Has {@code watch} asked before each frame from now on; empty for nothing. */
+  @Override
   public void watch(Optional<FrameWatch> watch) {
     this.watch = watch;
   }
@@ -152,19 +134,19 @@ public final class RobotRun implements AutoCloseable {
     work.release();
   }
 
-  /** Whether a safety stop is to be looked at, and time stands still for that. */
+  @Override
   public boolean atSafetyStop() {
     return atSafetyStop;
   }
 
-  /** Goes on after a safety stop: nobody is here to end it, so the program ends. */
+  @Override
   public void leaveSafetyStop() {
     atSafetyStop = false;
     follower.end();
     letPass();
   }
 
-  /** Ends the program. */
+  @Override
   public void stop() {
     var _ = robot.submit(new ProgramCommand.StopProgram());
     if (atSafetyStop) {
@@ -173,9 +155,9 @@ public final class RobotRun implements AutoCloseable {
     }
   }
 
-  /** Has the program held again after the frame that is under way or comes next. */
+  @Override
   public void holdAfterFrame() {
-    holdAfterFrame = true;
+    hold.wish();
   }
 
   /** Whether nothing of the program is left. */
@@ -183,31 +165,9 @@ public final class RobotRun implements AutoCloseable {
     return over;
   }
 
-  /**
-   * Asks the debugger; fails with {@link IllegalArgumentException} or {@link ScriptError}. The
-   * answer comes by the executor that this run was given.
-   */
+  @Override
   public <T> CompletableFuture<T> ask(Question<T> question) {
-    CompletableFuture<T> found = new CompletableFuture<>();
-    // before it is asked: what comes of it is told later than the answer
-    CompletableFuture<T> answer = found.whenCompleteAsync((value, fault) -> {}, answers);
-    var _ =
-        robot
-            .submit(
-                new DebugCommand.Debug(
-                    debugger -> {
-                      try {
-                        found.complete(question.of(debugger));
-                      } catch (ScriptError | RuntimeException e) {
-                        found.completeExceptionally(e);
-                      }
-                    }))
-            .thenAccept(
-                reply ->
-                    // where it was not even asked
-                    found.completeExceptionally(
-                        new IllegalArgumentException(reply.complaint().orElse("nothing came"))));
-    return answer;
+    return link.ask(question);
   }
 
   private void drive() {
@@ -245,24 +205,12 @@ public final class RobotRun implements AutoCloseable {
       }
     }
     ControllerState state = drive.state();
-    holdAgain(state);
+    hold.see(state);
     ring.take(state);
     listener.frame(state);
     if (passing && !state.debug().held()) {
       follow(state);
     }
-  }
-
-  private void holdAgain(ControllerState state) {
-    long stop = state.debug().stop().map(DebugState.Stop::number).orElse(0L);
-    if (holdAfterFrame && stop == 0) {
-      holdAfterFrame = false;
-      var _ = robot.submit(new DebugCommand.Debug(Debugger::pause));
-    } else if (stop != lastStop) {
-      // something else has held it within the frame
-      holdAfterFrame = false;
-    }
-    lastStop = stop == 0 ? lastStop : stop;
   }
 
   private void follow(ControllerState state) {

@@ -16,7 +16,7 @@ public interface RunListener {
 
   /**
    * A safety function has stopped the arm and robot time stands still, as {@link
-   * RobotRun#stopAtSafetyStops} wants it.
+   * DebuggedRobot#stopAtSafetyStops} wants it.
    */
   void safetyStop(ControllerState state);
 

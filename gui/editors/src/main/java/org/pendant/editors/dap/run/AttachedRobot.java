@@ -1,0 +1,184 @@
+package org.pendant.editors.dap.run;
+
+import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicReference;
+import org.pendant.controller.Deadline;
+import org.pendant.controller.DebugCommand;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.Robot;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StateStream;
+import org.pendant.language.source.Source;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingRing;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.vm.ProgramEvent;
+
+/**
+ * Attached robot: one that others drive. A thread follows its snapshots; programs come and go. What
+ * was left of the debugger is taken away when it is closed, and a held program goes on.
+ */
+public final class AttachedRobot implements DebuggedRobot {
+  /** Memory of the recording: some minutes of an arm that never rests. */
+  private static final long RECORDING_BYTES = 64L << 20;
+
+  private final AttachableRobot attachable;
+  private final Robot robot;
+  private final RunListener listener;
+  private final DebuggerLink link;
+  private final HoldAfterFrame hold;
+  private final RecordingRing ring;
+  private final StateStream.Subscription frames;
+  private final Thread thread;
+
+  /** The text of the newest program, as the frame loop has told it. */
+  private final AtomicReference<Optional<Source>> text = new AtomicReference<>(Optional.empty());
+
+  private volatile Optional<FrameWatch> watch = Optional.empty();
+
+  private AttachedRobot(AttachableRobot attachable, RunListener listener, Executor answers) {
+    this.attachable = attachable;
+    this.listener = listener;
+    robot = attachable.robot();
+    link = new DebuggerLink(robot, answers);
+    hold = new HoldAfterFrame(robot);
+    ring = new RecordingRing(robot.state(), text::get, RECORDING_BYTES);
+    frames = robot.feed().follow();
+    thread = Thread.ofPlatform().daemon().name("attached robot").unstarted(this::follow);
+  }
+
+  /**
+   * Begins to follow.
+   *
+   * @param answers takes what comes of questions
+   * @throws IllegalArgumentException if another editor is attached
+   */
+  public static AttachedRobot begin(
+      AttachableRobot attachable, RunListener listener, Executor answers) {
+    if (!attachable.take()) {
+      throw new IllegalArgumentException("another editor is attached to this robot");
+    }
+    AttachedRobot attached = new AttachedRobot(attachable, listener, answers);
+    attached.thread.start();
+    return attached;
+  }
+
+  @Override
+  public Robot robot() {
+    return robot;
+  }
+
+  @Override
+  public Recording recording() {
+    return ring.recording();
+  }
+
+  @Override
+  public <T> CompletableFuture<T> ask(Question<T> question) {
+    return link.ask(question);
+  }
+
+  /** The text of the running or last program. */
+  public CompletableFuture<Optional<Source>> program() {
+    return ask(debugger -> attachable.program().get());
+  }
+
+  /** The text of the program that has started last since this follows the robot. */
+  public Optional<Source> startedText() {
+    return text.get();
+  }
+
+  private void follow() {
+    try {
+      while (!frames.closed()) {
+        ControllerState state = frames.take();
+        if (frames.closed()) {
+          return;
+        }
+        see(state);
+      }
+    } catch (InterruptedException e) {
+      // close() asked for it
+      Thread.currentThread().interrupt();
+    } catch (RuntimeException | Error e) {
+      listener.failed(e);
+    }
+  }
+
+  private void see(ControllerState state) throws InterruptedException {
+    if (state.newProgramEvents().stream().anyMatch(ProgramEvent.Started.class::isInstance)) {
+      learnText();
+    }
+    hold.see(state);
+    if (watch.isPresent() && !state.debug().held()) {
+      var _ = robot.submit(new DebugCommand.Debug(watch.get()::look));
+    }
+    ring.take(state);
+    listener.frame(state);
+  }
+
+  /** Asks the frame loop, which comes to it in the next frame. */
+  private void learnText() {
+    var _ =
+        robot.ask(
+            new DebugCommand.Debug(debugger -> text.set(attachable.program().get())),
+            Deadline.orNever(Duration.ofSeconds(1)));
+  }
+
+  @Override
+  public void watch(Optional<FrameWatch> watch) {
+    this.watch = watch;
+  }
+
+  @Override
+  public void holdAfterFrame() {
+    hold.wish();
+  }
+
+  /** Others see to safety stops of this robot. */
+  @Override
+  public void stopAtSafetyStops(boolean wanted) {}
+
+  @Override
+  public boolean atSafetyStop() {
+    return false;
+  }
+
+  @Override
+  public void leaveSafetyStop() {}
+
+  @Override
+  public void stop() {
+    var _ = robot.submit(new ProgramCommand.StopProgram());
+  }
+
+  @Override
+  public void close() {
+    frames.close();
+    thread.interrupt();
+    boolean interrupted = false;
+    while (thread.isAlive()) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    var _ = robot.submit(new DebugCommand.Debug(AttachedRobot::leave));
+    attachable.giveBack();
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private static void leave(Debugger debugger) {
+    debugger.removeBreakpoints();
+    debugger.stopOnErrors(false);
+    if (debugger.state().held()) {
+      debugger.resume();
+    }
+  }
+}

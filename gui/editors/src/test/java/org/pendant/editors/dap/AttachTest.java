@@ -1,0 +1,160 @@
+package org.pendant.editors.dap;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.pendant.editors.dap.DebugClient.refusal;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.lsp4j.debug.BreakpointEventArguments;
+import org.eclipse.lsp4j.debug.DisconnectArguments;
+import org.eclipse.lsp4j.debug.LoadedSourcesArguments;
+import org.eclipse.lsp4j.debug.PauseArguments;
+import org.eclipse.lsp4j.debug.RestartArguments;
+import org.eclipse.lsp4j.debug.StepBackArguments;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.FrameLoop;
+import org.pendant.controller.Pace;
+import org.pendant.controller.ProgramCommand;
+import org.pendant.controller.SteerableClock;
+import org.pendant.editors.dap.run.AttachableRobot;
+import org.pendant.language.source.Source;
+import org.pendant.script.vm.ProgramState;
+
+class AttachTest {
+  private static final String WORK =
+      """
+      n = 0
+      while True:
+        n = n + 1
+        sleep(0.05)
+      end
+      """;
+
+  @TempDir private Path folder;
+
+  private final Controller controller = new Controller(ControllerOptions.headless());
+  private final FrameLoop loop =
+      FrameLoop.start(controller, new SteerableClock(new Pace.Times(20)));
+  private final AttachableRobot robot = new AttachableRobot(controller, controller::programSource);
+
+  @AfterEach
+  void end() {
+    loop.close();
+  }
+
+  private DebugClient client() throws Exception {
+    Path file = folder.resolve("work.script");
+    Files.writeString(file, WORK);
+    return DebugClient.connect(file, Optional.of(robot));
+  }
+
+  /** Others start the program. */
+  private void start() {
+    Source source = Source.of(folder.resolve("work.script").toString(), WORK);
+    var program = controller.load(source).program().orElseThrow();
+    var _ = controller.submit(new ProgramCommand.StartProgram(program)).join();
+  }
+
+  private static void attach(DebugClient client) throws Exception {
+    client.initialize();
+    client.server().attach(Map.of()).join();
+    client.next(DebugClient.Ready.class);
+  }
+
+  @Test
+  void looksIntoAProgramThatRunsAlready() throws Exception {
+    try (DebugClient client = client()) {
+      start();
+      attach(client);
+      assertTrue(client.breakpoints(4)[0].isVerified());
+      client.configured();
+      assertEquals("breakpoint", client.stop().getReason());
+      assertEquals(4, client.line());
+      int before = Integer.parseInt(client.evaluate("n", "watch"));
+      client.resume();
+      client.stop();
+      assertEquals(before + 1, Integer.parseInt(client.evaluate("n", "watch")));
+      client.stepOver();
+      client.stop();
+      assertEquals(3, client.line());
+      client.server().stepBack(new StepBackArguments()).join();
+      client.stop();
+      assertEquals(4, client.line());
+    }
+  }
+
+  @Test
+  void breakpointsThatWereSetBeforeStopAProgramThatOthersStart() throws Exception {
+    try (DebugClient client = client()) {
+      attach(client);
+      assertFalse(client.breakpoints(3)[0].isVerified());
+      client.configured();
+      start();
+      assertTrue(client.next(BreakpointEventArguments.class).getBreakpoint().isVerified());
+      client.stop();
+      assertEquals(3, client.line());
+      assertEquals(
+          "work.script",
+          client
+              .server()
+              .loadedSources(new LoadedSourcesArguments())
+              .join()
+              .getSources()[0]
+              .getName());
+    }
+  }
+
+  @Test
+  void aHeldProgramGoesOnWhenTheEditorLeaves() throws Exception {
+    try (DebugClient client = client()) {
+      start();
+      attach(client);
+      client.configured();
+      client.server().pause(new PauseArguments()).join();
+      client.stop();
+      client.server().disconnect(new DisconnectArguments()).join();
+    }
+    long frame = controller.state().frame();
+    var feed = controller.feed().follow();
+    while (controller.state().frame() < frame + 50) {
+      feed.take();
+    }
+    assertEquals(ProgramState.RUNNING, controller.state().program().state());
+    assertFalse(controller.state().debug().held());
+  }
+
+  @Test
+  void oneEditorAtATimeIsAttached() throws Exception {
+    try (DebugClient first = client()) {
+      attach(first);
+      try (DebugClient second = client()) {
+        second.initialize();
+        assertEquals(
+            "another editor is attached to this robot", refusal(second.server().attach(Map.of())));
+      }
+      assertEquals(
+          "only programs that were launched are restarted",
+          refusal(first.server().restart(new RestartArguments())));
+    }
+    try (DebugClient third = client()) {
+      attach(third);
+    }
+  }
+
+  @Test
+  void withoutARobotThereIsNothingToAttachTo() throws Exception {
+    try (DebugClient client = DebugClient.of(folder, WORK)) {
+      client.initialize();
+      assertTrue(
+          refusal(client.server().attach(Map.of())).startsWith("there is no robot to attach to"));
+    }
+  }
+}
