@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { switching } from '../src/panel/outputs';
+import { fileOf } from '../src/panel/place';
 import { read } from '../src/panel/reading';
 import { Stops } from '../src/panel/stops';
 
@@ -49,4 +50,12 @@ test('of many stops the newest are kept, with their numbers', () => {
   assert.equal(stops.find(50), undefined);
   stops.clear();
   assert.equal(stops.add(stop).number, 1);
+});
+
+test('the file of a stop is found whatever form its path has', () => {
+  assert.equal(fileOf('/cell/a.script'), '/cell/a.script');
+  assert.equal(fileOf('file:///cell/a%20b.script'), '/cell/a b.script');
+  assert.equal(fileOf({ scheme: 'vscode-remote', authority: 'wsl', path: '/cell/a.script' }), '/cell/a.script');
+  assert.equal(fileOf('debug:///generated'), undefined);
+  assert.equal(fileOf(undefined), undefined);
 });

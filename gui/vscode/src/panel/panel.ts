@@ -2,6 +2,7 @@
 import * as vscode from 'vscode';
 import type { DebugProtocol } from '@vscode/debugprotocol';
 import type { Show, Wish } from './messages';
+import { fileOf } from './place';
 import { switching } from './outputs';
 import { read, type Variable } from './reading';
 import { Stops } from './stops';
@@ -93,7 +94,7 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
       reason,
       function: frame.name,
       line: frame.line,
-      file: frame.source?.path ?? '',
+      file: fileOf(frame.source?.path) ?? '',
       reading: read(arm(session), robot, signals),
     });
     this.be('stopped');
