@@ -41,7 +41,7 @@ test('outputs are switched by the functions of programs, inputs are not', () => 
 
 test('of many stops the newest are kept, with their numbers', () => {
   const stops = new Stops();
-  const stop = { reason: 'step', function: 'f', line: 1, file: 'f.script', reading: read('ur5e', [], []) };
+  const stop = { reason: 'step', description: '', function: 'f', line: 1, file: 'f.script', reading: read('ur5e', [], []) };
   for (let i = 0; i < 250; i++) {
     stops.add(stop);
   }

@@ -55,8 +55,8 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
 
   private hear(session: vscode.DebugSession, event: DebugProtocol.Event): void {
     if (event.event === 'stopped') {
-      const { threadId, reason } = event.body as DebugProtocol.StoppedEvent['body'];
-      this.look(session, threadId ?? 1, reason).catch((error) => this.log.warn(`robot panel: ${error}`));
+      const { threadId, reason, description } = event.body as DebugProtocol.StoppedEvent['body'];
+      this.look(session, threadId ?? 1, { reason, description: description ?? '' }).catch((error) => this.log.warn(`robot panel: ${error}`));
     } else if (event.event === 'continued') {
       this.be('running');
     } else if (event.event === 'terminated') {
@@ -72,7 +72,11 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
   }
 
   /** Asks what there is at a stop. */
-  private async look(session: vscode.DebugSession, threadId: number, reason: string): Promise<void> {
+  private async look(
+    session: vscode.DebugSession,
+    threadId: number,
+    why: { readonly reason: string; readonly description: string },
+  ): Promise<void> {
     const trace: DebugProtocol.StackTraceResponse['body'] = await session.customRequest('stackTrace', {
       threadId,
       startFrame: 0,
@@ -91,7 +95,7 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
       return;
     }
     this.stops.add({
-      reason,
+      ...why,
       function: frame.name,
       line: frame.line,
       file: fileOf(frame.source?.path) ?? '',
@@ -148,9 +152,11 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
         context: 'repl',
         ...(item instanceof vscode.DebugStackFrame && item.session === session ? { frameId: item.frameId } : {}),
       });
-      const last = this.stops.last;
       const thread = item instanceof vscode.DebugStackFrame || item instanceof vscode.DebugThread ? item.threadId : 1;
-      await this.look(session, thread, last === undefined ? 'output' : `${bank}[${index}]`);
+      await this.look(session, thread, {
+        reason: `${bank}[${index}]`,
+        description: this.stops.last?.description ?? '',
+      });
     } catch (error) {
       void vscode.window.showErrorMessage(error instanceof Error ? error.message : String(error));
       this.show();

@@ -5,6 +5,8 @@ export interface Stop {
   readonly number: number;
   /** Why it stopped, as the adapter says. */
   readonly reason: string;
+  /** More about it, such as that it is in the past; empty for most. */
+  readonly description: string;
   readonly function: string;
   /** From 1; 0 where no text has it. */
   readonly line: number;

@@ -102,6 +102,9 @@ function status(stop: Stop): HTMLElement {
   const newest = shown.stops[shown.stops.length - 1] === stop;
   const words = !newest ? 'earlier stop' : shown.state === 'running' ? 'running since' : shown.state === 'ended' ? 'ended, last stop' : 'stopped';
   box.append(element('span', `badge ${newest ? shown.state : 'earlier'}`, words), element('span', 'time', stop.reading.time));
+  if (stop.description !== '') {
+    box.append(element('span', 'description', stop.description));
+  }
   return box;
 }
 
@@ -163,9 +166,9 @@ function history(current: Stop): HTMLElement {
   box.append(element('h3', '', 'Stops'));
   for (const stop of [...shown.stops].reverse()) {
     const row = element('button', stop === current ? 'stop current' : 'stop');
-    const place = stop.line > 0 ? `${stop.function}:${stop.line}` : stop.function;
+    const place = stop.line > 0 ? `${stop.line} ${stop.function}` : stop.function;
     row.append(element('span', 'time', stop.reading.time), element('span', 'place', place), element('span', 'reason', stop.reason));
-    row.title = 'Shows the robot as it was then, and the line';
+    row.title = `${stop.function}, line ${stop.line}: shows the robot as it was then, and the line`;
     row.onclick = () => {
       selected = stop.number;
       build();

@@ -81,7 +81,8 @@ export class Scene {
     };
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.BLEND);
-    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    // The page's colour shines through: the picture has its colours multiplied by their alpha.
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     this.bodies = meshes(arm).map((mesh) => this.upload(mesh));
     this.grid = this.upload(floor(Math.ceil(arm.reachM / GRID_M) * GRID_M));
     const length = 0.12 * arm.reachM;
