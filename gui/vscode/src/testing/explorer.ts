@@ -148,6 +148,10 @@ export class TestExplorer implements vscode.Disposable {
       return;
     }
     await vscode.workspace.saveAll(false);
+    if (wantsAll(request)) {
+      // Nobody may have looked at the Testing view yet.
+      await this.findAll();
+    }
     const run = this.controller.createTestRun(request);
     const stop = new AbortController();
     const cancelled = token.onCancellationRequested(() => stop.abort());
@@ -176,10 +180,10 @@ export class TestExplorer implements vscode.Disposable {
         chosen.push(item);
       }
     };
-    if (request.include === undefined) {
+    if (wantsAll(request)) {
       this.controller.items.forEach(add);
     } else {
-      request.include.forEach(add);
+      request.include?.forEach(add);
     }
     return chosen;
   }
@@ -302,6 +306,10 @@ export class TestExplorer implements vscode.Disposable {
     this.details.set(file, details);
     run.addCoverage(file);
   }
+}
+
+function wantsAll(request: vscode.TestRunRequest): boolean {
+  return request.include === undefined || request.include.length === 0;
 }
 
 function byFolder(items: readonly vscode.TestItem[]): Map<string, vscode.TestItem[]> {
