@@ -95,6 +95,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     Builtins<ControlBox> builtins = StandardBuiltins.create();
     StopWishes wishes = new StopWishes();
     session = new DebugSession(turns, client);
+    ProgressEvents progress = new ProgressEvents(session);
     BreakpointTable table = new BreakpointTable();
     BreakpointRequests lines = new BreakpointRequests(session, table, builtins);
     DataBreakpoints data = new DataBreakpoints(session, table);
@@ -104,9 +105,9 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
             new FunctionBreakpoints(session, table, lines, builtins),
             data,
             new ExceptionFilters(session));
-    launching = new Launching(session, targets, builtins, stops, wishes);
+    launching = new Launching(session, targets, builtins, stops, wishes, progress);
     attaching = new Attaching(session, robot, builtins, stops, wishes);
-    execution = new ExecutionRequests(session, wishes, new PastRequests(session, table));
+    execution = new ExecutionRequests(session, wishes, new PastRequests(session, table, progress));
     inspection = new StackRequests(session);
     values = new ValueRequests(session, data);
     threads = new ThreadRequests(session);

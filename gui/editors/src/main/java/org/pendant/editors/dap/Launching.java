@@ -26,6 +26,7 @@ final class Launching {
   private final Builtins<ControlBox> builtins;
   private final StopKinds stops;
   private final StopWishes wishes;
+  private final ProgressEvents progress;
   private Optional<RobotRun> launched = Optional.empty();
   private boolean configured;
   private boolean started;
@@ -42,7 +43,9 @@ final class Launching {
       DebugTargets targets,
       Builtins<ControlBox> builtins,
       StopKinds stops,
-      StopWishes wishes) {
+      StopWishes wishes,
+      ProgressEvents progress) {
+    this.progress = progress;
     this.session = session;
     this.targets = targets;
     this.builtins = builtins;
@@ -68,8 +71,11 @@ final class Launching {
   private CompletableFuture<Void> load(LaunchArguments arguments) {
     launching = true;
     int before = ends;
-    return CompletableFuture.supplyAsync(
-            () -> read(arguments), task -> Thread.ofVirtual().name("launch").start(task))
+    return progress
+        .of(
+            "Reading " + arguments.program(),
+            CompletableFuture.supplyAsync(
+                () -> read(arguments), task -> Thread.ofVirtual().name("launch").start(task)))
         .whenCompleteAsync((read, fault) -> launching = false, session.thread())
         .thenAccept(
             read -> {

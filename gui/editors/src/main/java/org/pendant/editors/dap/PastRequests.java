@@ -28,9 +28,11 @@ import org.pendant.script.debug.Debugger;
 final class PastRequests {
   private final DebugSession session;
   private final BreakpointTable table;
+  private final ProgressEvents progress;
   private Optional<LiveView> live = Optional.empty();
 
-  PastRequests(DebugSession session, BreakpointTable table) {
+  PastRequests(DebugSession session, BreakpointTable table, ProgressEvents progress) {
+    this.progress = progress;
     this.session = session;
     this.table = table;
   }
@@ -182,8 +184,11 @@ final class PastRequests {
           Found found = search.in(recording, moment(before), Moment.of(now.state()));
           return arrival(debuggee, recording, found, now);
         };
-    return CompletableFuture.supplyAsync(
-            work, task -> Thread.ofVirtual().name("past steps").start(task))
+    return progress
+        .of(
+            "Searching the recording",
+            CompletableFuture.supplyAsync(
+                work, task -> Thread.ofVirtual().name("past steps").start(task)))
         // so that a refusal takes its turn as well
         .whenCompleteAsync((arrival, fault) -> {}, session.thread())
         .thenAccept(arrival -> arrive(before, arrival));

@@ -1,0 +1,66 @@
+package org.pendant.editors.dap;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import org.eclipse.lsp4j.debug.InitializeRequestArguments;
+import org.eclipse.lsp4j.debug.ProgressEndEventArguments;
+import org.eclipse.lsp4j.debug.ProgressStartEventArguments;
+import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
+import org.junit.jupiter.api.Test;
+
+class ProgressEventsTest {
+  private final List<String> told = new ArrayList<>();
+  private final List<Runnable> later = new ArrayList<>();
+
+  private final IDebugProtocolClient client =
+      new IDebugProtocolClient() {
+        @Override
+        public void progressStart(ProgressStartEventArguments begun) {
+          told.add(begun.getProgressId() + " " + begun.getTitle());
+        }
+
+        @Override
+        public void progressEnd(ProgressEndEventArguments ended) {
+          told.add(ended.getProgressId() + " over");
+        }
+      };
+
+  /** What was told of work, after {@code patience} and at its end. */
+  private List<String> told(boolean shows, boolean slow) throws Exception {
+    try (SessionThread thread = new SessionThread()) {
+      DebugSession session = new DebugSession(thread, () -> client);
+      InitializeRequestArguments form = new InitializeRequestArguments();
+      form.setSupportsProgressReporting(shows);
+      session.talkTo(ClientForm.of(form), true);
+      CompletableFuture<String> work = new CompletableFuture<>();
+      var _ = new ProgressEvents(session, later::add).of("Reading a", work);
+      if (!slow) {
+        work.complete("done");
+      }
+      later.forEach(Runnable::run);
+      work.complete("done");
+      CompletableFuture<Boolean> turn = new CompletableFuture<>();
+      thread.execute(() -> turn.complete(true));
+      turn.get();
+      return told;
+    }
+  }
+
+  @Test
+  void workThatTakesLongIsToldOfUntilItIsOver() throws Exception {
+    assertEquals(List.of("pendant-1 Reading a", "pendant-1 over"), told(true, true));
+  }
+
+  @Test
+  void shortWorkNeedsNoWords() throws Exception {
+    assertEquals(List.of(), told(true, false));
+  }
+
+  @Test
+  void aClientThatShowsNoProgressIsNotToldOfIt() throws Exception {
+    assertEquals(List.of(), told(false, true));
+  }
+}
