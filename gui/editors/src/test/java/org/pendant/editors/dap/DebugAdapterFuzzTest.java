@@ -10,8 +10,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,6 +24,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.editors.wire.BytePipe;
 import org.pendant.editors.wire.ProtocolLog;
 
 /**
@@ -136,10 +135,8 @@ final class DebugAdapterFuzzTest {
 
   private void session(int number) throws Exception {
     List<Throwable> faults = new CopyOnWriteArrayList<>();
-    PipedInputStream atServer = new PipedInputStream(1 << 20);
-    PipedOutputStream toServer = new PipedOutputStream(atServer);
-    PipedInputStream atClient = new PipedInputStream(1 << 20);
-    PipedOutputStream toClient = new PipedOutputStream(atClient);
+    BytePipe toServer = new BytePipe();
+    BytePipe toClient = new BytePipe();
     CompletableFuture<Boolean> served = new CompletableFuture<>();
     Thread.ofPlatform()
         .daemon()
@@ -149,33 +146,33 @@ final class DebugAdapterFuzzTest {
                 DebugAdapterConnection.serve(
                     new FilesOnDisk(),
                     Optional.empty(),
-                    atServer,
-                    toClient,
+                    toServer.input(),
+                    toClient.output(),
                     faults::add,
                     complaint -> {});
-                toClient.close();
+                toClient.output().close();
                 served.complete(true);
               } catch (Throwable e) {
                 served.completeExceptionally(e);
               }
             });
     CompletableFuture<Set<Integer>> answered = new CompletableFuture<>();
-    Thread.ofPlatform().daemon().start(() -> read(atClient, answered));
+    Thread.ofPlatform().daemon().start(() -> read(toClient.input(), answered));
     asked.clear();
     nextId = 1;
     if (number % 4 > 0) {
-      request(toServer, "initialize", "{\"adapterID\":\"pendant\"}");
-      launch(toServer);
+      request(toServer.output(), "initialize", "{\"adapterID\":\"pendant\"}");
+      launch(toServer.output());
     }
     for (int i = 0; i < MESSAGES; i++) {
-      anything(toServer);
+      anything(toServer.output());
     }
     if (number % 3 > 0) {
-      request(toServer, "disconnect", "{\"terminateDebuggee\":true}");
+      request(toServer.output(), "disconnect", "{\"terminateDebuggee\":true}");
     }
-    toServer.flush();
+    toServer.output().flush();
     if (number % 3 == 0) {
-      toServer.close();
+      toServer.output().close();
     }
     assertTrue(served.get());
     assertEquals(List.of(), faults, () -> "session " + number);

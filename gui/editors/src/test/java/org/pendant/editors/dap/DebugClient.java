@@ -1,8 +1,6 @@
 package org.pendant.editors.dap;
 
 import java.io.IOException;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -50,17 +48,16 @@ import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolServer;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
 import org.pendant.editors.dap.run.AttachableRobot;
+import org.pendant.editors.wire.BytePipe;
 
 /** A client for tests, connected to a debug adapter of its own by streams. */
 final class DebugClient implements IDebugProtocolClient, AutoCloseable {
-  private static final int PIPE_BYTES = 1 << 16;
-
   private final BlockingQueue<Object> events = new LinkedBlockingQueue<>();
   private final List<OutputEventArguments> output = new CopyOnWriteArrayList<>();
   private final List<Throwable> faults = new CopyOnWriteArrayList<>();
   private final List<String> threads = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Boolean> served = new CompletableFuture<>();
-  private final PipedOutputStream toServer = new PipedOutputStream();
+  private final BytePipe toServer = new BytePipe();
   private final Path program;
   private IDebugProtocolServer server;
 
@@ -86,9 +83,7 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
   /** As the other one, with a robot to attach to. */
   static DebugClient connect(Path program, Optional<AttachableRobot> robot) throws IOException {
     DebugClient client = new DebugClient(program);
-    PipedInputStream atServer = new PipedInputStream(client.toServer, PIPE_BYTES);
-    PipedInputStream atClient = new PipedInputStream(PIPE_BYTES);
-    PipedOutputStream toClient = new PipedOutputStream(atClient);
+    BytePipe toClient = new BytePipe();
     Thread.ofPlatform()
         .daemon()
         .start(
@@ -97,17 +92,18 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
                 DebugAdapterConnection.serve(
                     new FilesOnDisk(),
                     robot,
-                    atServer,
-                    toClient,
+                    client.toServer.input(),
+                    toClient.output(),
                     client.faults::add,
                     complaint -> client.faults.add(new IOException(complaint)));
-                toClient.close();
+                toClient.output().close();
                 client.served.complete(true);
               } catch (Throwable e) {
                 client.served.completeExceptionally(e);
               }
             });
-    var launcher = DSPLauncher.createClientLauncher(client, atClient, client.toServer);
+    var launcher =
+        DSPLauncher.createClientLauncher(client, toClient.input(), client.toServer.output());
     var _ = launcher.startListening();
     client.server = launcher.getRemoteProxy();
     return client;
@@ -366,7 +362,7 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
   /** Leaves without a word, and waits until the adapter has noticed. */
   @Override
   public void close() throws IOException {
-    toServer.close();
+    toServer.output().close();
     served.join();
     if (!faults.isEmpty()) {
       throw new AssertionError("faults in the adapter", faults.getFirst());

@@ -2,8 +2,6 @@ package org.pendant.editors.lsp;
 
 import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
@@ -27,16 +25,15 @@ import org.eclipse.lsp4j.jsonrpc.Launcher;
 import org.eclipse.lsp4j.jsonrpc.services.JsonRequest;
 import org.eclipse.lsp4j.services.LanguageClient;
 import org.eclipse.lsp4j.services.LanguageServer;
+import org.pendant.editors.wire.BytePipe;
 
 /** An editor for tests, connected to a server of its own by streams. */
 final class EditorClient implements LanguageClient, AutoCloseable {
-  private static final int PIPE_BYTES = 1 << 16;
-
   private final BlockingQueue<PublishDiagnosticsParams> diagnostics = new LinkedBlockingQueue<>();
   private final List<String> complaints = new CopyOnWriteArrayList<>();
   private final List<Throwable> faults = new CopyOnWriteArrayList<>();
   private final CompletableFuture<Boolean> served = new CompletableFuture<>();
-  private final PipedOutputStream toServer = new PipedOutputStream();
+  private final BytePipe toServer = new BytePipe();
   private Server server;
 
   /** The server with what the protocol has no word for. */
@@ -50,9 +47,7 @@ final class EditorClient implements LanguageClient, AutoCloseable {
 
   static EditorClient start() throws IOException {
     EditorClient editor = new EditorClient();
-    PipedInputStream atServer = new PipedInputStream(editor.toServer, PIPE_BYTES);
-    PipedInputStream atClient = new PipedInputStream(PIPE_BYTES);
-    PipedOutputStream toClient = new PipedOutputStream(atClient);
+    BytePipe toClient = new BytePipe();
     Thread.ofPlatform()
         .daemon()
         .start(
@@ -60,7 +55,11 @@ final class EditorClient implements LanguageClient, AutoCloseable {
               try {
                 editor.served.complete(
                     LanguageServerConnection.serve(
-                        "test", atServer, toClient, editor.faults::add, editor.complaints::add));
+                        "test",
+                        editor.toServer.input(),
+                        toClient.output(),
+                        editor.faults::add,
+                        editor.complaints::add));
               } catch (Throwable e) {
                 editor.served.completeExceptionally(e);
               }
@@ -69,8 +68,8 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         new Launcher.Builder<Server>()
             .setLocalService(editor)
             .setRemoteInterface(Server.class)
-            .setInput(atClient)
-            .setOutput(editor.toServer)
+            .setInput(toClient.input())
+            .setOutput(editor.toServer.output())
             .create();
     var _ = launcher.startListening();
     editor.server = launcher.getRemoteProxy();
@@ -108,8 +107,8 @@ final class EditorClient implements LanguageClient, AutoCloseable {
   /** Sends bytes beside the protocol. */
   void send(String bytes) throws IOException {
     synchronized (toServer) {
-      toServer.write(bytes.getBytes(StandardCharsets.ISO_8859_1));
-      toServer.flush();
+      toServer.output().write(bytes.getBytes(StandardCharsets.ISO_8859_1));
+      toServer.output().flush();
     }
   }
 
@@ -155,6 +154,6 @@ final class EditorClient implements LanguageClient, AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    toServer.close();
+    toServer.output().close();
   }
 }

@@ -11,8 +11,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.PipedInputStream;
-import java.io.PipedOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
@@ -21,6 +19,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
+import org.pendant.editors.wire.BytePipe;
 import org.pendant.editors.wire.ProtocolLog;
 
 /**
@@ -99,10 +98,8 @@ final class LanguageServerFuzzTest {
 
   private void session(int sequences) throws Exception {
     List<Throwable> faults = new CopyOnWriteArrayList<>();
-    PipedInputStream atServer = new PipedInputStream(1 << 16);
-    PipedOutputStream toServer = new PipedOutputStream(atServer);
-    PipedInputStream atClient = new PipedInputStream(1 << 16);
-    PipedOutputStream toClient = new PipedOutputStream(atClient);
+    BytePipe toServer = new BytePipe();
+    BytePipe toClient = new BytePipe();
     CompletableFuture<Boolean> served = new CompletableFuture<>();
     Thread.ofPlatform()
         .daemon()
@@ -111,7 +108,7 @@ final class LanguageServerFuzzTest {
               try {
                 served.complete(
                     LanguageServerConnection.serve(
-                        "test", atServer, toClient, faults::add, complaint -> {}));
+                        "test", toServer.input(), toClient.output(), faults::add, complaint -> {}));
               } catch (Throwable e) {
                 served.completeExceptionally(e);
               }
@@ -119,23 +116,23 @@ final class LanguageServerFuzzTest {
     asked.clear();
     nextId = 0;
     request(
-        toServer,
+        toServer.output(),
         "initialize",
         "{\"capabilities\":{},\"initializationOptions\":{\"dryRun\":\"off\"}}");
     for (int i = 0; i < sequences; i++) {
       String uri = "file:///" + random.nextInt(3) + ".script";
-      open(toServer, uri);
+      open(toServer.output(), uri);
       for (int message = 0; message < MESSAGES; message++) {
-        anything(toServer, uri);
+        anything(toServer.output(), uri);
       }
       // Every request that could be read is answered, the last one as well.
-      int last = request(toServer, "textDocument/hover", params(uri));
-      answers(atClient, last);
+      int last = request(toServer.output(), "textDocument/hover", params(uri));
+      answers(toClient.input(), last);
       assertEquals(List.of(), faults, () -> "sequence after " + nextId + " requests");
       assertTrue(!served.isDone());
     }
-    request(toServer, "shutdown", "null");
-    notify(toServer, "exit", "null");
+    request(toServer.output(), "shutdown", "null");
+    notify(toServer.output(), "exit", "null");
     assertEquals(true, served.get());
   }
 
