@@ -11,6 +11,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.eclipse.lsp4j.jsonrpc.MessageConsumer;
 import org.eclipse.lsp4j.jsonrpc.RemoteEndpoint;
@@ -23,6 +24,9 @@ import org.eclipse.lsp4j.jsonrpc.RemoteEndpoint;
 final class SessionThread implements Executor, AutoCloseable {
   /** Events that may wait for a slow client; then the robot waits as well. */
   private static final int MAX_EVENTS = 1000;
+
+  /** How long a client may take for the last message. */
+  private static final long LAST_WORDS_MS = 500;
 
   private final ExecutorService thread =
       Executors.newSingleThreadExecutor(
@@ -104,12 +108,20 @@ final class SessionThread implements Executor, AutoCloseable {
         });
   }
 
-  /** Forgets what waits, and says so to who asked for it. What is under way may still end. */
+  /**
+   * Forgets what waits, and says so to who asked for it. What is under way may still end, which is
+   * waited for unless the client does not listen any more.
+   */
   @Override
   public void close() {
     thread.shutdownNow();
     awaited
         .values()
         .forEach(each -> each.completeExceptionally(Refusals.of("the session has ended")));
+    try {
+      var _ = thread.awaitTermination(LAST_WORDS_MS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

@@ -5,6 +5,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
@@ -143,8 +144,12 @@ final class ServerSession implements AutoCloseable {
 
   /** Has {@code work} done in {@code delayMs} milliseconds; a fault in it is told. */
   void later(Runnable work, long delayMs) {
-    // The work tells its faults itself.
-    var _ = background.schedule(() -> run(work), delayMs, TimeUnit.MILLISECONDS);
+    try {
+      // The work tells its faults itself.
+      var _ = background.schedule(() -> run(work), delayMs, TimeUnit.MILLISECONDS);
+    } catch (RejectedExecutionException e) {
+      // the client has left, and nobody waits for it any more
+    }
   }
 
   @Override

@@ -77,7 +77,7 @@ public final class BytePipe {
           throw new IOException("interrupted", e);
         }
         at = 0;
-        ended = piece == END;
+        ended = piece.length == 0;
       }
       if (ended) {
         return -1;
