@@ -41,6 +41,14 @@ test('attach needs no program', () => {
   });
 });
 
+test('attach needs a port', () => {
+  for (const port of [undefined, 0, 65536, 'x']) {
+    const completed = complete({ type: 'pendant', request: 'attach', name: 'There', port }, undefined);
+    assert.ok(!completed.ok);
+    assert.match(completed.why, /no port/);
+  }
+});
+
 test('scripts and trees are programs', () => {
   for (const file of ['a.script', 'A.SCRIPT', 'a.urscript', 'a.pendant', 'a.urp']) {
     assert.ok(isProgram(file), file);

@@ -30,6 +30,9 @@ export function complete(written: Written, open: string | undefined, robot?: str
   const request = text(written['request']) ?? 'launch';
   const type = text(written['type']) ?? 'pendant';
   if (request !== 'launch') {
+    if (attachPort(written) === undefined) {
+      return { ok: false, why: 'There is no port to attach to: "port" in launch.json is that of pendant serve --dap.' };
+    }
     return { ok: true, configuration: { ...written, type, request, name: text(written['name']) ?? 'Attach' } };
   }
   const program = text(written['program']) ?? (open !== undefined && isProgram(open) ? open : undefined);
@@ -44,6 +47,12 @@ export function complete(written: Written, open: string | undefined, robot?: str
   const chosen = own ? undefined : armFor(program, robot);
   const arm = chosen === undefined ? {} : { robot: chosen };
   return { ok: true, configuration: { ...written, ...arm, type, request, program, name } };
+}
+
+/** The port of the robot that somebody wants to attach to. */
+export function attachPort(configuration: Written): number | undefined {
+  const port = Number(configuration['port']);
+  return Number.isInteger(port) && port >= 1 && port <= 65535 ? port : undefined;
 }
 
 function text(value: unknown): string | undefined {

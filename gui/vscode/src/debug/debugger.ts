@@ -2,7 +2,7 @@
 import * as vscode from 'vscode';
 import type { Pendant } from '../executable/pendant';
 import { chosenRobot } from '../settings';
-import { complete, isProgram } from './configuration';
+import { attachPort, complete, isProgram } from './configuration';
 
 const TYPE = 'pendant';
 
@@ -51,6 +51,10 @@ class Adapters implements vscode.DebugAdapterDescriptorFactory {
   constructor(private readonly pendant: Pendant) {}
 
   createDebugAdapterDescriptor(session: vscode.DebugSession): vscode.ProviderResult<vscode.DebugAdapterDescriptor> {
+    const port = attachPort(session.configuration);
+    if (session.configuration.request === 'attach' && port !== undefined) {
+      return new vscode.DebugAdapterServer(port, '127.0.0.1');
+    }
     const command = this.pendant.demand();
     if (command === undefined) {
       // Ends the session; what is missing has been said.

@@ -69,7 +69,9 @@ function task(
     cwd === undefined ? {} : { cwd },
   );
   const made = new vscode.Task(definition, scope, name, TYPE, execution, MATCHER);
-  made.group = definition.command === 'test' ? vscode.TaskGroup.Test : vscode.TaskGroup.Build;
+  if (definition.command !== 'run') {
+    made.group = definition.command === 'test' ? vscode.TaskGroup.Test : vscode.TaskGroup.Build;
+  }
   made.presentationOptions = {
     reveal: vscode.TaskRevealKind.Always,
     panel: vscode.TaskPanelKind.Dedicated,
