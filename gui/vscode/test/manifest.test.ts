@@ -35,6 +35,12 @@ test('messages of Pendant are found in the terminal', () => {
   assert.equal(form.exec('  | a.script:1:1: error: said by the program'), null);
 });
 
+test('what a task finds does not take the place of what the language server has found', () => {
+  const client = /new LanguageClient\('([^']+)'/.exec(fs.readFileSync('src/server/client.ts', 'utf8'))?.[1];
+  assert.ok(client !== undefined);
+  assert.notEqual(manifest.contributes.problemMatchers[0].owner, client);
+});
+
 test('lines that open a block indent, those that end one come back', () => {
   const { indentationRules } = read('language-configuration.json');
   const opens = new RegExp(indentationRules.increaseIndentPattern);
