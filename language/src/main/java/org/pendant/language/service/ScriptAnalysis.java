@@ -32,10 +32,12 @@ public final class ScriptAnalysis {
   private final ParseResult parsed;
   private final ProgramForm form;
   private final Scopes scopes;
-  private final List<Diagnostic> diagnostics;
   private final Lexemes lexemes;
-  private final SymbolIndex index;
   private final Signatures signatures;
+
+  // Made when they are asked for: who types wants completions first.
+  private final Deferred<List<Diagnostic>> diagnostics = new Deferred<>(this::check);
+  private final Deferred<SymbolIndex> index = new Deferred<>(this::names);
 
   private ScriptAnalysis(Source source, Catalogue catalogue) {
     this.source = source;
@@ -44,9 +46,6 @@ public final class ScriptAnalysis {
     form = ProgramForm.of(parsed.script());
     scopes = Scopes.of(form);
     lexemes = Lexemes.of(source);
-    List<Diagnostic> found = Checker.check(form, scopes, catalogue);
-    diagnostics = parsed.ok() ? found : PartialCheck.of(lexemes, parsed.diagnostics(), found);
-    index = SymbolIndex.of(parsed.script(), scopes, catalogue);
     signatures = new Signatures(source, catalogue);
   }
 
@@ -70,7 +69,16 @@ public final class ScriptAnalysis {
    * whatever could not be read means. In the order of the text.
    */
   public List<Diagnostic> diagnostics() {
-    return diagnostics;
+    return diagnostics.get();
+  }
+
+  private List<Diagnostic> check() {
+    List<Diagnostic> found = Checker.check(form, scopes, catalogue);
+    return parsed.ok() ? found : PartialCheck.of(lexemes, parsed.diagnostics(), found);
+  }
+
+  private SymbolIndex names() {
+    return SymbolIndex.of(parsed.script(), scopes, catalogue);
   }
 
   /**
@@ -122,17 +130,19 @@ public final class ScriptAnalysis {
 
   /** The name at {@code offset} and what it stands for. */
   public Optional<Occurrence> occurrence(int offset) {
-    return index.at(within(offset));
+    return index().at(within(offset));
   }
 
   /** Where the name at {@code offset} is defined or first assigned; nowhere for built-ins. */
   public Optional<SourceRange> definition(int offset) {
-    return occurrence(offset).flatMap(found -> index.origin(found.symbol())).map(Occurrence::range);
+    return occurrence(offset)
+        .flatMap(found -> index().origin(found.symbol()))
+        .map(Occurrence::range);
   }
 
   /** Every place that means the same as the name at {@code offset}, itself included. */
   public List<Occurrence> references(int offset) {
-    return occurrence(offset).map(found -> index.of(found.symbol())).orElse(List.of());
+    return occurrence(offset).map(found -> index().of(found.symbol())).orElse(List.of());
   }
 
   /** The edits that give the name at {@code offset} the name {@code newName} everywhere. */
@@ -167,7 +177,7 @@ public final class ScriptAnalysis {
 
   /** Every place where a name stands, in the order of the text. */
   public List<Occurrence> occurrences() {
-    return index.all();
+    return index().all();
   }
 
   /** The functions, secondary programs and threads of the text, also those inside others. */
@@ -213,7 +223,7 @@ public final class ScriptAnalysis {
   }
 
   SymbolIndex index() {
-    return index;
+    return index.get();
   }
 
   Scopes scopes() {

@@ -46,6 +46,8 @@ public final class AnalysedText {
     this.text = text;
     offsets = CharacterOffsets.of(text);
     analysis = ScriptAnalysis.of(Source.of(name, text), catalogue);
+    // Asked for on the dispatch thread later, which need not wait for them.
+    var _ = analysis.occurrences();
     colours = StyledLines.of(text, analysis.highlighting(), offsets);
     folding = analysis.folding();
     outline = analysis.outline();
