@@ -8,7 +8,7 @@ function around(programs: string[], more: Partial<Surroundings> = {}): Surroundi
     home: '/home/ann',
     searchPath: '/usr/bin:/opt/tools',
     setting: '',
-    folder: '/work/cell',
+    folder: '/home/ada/cell',
     extension: '/ext',
     isProgram: (file) => programs.includes(file),
     isFolder: (file) => programs.some((each) => each.startsWith(`${file}/`)),
@@ -48,8 +48,8 @@ test('the setting names the folder of the program', () => {
 test('the setting may begin at home, and in the folder that is open', () => {
   for (const [setting, file] of [
     ['~/p/pendant', '/home/ann/p/pendant'],
-    ['tools/pendant', '/work/cell/tools/pendant'],
-    ['${workspaceFolder}/tools/pendant', '/work/cell/tools/pendant'],
+    ['tools/pendant', '/home/ada/cell/tools/pendant'],
+    ['${workspaceFolder}/tools/pendant', '/home/ada/cell/tools/pendant'],
   ] as const) {
     const found = search(around([file], { setting }));
     assert.equal(found.found && found.file, file);
