@@ -154,7 +154,7 @@ final class Completer {
         offer(
             Completion.Kind.ARGUMENT,
             parameter.name() + "=",
-            HoverTexts.described(parameter),
+            parameter.described(),
             "",
             parameter.name() + "=" + Keywords.CARET,
             List.of(),

@@ -53,7 +53,7 @@ final class HoverTexts {
   private Hover builtin(Occurrence occurrence, Signature signature) {
     List<String> lines = new ArrayList<>();
     lines.add(signature.documentation());
-    signature.parameters().forEach(parameter -> lines.add(described(parameter)));
+    signature.parameters().forEach(parameter -> lines.add(parameter.described()));
     if (signature.result() != Type.NONE) {
       lines.add("Result: " + measured(signature.result(), signature.resultUnit()));
     }
@@ -79,15 +79,7 @@ final class HoverTexts {
     return hover(
         occurrence,
         "parameter " + argument.name() + " of " + argument.function(),
-        parameter.map(HoverTexts::described).stream().toList());
-  }
-
-  /** One line about a parameter: {@code v: number in rad/s, default 1.05}. */
-  static String described(Parameter parameter) {
-    return parameter.name()
-        + ": "
-        + measured(parameter.type(), parameter.unit())
-        + (parameter.required() ? "" : ", default " + parameter.defaultText());
+        parameter.map(Parameter::described).stream().toList());
   }
 
   private static String measured(Type type, Unit unit) {

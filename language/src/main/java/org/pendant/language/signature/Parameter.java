@@ -22,6 +22,15 @@ public record Parameter(
     this(name, type, unit, required, defaultText, List.of());
   }
 
+  /** One line about it: {@code v: number in rad/s, default 1.05}. */
+  public String described() {
+    return name
+        + ": "
+        + type.text()
+        + (unit == Unit.NONE ? "" : " in " + unit.symbol())
+        + (required ? "" : ", default " + defaultText);
+  }
+
   /** Whether a call may give it as {@code other}. */
   public boolean named(String other) {
     return name.equals(other) || aliases.contains(other);

@@ -7,8 +7,6 @@ import org.pendant.language.service.Quantity;
 import org.pendant.language.service.SignatureHelp;
 import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
-import org.pendant.language.signature.Type;
-import org.pendant.language.signature.Unit;
 import org.pendant.language.source.ByteText;
 
 /** Rich text: what popups say, in the HTML that labels understand. */
@@ -64,7 +62,7 @@ public final class RichText {
     }
     html.append(CODE).append(head).append(")</span>");
     help.activeParameter()
-        .ifPresent(parameter -> html.append("<br>").append(escaped(described(parameter))));
+        .ifPresent(parameter -> html.append("<br>").append(escaped(parameter.described())));
     String sentence = firstSentence(signature.documentation());
     if (!sentence.isEmpty()) {
       html.append("<br>").append(escaped(sentence));
@@ -95,16 +93,6 @@ public final class RichText {
     String plain = html.replaceAll("<[^>]*>", "");
     String width = plain.length() > 70 ? " style=\"width: " + WIDTH_PX + "px\"" : "";
     return "<html><body" + width + ">" + html + "</body></html>";
-  }
-
-  static String described(Parameter parameter) {
-    return parameter.name()
-        + ": "
-        + parameter.type().text()
-        + (parameter.unit() == Unit.NONE || parameter.type() == Type.NONE
-            ? ""
-            : " in " + parameter.unit().symbol())
-        + (parameter.required() ? "" : ", default " + parameter.defaultText());
   }
 
   private static String firstSentence(String text) {

@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.language.signature.Catalogue;
-import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
-import org.pendant.language.signature.Unit;
 
 /** Explanations: what is known about a function or a name, as text in two forms. */
 final class Explanations {
@@ -52,7 +50,7 @@ final class Explanations {
     if (!signature.documentation().isEmpty()) {
       lines.add(signature.documentation());
     }
-    signature.parameters().forEach(each -> lines.add(described(each)));
+    signature.parameters().forEach(each -> lines.add(each.described()));
     if (!signature.deprecated().isEmpty()) {
       lines.add("Deprecated: use " + signature.deprecated() + ".");
     }
@@ -60,15 +58,6 @@ final class Explanations {
       lines.add("Manual " + signature.section());
     }
     return new Text(signature.head(), lines);
-  }
-
-  /** One line about a parameter: {@code v: number in rad/s, default 1.05}. */
-  static String described(Parameter parameter) {
-    return parameter.name()
-        + ": "
-        + parameter.type().text()
-        + (parameter.unit() == Unit.NONE ? "" : " in " + parameter.unit().symbol())
-        + (parameter.required() ? "" : ", default " + parameter.defaultText());
   }
 
   private static String escaped(String line) {

@@ -68,7 +68,7 @@ public final class InlayHints {
               Either.forLeft(parameter.get().name() + ":"));
       hint.setKind(InlayHintKind.Parameter);
       hint.setPaddingRight(true);
-      hint.setTooltip(Explanations.described(parameter.get()));
+      hint.setTooltip(parameter.get().described());
       hints.add(hint);
     }
     if (settings.units()) {

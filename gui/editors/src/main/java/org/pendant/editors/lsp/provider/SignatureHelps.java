@@ -16,6 +16,7 @@ import org.pendant.language.signature.Signature;
 public final class SignatureHelps {
   private SignatureHelps() {}
 
+  /** The call around {@code position}; empty outside of all calls. */
   public static Optional<SignatureHelp> at(Document document, Position position) {
     return document
         .analysis()
@@ -41,7 +42,7 @@ public final class SignatureHelps {
               + (parameter.required() ? 0 : 1 + parameter.defaultText().length());
       ParameterInformation information = new ParameterInformation();
       information.setLabel(Tuple.two(from, end));
-      information.setDocumentation(Explanations.described(parameter));
+      information.setDocumentation(parameter.described());
       parameters.add(information);
       from = end + 2;
     }
