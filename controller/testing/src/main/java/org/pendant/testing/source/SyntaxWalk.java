@@ -2,9 +2,8 @@ package org.pendant.testing.source;
 
 import java.util.List;
 import java.util.function.Consumer;
-import org.pendant.language.syntax.Argument;
 import org.pendant.language.syntax.Expression;
-import org.pendant.language.syntax.ParameterDeclaration;
+import org.pendant.language.syntax.Node;
 import org.pendant.language.syntax.Statement;
 
 /** Walk through all expressions of a piece of syntax, outer ones first. */
@@ -28,79 +27,17 @@ final class SyntaxWalk {
   }
 
   private void statements(List<Statement> statements) {
-    statements.forEach(this::statement);
+    statements.forEach(this::node);
   }
 
-  private void statement(Statement statement) {
-    switch (statement) {
-      case Statement.Assign assign -> {
-        expression(assign.target());
-        expression(assign.value());
-      }
-      case Statement.Evaluate evaluate -> expression(evaluate.expression());
-      case Statement.If choice -> {
-        for (Statement.Branch branch : choice.branches()) {
-          expression(branch.condition());
-          statements(branch.body());
-        }
-        choice.otherwise().ifPresent(this::statements);
-      }
-      case Statement.While loop -> {
-        expression(loop.condition());
-        statements(loop.body());
-      }
-      case Statement.Return back -> back.value().ifPresent(this::expression);
-      case Statement.Join join -> expression(join.handle());
-      case Statement.Kill kill -> expression(kill.handle());
-      case Statement.Definition definition -> {
-        for (ParameterDeclaration parameter : definition.parameters()) {
-          parameter.defaultValue().ifPresent(this::expression);
-        }
-        if (intoDefinitions) {
-          statements(definition.body());
-        }
-      }
-      case Statement.Break _,
-          Statement.Continue _,
-          Statement.Halt _,
-          Statement.Pause _,
-          Statement.EnterCritical _,
-          Statement.ExitCritical _,
-          Statement.Label _ -> {}
+  private void node(Node node) {
+    if (node instanceof Expression expression) {
+      visitor.accept(expression);
     }
-  }
-
-  private void expression(Expression expression) {
-    visitor.accept(expression);
-    switch (expression) {
-      case Expression.Call call -> arguments(call.arguments());
-      case Expression.MethodCall call -> {
-        expression(call.receiver());
-        arguments(call.arguments());
-      }
-      case Expression.Run run -> arguments(run.arguments());
-      case Expression.PoseLiteral pose -> pose.elements().forEach(this::expression);
-      case Expression.ListLiteral list -> list.elements().forEach(this::expression);
-      case Expression.Unary unary -> expression(unary.operand());
-      case Expression.Binary binary -> {
-        expression(binary.left());
-        expression(binary.right());
-      }
-      case Expression.Member member -> expression(member.receiver());
-      case Expression.Index index -> {
-        expression(index.receiver());
-        index.indices().forEach(this::expression);
-      }
-      case Expression.IntLiteral _,
-          Expression.FloatLiteral _,
-          Expression.StringLiteral _,
-          Expression.BoolLiteral _,
-          Expression.NoneLiteral _,
-          Expression.Name _ -> {}
+    if (node instanceof Statement.Definition definition && !intoDefinitions) {
+      definition.parameters().forEach(this::node);
+    } else {
+      node.children().forEach(this::node);
     }
-  }
-
-  private void arguments(List<Argument> arguments) {
-    arguments.forEach(each -> expression(each.value()));
   }
 }
