@@ -37,13 +37,13 @@ final class AttachPort implements AutoCloseable {
   AttachPort(int port, AttachableRobot robot, Console console) throws UsageException {
     this.robot = robot;
     this.console = console;
-    log = new ProtocolLog(line -> console.complain("pendant serve: " + line));
     try {
       listener = new LoopbackListener(port);
     } catch (IOException e) {
       throw new UsageException(
           OPTION.name() + ": port " + port + " cannot be opened: " + e.getMessage());
     }
+    log = new ProtocolLog(line -> console.complain("pendant serve: " + line));
     Thread.ofVirtual().name("attach port").start(() -> listener.serve(this::serve));
   }
 
@@ -70,7 +70,6 @@ final class AttachPort implements AutoCloseable {
       listener.close();
     } catch (IOException e) {
       // it takes no more clients, which is all that is wanted
-      return;
     }
   }
 }

@@ -6,6 +6,8 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import org.pendant.language.source.VisibleText;
 
@@ -87,6 +89,18 @@ final class Console {
   /** The same with a text of lines that are laid out already, such as a {@link Report}. */
   synchronized void complainInLines(String text) {
     writeError(VisibleText.of(text));
+  }
+
+  /**
+   * Tells of a fault in Pendant itself, with its stack.
+   *
+   * @param who works on in spite of it, such as {@code pendant rpc}
+   */
+  void complainOf(String who, Throwable fault) {
+    StringWriter details = new StringWriter();
+    fault.printStackTrace(new PrintWriter(details, true));
+    complain(who + ": internal error: " + fault);
+    complainInLines(details.toString().stripTrailing());
   }
 
   private void writeError(String text) {

@@ -1,16 +1,10 @@
 package org.pendant.command;
 
-import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.util.List;
-import java.util.OptionalInt;
 import org.pendant.command.service.Version;
 import org.pendant.editors.lsp.LanguageServerConnection;
-import org.pendant.editors.wire.LoopbackListener;
-import org.pendant.editors.wire.ProtocolLog;
 
 /** Command {@code pendant lsp}: the language server, for editors. */
 final class LspCommand implements Subcommand {
@@ -24,12 +18,10 @@ final class LspCommand implements Subcommand {
               "wait for editors at this port of 127.0.0.1, each with a session of its own, instead"
                   + " of serving the one at standard input and output");
 
-  private final InputStream input;
-  private final OutputStream output;
+  private final EditorServer server;
 
   LspCommand(InputStream input, OutputStream output) {
-    this.input = input;
-    this.output = output;
+    server = new EditorServer(name(), input, output);
   }
 
   @Override
@@ -57,42 +49,15 @@ final class LspCommand implements Subcommand {
     if (!arguments.operands().isEmpty()) {
       throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
     }
-    OptionalInt port = arguments.whole(PORT);
-    try (ProtocolLog _ = new ProtocolLog(line -> console.complain("pendant lsp: " + line))) {
-      if (port.isPresent()) {
-        return listen(port.getAsInt(), console);
-      }
-      return serve(input, output, console) ? ExitCode.DONE : ExitCode.PROGRAM_FAILED;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return ExitCode.DONE;
-    }
-  }
-
-  private static ExitCode listen(int port, Console console) throws UsageException {
-    try (LoopbackListener listener = new LoopbackListener(port)) {
-      console.complain("pendant lsp: listening at 127.0.0.1:" + listener.port());
-      listener.serve((in, out) -> serve(in, out, console));
-      return ExitCode.DONE;
-    } catch (IOException e) {
-      throw new UsageException("port " + port + " cannot be opened: " + e.getMessage());
-    }
-  }
-
-  private static boolean serve(InputStream in, OutputStream out, Console console)
-      throws InterruptedException {
-    return LanguageServerConnection.serve(
-        Version.line(),
-        in,
-        out,
-        fault -> tell(fault, console),
-        complaint -> console.complain("pendant lsp: " + complaint));
-  }
-
-  private static void tell(Throwable fault, Console console) {
-    StringWriter details = new StringWriter();
-    fault.printStackTrace(new PrintWriter(details, true));
-    console.complain("pendant lsp: internal error: " + fault);
-    console.complainInLines(details.toString().stripTrailing());
+    return server.run(
+        arguments.whole(PORT),
+        console,
+        (in, out) ->
+            LanguageServerConnection.serve(
+                Version.line(),
+                in,
+                out,
+                fault -> console.complainOf("pendant lsp", fault),
+                complaint -> console.complain("pendant lsp: " + complaint)));
   }
 }

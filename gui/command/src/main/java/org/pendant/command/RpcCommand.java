@@ -2,8 +2,6 @@ package org.pendant.command;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
@@ -65,20 +63,17 @@ final class RpcCommand implements Subcommand {
           }
         };
     try {
-      new RpcServer(RpcCommand::robot, Version.line(), output, fault -> tell(fault, console))
+      new RpcServer(
+              RpcCommand::robot,
+              Version.line(),
+              output,
+              fault -> console.complainOf("pendant rpc", fault))
           .serve(input);
       return ExitCode.DONE;
     } catch (IOException e) {
       console.complain("pendant rpc: standard input cannot be read: " + e.getMessage());
       return ExitCode.WRONG_USAGE;
     }
-  }
-
-  private static void tell(Throwable fault, Console console) {
-    StringWriter details = new StringWriter();
-    fault.printStackTrace(new PrintWriter(details, true));
-    console.complain("pendant rpc: internal error: " + fault);
-    console.complainInLines(details.toString().stripTrailing());
   }
 
   private static RobotSource.NewRobot robot(List<String> words) throws RpcFailure {
