@@ -15,6 +15,7 @@ public final class Formatting {
 
   private Formatting() {}
 
+  /** What lays the whole text out, with blocks indented by the tab size, 1 to 16 blanks. */
   public static List<TextEdit> of(Document document, FormattingOptions wanted) {
     int blanks = Math.clamp(wanted.getTabSize(), 1, MAX_INDENTATION);
     return switch (document.analysis().format(new FormatOptions(blanks))) {

@@ -16,6 +16,7 @@ import org.pendant.language.source.SourceRange;
 public final class Hovers {
   private Hovers() {}
 
+  /** What is known about the name, the number or the pose at {@code position}. */
   public static Optional<Hover> at(Document document, Position position, ClientFeatures client) {
     int offset = document.offset(position);
     ScriptAnalysis analysis = document.analysis();

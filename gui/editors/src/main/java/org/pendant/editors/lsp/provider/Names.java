@@ -21,6 +21,7 @@ import org.pendant.language.source.SourceRange;
 public final class Names {
   private Names() {}
 
+  /** Where the name at {@code position} comes from, in this text or in a script that it imports. */
   public static Optional<Location> definition(Document document, Position position) {
     return document
         .analysis()

@@ -30,6 +30,7 @@ public final class TokenTypes {
 
   private TokenTypes() {}
 
+  /** What the numbers of types and modifiers mean. */
   public static SemanticTokensLegend legend() {
     return new SemanticTokensLegend(TYPES, MODIFIERS);
   }
