@@ -178,16 +178,6 @@ final class ConveyorPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "conveyors";
-  }
-
-  @Override
-  public String title() {
-    return "Conveyors";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

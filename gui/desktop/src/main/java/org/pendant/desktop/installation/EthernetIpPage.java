@@ -42,16 +42,6 @@ final class EthernetIpPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "ethernet-ip";
-  }
-
-  @Override
-  public String title() {
-    return "EtherNet/IP";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -46,16 +46,6 @@ final class ExternalControlPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "external-control";
-  }
-
-  @Override
-  public String title() {
-    return "External Control";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -209,16 +209,6 @@ final class FeaturesPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "features";
-  }
-
-  @Override
-  public String title() {
-    return "Features";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -54,16 +54,6 @@ final class HomePage implements Page {
   }
 
   @Override
-  public String id() {
-    return "home";
-  }
-
-  @Override
-  public String title() {
-    return "Home";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -4,7 +4,8 @@ import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.Component;
 import java.awt.event.ActionEvent;
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -45,14 +46,16 @@ public final class InstallationView implements View {
   private final RotationChoice rotation;
   private final InstallationBar bar;
   private final SafetyDraft safety;
-  private final Map<String, List<Page>> groups = new LinkedHashMap<>();
-  private final List<Page> pages;
+
+  /** Those that people have looked at: most are never made. */
+  private final Map<PageName, Page> pages = new EnumMap<>(PageName.class);
+
   private final CardLayout cards = new CardLayout();
   private final JPanel shown = new JPanel(cards);
   private final JList<Object> list;
   private final JPanel content = new JPanel(new BorderLayout());
   private ArmDescription arm;
-  private Page page;
+  private PageName page = PageName.TCP;
 
   /**
    * The screen for an installation.
@@ -66,44 +69,39 @@ public final class InstallationView implements View {
     safety = new SafetyDraft(editing);
     rotation = new RotationChoice(workbench.settings());
     rotation.addListener(this::show);
-    makePages();
-    pages = groups.values().stream().flatMap(List::stream).toList();
     bar = new InstallationBar(workbench, active, editing);
     list = new JList<>(entries());
-    page = pages.getFirst();
     build();
     addActions();
     active.addListener(this::show);
     active.addFileListener(bar::show);
     String last = workbench.settings().get(PAGE).orElse("");
-    choose(pages.stream().filter(each -> each.id().equals(last)).findFirst().orElse(page));
-    show();
+    for (PageName each : PageName.values()) {
+      page = each.id().equals(last) ? each : page;
+    }
+    bar.show();
   }
 
-  private void makePages() {
-    groups.put(
-        "General",
-        List.of(
-            new TcpPage(editing, rotation),
-            new PayloadPage(editing),
-            new MountingPage(editing),
-            new SignalsPage(editing),
-            new HomePage(editing, workbench.session()::state),
-            new VariablesPage(editing),
-            new StartUpPage(editing),
-            new ConveyorPage(editing),
-            new ToolConnectorPage(editing)));
-    groups.put(
-        "Safety",
-        List.of(
-            new LimitsPage(editing, safety),
-            new JointLimitsPage(safety),
-            new PlanesPage(editing, safety, workbench.session()::state),
-            new ToolDirectionPage(safety)));
-    groups.put(
-        "Features", List.of(new FeaturesPage(editing, rotation, workbench.session()::state)));
-    groups.put("Fieldbus", List.of(new ModbusPage(editing), new EthernetIpPage(editing)));
-    groups.put("URCaps", List.of(new ExternalControlPage(editing)));
+  private Page make(PageName name) {
+    return switch (name) {
+      case TCP -> new TcpPage(editing, rotation);
+      case PAYLOAD -> new PayloadPage(editing);
+      case MOUNTING -> new MountingPage(editing);
+      case SIGNALS -> new SignalsPage(editing);
+      case HOME -> new HomePage(editing, workbench.session()::state);
+      case VARIABLES -> new VariablesPage(editing);
+      case START_UP -> new StartUpPage(editing);
+      case CONVEYORS -> new ConveyorPage(editing);
+      case TOOL_CONNECTOR -> new ToolConnectorPage(editing);
+      case LIMITS -> new LimitsPage(editing, safety);
+      case JOINT_LIMITS -> new JointLimitsPage(safety);
+      case PLANES -> new PlanesPage(editing, safety, workbench.session()::state);
+      case TOOL_DIRECTION -> new ToolDirectionPage(safety);
+      case FEATURES -> new FeaturesPage(editing, rotation, workbench.session()::state);
+      case MODBUS -> new ModbusPage(editing);
+      case ETHERNET_IP -> new EthernetIpPage(editing);
+      case EXTERNAL_CONTROL -> new ExternalControlPage(editing);
+    };
   }
 
   /** The safety settings that people type and have not applied yet. */
@@ -116,13 +114,16 @@ public final class InstallationView implements View {
   }
 
   /** Headings, which are texts, and the pages below them. */
-  private Object[] entries() {
-    List<Object> entries = new java.util.ArrayList<>();
-    groups.forEach(
-        (title, below) -> {
-          entries.add(title);
-          entries.addAll(below);
-        });
+  private static Object[] entries() {
+    List<Object> entries = new ArrayList<>();
+    String group = "";
+    for (PageName each : PageName.values()) {
+      if (!each.group().equals(group)) {
+        group = each.group();
+        entries.add(group);
+      }
+      entries.add(each);
+    }
     return entries.toArray();
   }
 
@@ -133,23 +134,10 @@ public final class InstallationView implements View {
     list.setSelectionModel(new Pages());
     list.addListSelectionListener(
         event -> {
-          if (list.getSelectedValue() instanceof Page chosen) {
+          if (list.getSelectedValue() instanceof PageName chosen) {
             choose(chosen);
           }
         });
-    for (Page each : pages) {
-      JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
-      // one card a page: they all have one width
-      sheet.setLayout(
-          new MigLayout(
-              "insets " + GAP,
-              "[grow, fill, :" + USUAL_CARD + ":" + WIDEST_CARD + "]",
-              each.fillsHeight() ? "[grow, fill]" : ""));
-      sheet.add(each.component());
-      JScrollPane scroll = scroll(sheet);
-      scroll.setName("installation-" + each.id());
-      shown.add(scroll, each.id());
-    }
     JScrollPane left = scroll(list);
     left.setBorder(BorderFactory.createMatteBorder(0, 0, 0, 1, Palette.line()));
     JPanel middle =
@@ -163,6 +151,28 @@ public final class InstallationView implements View {
     key("control Z", editing::undo);
     key("control Y", editing::redo);
     key("control shift Z", editing::redo);
+  }
+
+  /** The page, made when people first look at it. */
+  private Page page(PageName name) {
+    Page known = pages.get(name);
+    if (known != null) {
+      return known;
+    }
+    Page made = make(name);
+    pages.put(name, made);
+    JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
+    // one card a page: they all have one width
+    sheet.setLayout(
+        new MigLayout(
+            "insets " + GAP,
+            "[grow, fill, :" + USUAL_CARD + ":" + WIDEST_CARD + "]",
+            made.fillsHeight() ? "[grow, fill]" : ""));
+    sheet.add(made.component());
+    JScrollPane scroll = scroll(sheet);
+    scroll.setName("installation-" + name.id());
+    shown.add(scroll, name.id());
+    return made;
   }
 
   private static JScrollPane scroll(JComponent inside) {
@@ -210,7 +220,7 @@ public final class InstallationView implements View {
                 "",
                 editing::canRedo,
                 editing::redo));
-    for (Page each : pages) {
+    for (PageName each : PageName.values()) {
       workbench
           .actions()
           .add(
@@ -225,19 +235,22 @@ public final class InstallationView implements View {
     }
   }
 
-  private void choose(Page next) {
+  private void choose(PageName next) {
     page = next;
+    page(next).show();
     cards.show(shown, next.id());
     workbench.settings().put(PAGE, next.id());
     if (!next.equals(list.getSelectedValue())) {
       list.setSelectedValue(next, true);
     }
-    next.show();
   }
 
   private void show() {
     bar.show();
-    page.show();
+    Page made = pages.get(page);
+    if (made != null) {
+      made.show();
+    }
   }
 
   @Override
@@ -252,6 +265,9 @@ public final class InstallationView implements View {
 
   @Override
   public JComponent component() {
+    if (pages.isEmpty()) {
+      choose(page);
+    }
     return content;
   }
 
@@ -264,7 +280,7 @@ public final class InstallationView implements View {
     }
     rotation.look();
     bar.refresh(state);
-    page.refresh(state);
+    page(page).refresh(state);
   }
 
   /** Headings cannot be chosen: the next page in the same direction is. */
@@ -288,7 +304,7 @@ public final class InstallationView implements View {
     public Component getListCellRendererComponent(
         JList<?> of, Object item, int index, boolean selected, boolean focused) {
       boolean heading = item instanceof String;
-      String text = item instanceof Page page ? page.title() : String.valueOf(item);
+      String text = item instanceof PageName page ? page.title() : String.valueOf(item);
       JLabel cell =
           (JLabel)
               super.getListCellRendererComponent(

@@ -123,16 +123,6 @@ final class JointLimitsPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "joint-limits";
-  }
-
-  @Override
-  public String title() {
-    return "Joints";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

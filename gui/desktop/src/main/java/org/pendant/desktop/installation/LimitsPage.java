@@ -113,16 +113,6 @@ final class LimitsPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "limits";
-  }
-
-  @Override
-  public String title() {
-    return "Limits";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

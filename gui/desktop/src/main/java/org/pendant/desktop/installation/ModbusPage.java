@@ -105,16 +105,6 @@ final class ModbusPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "modbus";
-  }
-
-  @Override
-  public String title() {
-    return "Modbus";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -65,16 +65,6 @@ final class MountingPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "mounting";
-  }
-
-  @Override
-  public String title() {
-    return "Mounting";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -6,12 +6,6 @@ import org.pendant.controller.state.ControllerState;
 /** Page of the Installation screen. */
 interface Page {
 
-  /** Stable name, such as {@code tcp}. */
-  String id();
-
-  /** What people read in the list of pages. */
-  String title();
-
   /** What is shown; the same component always. */
   JComponent component();
 

@@ -153,16 +153,6 @@ final class PayloadPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "payload";
-  }
-
-  @Override
-  public String title() {
-    return "Payload";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

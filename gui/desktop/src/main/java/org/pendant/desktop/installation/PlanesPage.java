@@ -226,16 +226,6 @@ final class PlanesPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "planes";
-  }
-
-  @Override
-  public String title() {
-    return "Planes";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -138,16 +138,6 @@ final class SignalsPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "signals";
-  }
-
-  @Override
-  public String title() {
-    return "I/O";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

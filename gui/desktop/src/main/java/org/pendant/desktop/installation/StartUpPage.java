@@ -131,16 +131,6 @@ final class StartUpPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "start-up";
-  }
-
-  @Override
-  public String title() {
-    return "Start-up";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

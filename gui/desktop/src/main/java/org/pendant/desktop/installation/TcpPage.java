@@ -75,16 +75,6 @@ final class TcpPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "tcp";
-  }
-
-  @Override
-  public String title() {
-    return "TCP";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

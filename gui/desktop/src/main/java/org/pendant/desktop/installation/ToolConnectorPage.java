@@ -184,16 +184,6 @@ final class ToolConnectorPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "tool-connector";
-  }
-
-  @Override
-  public String title() {
-    return "Tool connector";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -103,16 +103,6 @@ final class ToolDirectionPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "tool-direction";
-  }
-
-  @Override
-  public String title() {
-    return "Tool direction";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

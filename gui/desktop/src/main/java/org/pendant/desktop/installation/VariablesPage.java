@@ -42,16 +42,6 @@ final class VariablesPage implements Page {
   }
 
   @Override
-  public String id() {
-    return "variables";
-  }
-
-  @Override
-  public String title() {
-    return "Variables";
-  }
-
-  @Override
   public JComponent component() {
     return card;
   }

@@ -75,10 +75,6 @@ public final class IoView implements View {
     tool = new ToolCard(presenter.forcing());
     content.setName("io-view");
     content.getAccessibleContext().setAccessibleName(title());
-    content.add(bar(), BorderLayout.NORTH);
-    content.add(scroll(cards()), BorderLayout.CENTER);
-    filter();
-    showForced();
     addActions();
   }
 
@@ -251,6 +247,12 @@ public final class IoView implements View {
 
   @Override
   public JComponent component() {
+    if (content.getComponentCount() == 0) {
+      content.add(bar(), BorderLayout.NORTH);
+      content.add(scroll(cards()), BorderLayout.CENTER);
+      filter();
+      showForced();
+    }
     return content;
   }
 

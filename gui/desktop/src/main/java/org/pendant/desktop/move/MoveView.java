@@ -8,13 +8,10 @@ import java.awt.event.HierarchyEvent;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
-import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
@@ -23,29 +20,22 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
-import org.pendant.kit.layout.CardSheet;
-import org.pendant.kit.layout.SettledScroll;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /** Move view: the screen that moves the arm by hand. */
 public final class MoveView implements View {
-  private static final int GAP = 16;
-  private static final int WIDEST_CARD = 520;
-
   private final Workbench workbench;
   private final MovePresenter presenter;
   private final JPanel content = new JPanel(new BorderLayout());
-  private final ObstacleBar obstacle;
-  private final TeachBar teaching;
-  private final JogCard jog;
-  private final FreedriveCard freedrive;
-  private final JointsCard joints;
-  private final PoseCard pose;
-  private final HomeCard home;
-  private final FrameCard frame;
-  private final TcpCard tcp;
-  private final PayloadCard payload;
+  private final Consumer<String> insertWaypoint;
+
+  /** Made when people first look at them. */
+  private Optional<MoveCards> cards = Optional.empty();
+
+  /** The frames that an installation offers, by name. */
+  private Map<String, Pose> offered = Map.of();
+
   private String robotId;
 
   /** A screen that shows no goals in 3D and copies waypoints instead of inserting them. */
@@ -71,43 +61,27 @@ public final class MoveView implements View {
             workbench.session().options().arm(),
             workbench.session().options().safety(),
             ghost);
-    Consumer<String> copy = text -> copy(workbench, text);
-    obstacle = new ObstacleBar(presenter);
-    teaching = new TeachBar();
-    jog = new JogCard(presenter.jog());
-    freedrive = new FreedriveCard(presenter.freedrive());
-    joints = new JointsCard(presenter, copy, insertWaypoint);
-    pose = new PoseCard(presenter, copy, insertWaypoint);
-    home = new HomeCard(presenter);
-    frame = new FrameCard(presenter);
-    tcp = new TcpCard(presenter);
-    payload = new PayloadCard(presenter.tool());
+    this.insertWaypoint = insertWaypoint;
     content.setName("move-view");
     content.getAccessibleContext().setAccessibleName(title());
-    JPanel head = new JPanel(new BorderLayout());
-    head.add(teaching, BorderLayout.NORTH);
-    head.add(obstacle, BorderLayout.SOUTH);
-    content.add(head, BorderLayout.NORTH);
-    content.add(cards(), BorderLayout.CENTER);
     content.addHierarchyListener(this::hidden);
-    declareActions(workbench.actions(), copy, insertWaypoint);
+    declareActions(workbench.actions());
     declareMoves(workbench.actions());
   }
 
-  private void declareActions(
-      Actions actions, Consumer<String> copy, Consumer<String> insertWaypoint) {
+  private void declareActions(Actions actions) {
     actions.add(
         Action.of(
             "move.copy-pose",
             "Copy TCP pose as URScript",
             "",
-            () -> copy.accept(PositionText.of(now().arm().targetTcpInBase()))));
+            () -> copy(workbench, PositionText.of(now().arm().targetTcpInBase()))));
     actions.add(
         Action.of(
             "move.copy-joints",
             "Copy joint positions as URScript",
             "",
-            () -> copy.accept(PositionText.of(now().arm().targetPositionRad()))));
+            () -> copy(workbench, PositionText.of(now().arm().targetPositionRad()))));
     actions.add(
         Action.of(
             "move.insert-waypoint",
@@ -164,30 +138,15 @@ public final class MoveView implements View {
     workbench.notify("Copied " + text);
   }
 
-  private JScrollPane cards() {
-    JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
-    sheet.add(stack(jog.component(), joints.component()));
-    sheet.add(stack(pose.component(), frame.component(), home.component()));
-    sheet.add(stack(freedrive.component(), tcp.component(), payload.component()));
-    JScrollPane scroll =
-        new SettledScroll(
-            sheet,
-            ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-            ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-    scroll.setBorder(BorderFactory.createEmptyBorder());
-    scroll.setName("move-scroll");
-    return scroll;
-  }
-
-  /** Cards that stay below each other when one grows: nothing moves under a hand that holds. */
-  private static JComponent stack(JComponent... cards) {
-    JPanel stack =
-        new JPanel(new MigLayout("insets 0, gap 0 16, wrap, hidemode 3", "[grow, fill]"));
-    stack.setOpaque(false);
-    for (JComponent each : cards) {
-      stack.add(each);
+  private MoveCards cards() {
+    if (cards.isEmpty()) {
+      MoveCards made = new MoveCards(presenter, text -> copy(workbench, text), insertWaypoint);
+      made.offer(offered);
+      content.add(made.head(), BorderLayout.NORTH);
+      content.add(made.sheet(), BorderLayout.CENTER);
+      cards = Optional.of(made);
     }
-    return stack;
+    return cards.get();
   }
 
   /** A button that is not shown cannot be held, and a goal without its numbers says nothing. */
@@ -213,7 +172,7 @@ public final class MoveView implements View {
    */
   public void teach(String what, Runnable accepted, Runnable left) {
     workbench.show(id());
-    teaching.ask(what, accepted, left);
+    cards().teach(what, accepted, left);
   }
 
   /** Goes by an installation: its home, its TCPs, and its features as frames to move along. */
@@ -228,7 +187,8 @@ public final class MoveView implements View {
         FeaturePoses.pose(each).ifPresent(pose -> frames.put(each.name(), pose));
       }
     }
-    frame.offer(frames);
+    offered = frames;
+    cards.ifPresent(each -> each.offer(frames));
   }
 
   /** Tells {@code listener} of each home that is set here. */
@@ -248,6 +208,7 @@ public final class MoveView implements View {
 
   @Override
   public JComponent component() {
+    var _ = cards();
     return content;
   }
 
@@ -255,15 +216,7 @@ public final class MoveView implements View {
   public void refresh(ControllerState state) {
     followRobot();
     presenter.take(state, workbench.session().pace());
-    obstacle.refresh();
-    jog.refresh();
-    freedrive.refresh();
-    joints.refresh();
-    pose.refresh();
-    home.refresh();
-    frame.refresh();
-    tcp.refresh();
-    payload.refresh();
+    cards().refresh();
   }
 
   private void followRobot() {

@@ -2,15 +2,12 @@ package org.pendant.desktop.plot;
 
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.JSplitPane;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.workbench.View;
@@ -25,11 +22,10 @@ public final class PlotView implements View {
 
   private final Workbench workbench;
   private final PlotPresenter presenter;
-  private final ChartStack stack;
-  private final PlotBar bar;
-  private final QuantityTree tree;
-  private int treeWidth;
-  private int placed;
+
+  /** Made when people first look at it. */
+  private Optional<PlotPane> pane = Optional.empty();
+
   private final JPanel content = new JPanel(new BorderLayout());
 
   /**
@@ -48,38 +44,18 @@ public final class PlotView implements View {
         new VariableTrace(workbench.session()::submit, EventQueue::invokeLater, workbench::notify);
     presenter.onTraced(trace::want);
     workbench.session().addFrameListener(trace);
-    stack = new ChartStack(presenter, this::changed);
-    bar = new PlotBar(presenter, this::changed, this::export);
-    tree = new QuantityTree(presenter.quantities(), this::add);
-    JPanel right = new JPanel(new BorderLayout());
-    right.add(bar.component(), BorderLayout.NORTH);
-    right.add(stack, BorderLayout.CENTER);
-    JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, tree.component(), right);
-    split.setBorder(BorderFactory.createEmptyBorder());
-    split.setName("plot-split");
-    treeWidth = tree.component().getPreferredSize().width;
-    placed = treeWidth;
-    split.setDividerLocation(placed);
-    split.addComponentListener(
-        new ComponentAdapter() {
-          @Override
-          public void componentResized(ComponentEvent event) {
-            place(split);
-          }
-        });
-    content.add(split);
     content.setName("plot-view");
     content.getAccessibleContext().setAccessibleName(title());
     declareActions();
   }
 
-  /** The charts have most of a narrow screen, until people move the divider. */
-  private void place(JSplitPane split) {
-    if (split.getDividerLocation() != placed) {
-      treeWidth = split.getDividerLocation();
+  private PlotPane pane() {
+    if (pane.isEmpty()) {
+      PlotPane made = new PlotPane(presenter, this::changed, this::add, this::export);
+      content.add(made.component());
+      pane = Optional.of(made);
     }
-    placed = Math.min(treeWidth, Math.max(split.getWidth() * 3 / 10, 1));
-    split.setDividerLocation(placed);
+    return pane.get();
   }
 
   private void declareActions() {
@@ -95,7 +71,7 @@ public final class PlotView implements View {
 
   private void goToSearch() {
     workbench.show(ID);
-    tree.focusSearch();
+    pane().tree().focusSearch();
   }
 
   private void togglePause() {
@@ -120,6 +96,7 @@ public final class PlotView implements View {
 
   @Override
   public JComponent component() {
+    var _ = pane();
     return content;
   }
 
@@ -127,13 +104,13 @@ public final class PlotView implements View {
   public void refresh(ControllerState state) {
     showVariables(state);
     if (presenter.refresh()) {
-      stack.refresh();
+      pane().stack().refresh();
     }
   }
 
   private void showVariables(ControllerState state) {
     if (presenter.quantities().variables().show(state.variables())) {
-      tree.refill();
+      pane.ifPresent(each -> each.tree().refill());
     }
   }
 
@@ -161,13 +138,12 @@ public final class PlotView implements View {
 
   private void add(List<ChartQuantity> chosen) {
     chosen.forEach(presenter::add);
-    stack.rebuild();
+    pane.ifPresent(each -> each.stack().rebuild());
   }
 
   private void changed() {
     presenter.refresh();
-    bar.refresh();
-    stack.refresh();
+    pane.ifPresent(PlotPane::refresh);
   }
 
   private void export() {

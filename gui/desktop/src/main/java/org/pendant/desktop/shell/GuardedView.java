@@ -24,7 +24,7 @@ final class GuardedView implements View {
   static final int REST_TURNS = 30;
 
   private final View view;
-  private final JPanel whole = new JPanel(new BorderLayout());
+  private final JPanel whole = new Whole();
   private final Strip strip = new Strip();
   private boolean undrawn;
   private boolean old;
@@ -35,7 +35,25 @@ final class GuardedView implements View {
     strip.setName("failed-" + view.id());
     strip.setVisible(false);
     whole.add(strip, BorderLayout.NORTH);
-    whole.add(new Content(view.component()), BorderLayout.CENTER);
+  }
+
+  /** What is shown; the view's components are made when they are first in a window. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class Whole extends JPanel {
+    private boolean filled;
+
+    Whole() {
+      super(new BorderLayout());
+    }
+
+    @Override
+    public void addNotify() {
+      if (!filled) {
+        filled = true;
+        add(new Content(view.component()), BorderLayout.CENTER);
+      }
+      super.addNotify();
+    }
   }
 
   @Override

@@ -6,6 +6,7 @@ import java.awt.Graphics;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JLayer;
@@ -24,7 +25,8 @@ import org.pendant.kit.theme.Palette;
  */
 public final class HeldView implements View {
   private final View view;
-  private final JLayer<JComponent> layer;
+  private final Glass glass;
+  private Optional<JLayer<JComponent>> layer = Optional.empty();
 
   /** {@code tell} hears a sentence whenever the user wants to act on the past. */
   public HeldView(View view, LookBack lookBack, Consumer<String> tell) {
@@ -38,19 +40,17 @@ public final class HeldView implements View {
    */
   public HeldView(View view, LookBack lookBack, Consumer<String> tell, boolean selectable) {
     this.view = view;
-    layer =
-        new JLayer<>(
-            view.component(),
-            new Glass(
-                lookBack,
-                selectable,
-                () ->
-                    tell.accept(
-                        view.title()
-                            + " shows the past: "
-                            + (lookBack.ofFile() ? "go back to the robot" : "press Live")
-                            + " to act on the robot")));
-    lookBack.addListener(layer::repaint);
+    glass =
+        new Glass(
+            lookBack,
+            selectable,
+            () ->
+                tell.accept(
+                    view.title()
+                        + " shows the past: "
+                        + (lookBack.ofFile() ? "go back to the robot" : "press Live")
+                        + " to act on the robot"));
+    lookBack.addListener(() -> layer.ifPresent(JComponent::repaint));
   }
 
   @Override
@@ -65,7 +65,10 @@ public final class HeldView implements View {
 
   @Override
   public JComponent component() {
-    return layer;
+    if (layer.isEmpty()) {
+      layer = Optional.of(new JLayer<>(view.component(), glass));
+    }
+    return layer.get();
   }
 
   @Override

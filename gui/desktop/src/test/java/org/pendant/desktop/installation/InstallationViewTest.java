@@ -101,7 +101,7 @@ final class InstallationViewTest {
   private static void choose(InstallationView view, String page) {
     JList<?> pages = find(view, "installation-pages", JList.class);
     for (int i = 0; i < pages.getModel().getSize(); i++) {
-      if (pages.getModel().getElementAt(i) instanceof Page each && each.id().equals(page)) {
+      if (pages.getModel().getElementAt(i) instanceof PageName each && each.id().equals(page)) {
         pages.setSelectedIndex(i);
       }
     }

@@ -113,6 +113,8 @@ final class GuardedViewTest {
           window.add(guarded.component());
           window.add(new GuardedView(sound).component());
           window.setSize(400, 200);
+          // views are made when they are in a window
+          window.addNotify();
           layOut(window);
         });
     broken.paintThrows = true;
