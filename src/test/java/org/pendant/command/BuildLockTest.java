@@ -17,7 +17,10 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The launcher's lock, in a folder with a JDK and a Maven that only say that they were called. */
+/**
+ * The launcher's lock and its AOT caches, in a folder with a JDK and a Maven that only say that
+ * they were called.
+ */
 @DisabledOnOs(OS.WINDOWS)
 @Tag("slow")
 final class BuildLockTest {
@@ -49,11 +52,17 @@ final class BuildLockTest {
   }
 
   private Process start() throws IOException {
+    return start("", "--version");
+  }
+
+  private Process start(String display, String word) throws IOException {
     ProcessBuilder builder =
-        new ProcessBuilder(folder.resolve("pendant").toString(), "--version")
+        new ProcessBuilder(folder.resolve("pendant").toString(), word)
             .directory(folder.toFile())
             .redirectErrorStream(true);
     builder.environment().remove("PENDANT_CLASSPATH");
+    builder.environment().remove("WAYLAND_DISPLAY");
+    builder.environment().put("DISPLAY", display);
     builder.environment().put("PENDANT_JAVA_HOME", folder.resolve("jdk").toString());
     builder.environment().merge("PATH", "", (path, _) -> folder.resolve("maven") + ":" + path);
     return builder.start();
@@ -76,6 +85,27 @@ final class BuildLockTest {
   @Test
   void itBuildsAndDropsTheLock() throws Exception {
     assertBuilds();
+  }
+
+  @Test
+  @DisabledOnOs({OS.WINDOWS, OS.MAC})
+  void aWindowHasAnAotCacheOfItsOwnWhereThereIsADisplay() throws Exception {
+    // what a JVM is started for is the class behind the class path
+    program(
+        "jdk/bin/java",
+        "for word; do case $word in -XX:AOTCacheOutput=*) echo cache >\"${word#*=}\";;"
+            + " org.pendant.*) echo ${word##*.} >>trained;; esac; done; echo ran");
+    for (String display : new String[] {":0", ""}) {
+      for (String word : new String[] {"open", "check", "open"}) {
+        Process process = start(display, word);
+        assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS));
+        assertEquals(0, process.exitValue());
+      }
+    }
+    assertEquals("WindowTraining\nTraining\n", Files.readString(folder.resolve("trained")));
+    Path app = folder.resolve("gui/desktop/target/app");
+    assertTrue(Files.exists(app.resolve("window-25.aot")));
+    assertTrue(Files.exists(app.resolve("pendant-25.aot")));
   }
 
   @Test

@@ -50,6 +50,11 @@ final class OpenCommandTest {
       this.installation = installation;
       this.wishes = wishes;
     }
+
+    @Override
+    public void train(Path program) {
+      throw new AssertionError("no command trains");
+    }
   }
 
   /** What the desktop is asked for by a command line that it takes. */

@@ -23,4 +23,14 @@ public interface DesktopLauncher {
       Optional<StartInstallation> installation,
       SimulationWishes wishes)
       throws DesktopUnavailable, InterruptedException;
+
+  /**
+   * Makes the window, uses it and closes it without showing it, for a JVM that notes which classes
+   * are loaded.
+   *
+   * @param program that is run in it
+   * @throws DesktopUnavailable if there is no display, or it cannot be used
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  void train(Path program) throws DesktopUnavailable, InterruptedException;
 }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
@@ -41,8 +42,11 @@ public final class Desktop {
   /** What is around the arm; written before the window is made. */
   private volatile StartScene scene = StartScene.of(Optional.empty());
 
-  private Desktop(Path folder) {
+  private final Consumer<DesktopWindow> shown;
+
+  private Desktop(Path folder, Consumer<DesktopWindow> shown) {
     this.folder = folder;
+    this.shown = shown;
     settings = FileSettings.open(folder.resolve("settings.txt"));
   }
 
@@ -70,7 +74,34 @@ public final class Desktop {
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
       SimulationWishes wishes) {
-    Desktop desktop = new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()));
+    return open(files, ports, installation, wishes, DesktopWindow::open);
+  }
+
+  /**
+   * Makes the window, uses it without showing it, and returns when it is closed: a first use for a
+   * JVM that notes which classes are loaded.
+   *
+   * @param program that is run in it
+   * @throws InterruptedException if the waiting thread is interrupted
+   */
+  public static void train(Path program) throws InterruptedException {
+    open(
+            List.of(program),
+            Optional.empty(),
+            Optional.empty(),
+            SimulationWishes.NONE,
+            window -> new TrainingWindow(window).begin())
+        .awaitClosed();
+  }
+
+  private static Desktop open(
+      List<Path> files,
+      Optional<PortWishes> ports,
+      Optional<StartInstallation> installation,
+      SimulationWishes wishes,
+      Consumer<DesktopWindow> shown) {
+    Desktop desktop =
+        new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()), shown);
     wishes.measuredNoise().ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
     wishes.startRamp().ifPresent(on -> RobotChange.rememberStartRamp(desktop.settings, on));
     // The arm's files are read while the look is set up.
@@ -170,7 +201,7 @@ public final class Desktop {
     Faults.keepIn(
         new FaultFile(folder.resolve("errors.txt")),
         text -> EventQueue.invokeLater(() -> window.tell(text)));
-    window.open();
+    shown.accept(window);
     settings.notice().ifPresent(window::warn);
     settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
     start.ifPresent(window::begin);

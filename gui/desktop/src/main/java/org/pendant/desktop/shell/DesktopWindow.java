@@ -1,12 +1,14 @@
 package org.pendant.desktop.shell;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
@@ -327,6 +329,31 @@ final class DesktopWindow {
     }
   }
 
+  /** The window's frame. */
+  JFrame frame() {
+    return window.frame();
+  }
+
+  /** Brings a screen or a panel to the front. */
+  void show(String id) {
+    docks.show(id);
+  }
+
+  /** The screens and panels, by id. */
+  List<String> views() {
+    return views.all().stream().map(View::id).toList();
+  }
+
+  /** Does what an action does, if it can be done now. */
+  void perform(String actionId) {
+    actions.run(actionId);
+  }
+
+  /** Shows the newest snapshot in all views, also those that nobody sees. */
+  void refreshAll() {
+    refresh(each -> true);
+  }
+
   /** Shows the window. */
   void open() {
     showProgram();
@@ -413,8 +440,12 @@ final class DesktopWindow {
   }
 
   private void refresh() {
+    refresh(WindowFrame::seen);
+  }
+
+  private void refresh(Predicate<Component> seen) {
     ControllerState state = stillArm.shown(session.state());
-    if (WindowFrame.seen(docks.component())) {
+    if (seen.test(docks.component())) {
       Faults.guard(() -> header.refresh(state));
       Faults.guard(() -> footer.refresh(state));
     }
@@ -427,7 +458,7 @@ final class DesktopWindow {
     Faults.guard(() -> views.follow(state));
     Faults.guard(() -> startPanel.refresh(state));
     for (View view : views.all()) {
-      if (WindowFrame.seen(view.component())) {
+      if (seen.test(view.component())) {
         Faults.guard(() -> view.refresh(views.past().shown(view, state)));
       }
     }
@@ -457,7 +488,8 @@ final class DesktopWindow {
     KeyBindings.bind(panelWindow.getRootPane(), actions);
   }
 
-  private void dispose() {
+  /** Closes it without asking. */
+  void dispose() {
     refresh.stop();
     keep.stop();
     typing.stop();

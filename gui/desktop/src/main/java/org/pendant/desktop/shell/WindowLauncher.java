@@ -16,19 +16,33 @@ import org.pendant.command.service.StartInstallation;
 public final class WindowLauncher implements DesktopLauncher {
 
   @Override
+  public void train(Path program) throws DesktopUnavailable, InterruptedException {
+    onDisplay(() -> Desktop.train(program));
+  }
+
+  @Override
   public void open(
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
       SimulationWishes wishes)
       throws DesktopUnavailable, InterruptedException {
+    onDisplay(() -> Desktop.open(files, ports, installation, wishes).awaitClosed());
+  }
+
+  /** What needs a display. */
+  private interface Use {
+    void run() throws InterruptedException;
+  }
+
+  private static void onDisplay(Use use) throws DesktopUnavailable, InterruptedException {
     try {
       if (GraphicsEnvironment.isHeadless()) {
         throw new DesktopUnavailable("there is no display");
       }
       // Says at once whether the display can be used.
       GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
-      Desktop.open(files, ports, installation, wishes).awaitClosed();
+      use.run();
     } catch (AWTError | HeadlessException | UnsatisfiedLinkError e) {
       throw new DesktopUnavailable(e.getMessage(), e);
     }
