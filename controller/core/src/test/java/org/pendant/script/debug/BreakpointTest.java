@@ -231,6 +231,13 @@ class BreakpointTest {
   }
 
   @Test
+  void aRuleSaysWhichHitsStop() {
+    debugger.set(Breakpoint.at(6).counting(HitRule.of("% 2").orElseThrow()));
+    fixture.start(LOOP).go();
+    assertEquals(new PauseReason.AtBreakpoint(6, 2), fixture.stop().reason());
+  }
+
+  @Test
   void hitsAreCountedAnewInEveryRun() {
     debugger.set(Breakpoint.at(6).fromHit(3));
     fixture.start(LOOP).go().resume();
@@ -352,7 +359,7 @@ class BreakpointTest {
     assertEquals(
         Optional.of("line is 0, must be at least 1"), DebugFixture.refusal(() -> Breakpoint.at(0)));
     assertEquals(
-        Optional.of("fromHit is 0, must be at least 1"),
+        Optional.of("hit is 0, must be at least 1"),
         DebugFixture.refusal(() -> Breakpoint.at(1).fromHit(0)));
   }
 }

@@ -116,7 +116,7 @@ final class Stops implements DebugHook {
       }
     }
     long hits = entry.countHit();
-    if (hits < breakpoint.fromHit()) {
+    if (!breakpoint.hits().counts(hits)) {
       return Optional.empty();
     }
     if (breakpoint.logs()) {

@@ -6,6 +6,7 @@ import java.util.OptionalInt;
 import javax.swing.table.AbstractTableModel;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.BreakpointState;
+import org.pendant.script.debug.HitRule;
 
 /** Breakpoint table model: the breakpoints of the program in front as a table. */
 @SuppressWarnings("serial") // never written to a stream
@@ -73,7 +74,7 @@ final class BreakpointTableModel extends AbstractTableModel {
       case LINE -> place(row, state);
       case CONDITION -> row.condition();
       case MESSAGE -> row.message();
-      case FROM_HIT -> Integer.toString(row.fromHit());
+      case FROM_HIT -> row.hits().text();
       default -> state.map(each -> Long.toString(each.hits())).orElse("");
     };
   }
@@ -90,11 +91,11 @@ final class BreakpointTableModel extends AbstractTableModel {
     return column != LINE && column != HITS;
   }
 
-  /** Why {@code typed} is no number of a hit; empty if it is one. */
+  /** Why {@code typed} does not say which hits count; empty if it does. */
   static String hitRefusal(String typed) {
-    return typed.strip().matches("[1-9]\\d{0,8}")
+    return HitRule.of(typed).isPresent()
         ? ""
-        : "From hit is '" + typed.strip() + "', must be a whole number, at least 1";
+        : "From hit is '" + typed.strip() + "', must be " + HitRule.FORMS;
   }
 
   @Override
@@ -108,9 +109,7 @@ final class BreakpointTableModel extends AbstractTableModel {
       case CONDITION -> openBreakpoints.change(row.when(typed.toString()));
       case MESSAGE -> openBreakpoints.change(row.logging(typed.toString()));
       case FROM_HIT -> {
-        if (hitRefusal(typed.toString()).isEmpty()) {
-          openBreakpoints.change(row.fromHit(Integer.parseInt(typed.toString().strip())));
-        }
+        HitRule.of(typed.toString()).map(row::counting).ifPresent(openBreakpoints::change);
       }
       default -> throw new IllegalArgumentException("column is " + column + ", must be editable");
     }

@@ -92,7 +92,7 @@ public final class EditorLink implements BreakpointListener {
 
   /** How a breakpoint looks. */
   public static LineIcon.Kind kind(Breakpoint breakpoint) {
-    boolean conditional = !breakpoint.condition().isEmpty() || breakpoint.fromHit() > 1;
+    boolean conditional = !breakpoint.condition().isEmpty() || !breakpoint.hits().always();
     return breakpoint.logs()
         ? LineIcon.Kind.LOG
         : conditional ? LineIcon.Kind.CONDITIONAL : LineIcon.Kind.STOP;
@@ -111,8 +111,8 @@ public final class EditorLink implements BreakpointListener {
     if (!breakpoint.condition().isEmpty()) {
       about.append(" when ").append(breakpoint.condition());
     }
-    if (breakpoint.fromHit() > 1) {
-      about.append(", from hit ").append(breakpoint.fromHit());
+    if (!breakpoint.hits().always()) {
+      about.append(", ").append(breakpoint.hits().words());
     }
     if (hits > 0) {
       about.append("; hit ").append(hits == 1 ? "once" : hits + " times");

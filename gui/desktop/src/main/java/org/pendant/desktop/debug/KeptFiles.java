@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.pendant.desktop.editor.TextPlace;
 import org.pendant.kit.settings.Settings;
 import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.HitRule;
 
 /**
  * Kept files: what the settings remember of each file: its breakpoints, the caret and what is
@@ -110,7 +111,7 @@ final class KeptFiles {
                 text.append("breakpoint\t")
                     .append(each.line())
                     .append(each.enabled() ? "\ton\t" : "\toff\t")
-                    .append(each.fromHit())
+                    .append(each.hits().text())
                     .append('\t')
                     .append(inLine(each.condition()))
                     .append('\t')
@@ -158,7 +159,8 @@ final class KeptFiles {
         number(words.get(1)),
         words.get(2).equals("on"),
         words.get(4),
-        number(words.get(3)),
+        HitRule.of(words.get(3))
+            .orElseThrow(() -> new IllegalArgumentException(words.get(3) + " is no hit rule")),
         words.get(5));
   }
 

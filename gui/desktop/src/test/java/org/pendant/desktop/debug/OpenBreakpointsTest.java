@@ -93,7 +93,7 @@ final class OpenBreakpointsTest {
   void aNumberOfAHitIsAWholeNumberAboveZero() {
     assertEquals("", BreakpointTableModel.hitRefusal(" 12 "));
     assertEquals(
-        "From hit is '0', must be a whole number, at least 1",
+        "From hit is '0', must be a number, such as 5, or >= 5, > 5, == 5, <= 5, < 5, % 5",
         BreakpointTableModel.hitRefusal("0"));
   }
 

@@ -19,6 +19,7 @@ import org.eclipse.lsp4j.debug.Source;
 import org.eclipse.lsp4j.debug.SourceBreakpoint;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.ByteText;
+import org.pendant.script.debug.HitRule;
 
 /** Requests about breakpoints on lines. */
 final class BreakpointRequests {
@@ -53,12 +54,12 @@ final class BreakpointRequests {
     String condition = Objects.requireNonNullElse(asked.getCondition(), "");
     String message = Objects.requireNonNullElse(asked.getLogMessage(), "");
     String hits = Objects.requireNonNullElse(asked.getHitCondition(), "");
-    OptionalInt first = HitCondition.first(hits);
+    Optional<HitRule> rule = HitRule.of(hits);
     Optional<String> refusal =
         before >= BreakpointTable.MOST
             ? Optional.of("a file has at most " + BreakpointTable.MOST + " breakpoints")
-            : first.isEmpty()
-                ? Optional.of("hit condition is " + hits + ", must be a number, such as 5, or > 5")
+            : rule.isEmpty()
+                ? Optional.of("hit condition is " + hits + ", must be " + HitRule.FORMS)
                 : text(source).flatMap(text -> check.refusal(text, line, condition, message));
     Optional<org.pendant.script.debug.Breakpoint> breakpoint =
         refusal.isPresent()
@@ -68,7 +69,7 @@ final class BreakpointRequests {
                     line,
                     true,
                     ByteText.asBytes(condition),
-                    first.getAsInt(),
+                    rule.get(),
                     ByteText.asBytes(message)));
     return new BreakpointTable.Wanted(table.nextId(), line, breakpoint, refusal);
   }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import org.eclipse.lsp4j.debug.Breakpoint;
 import org.eclipse.lsp4j.debug.BreakpointNotVerifiedReason;
@@ -18,6 +17,7 @@ import org.pendant.editors.dap.look.LiveScope;
 import org.pendant.editors.dap.look.WatchedSignal;
 import org.pendant.editors.dap.run.DataWatch;
 import org.pendant.editors.dap.run.DebuggedRobot;
+import org.pendant.script.debug.HitRule;
 
 /** Requests about breakpoints on values: global variables, expressions, signals, registers, arm. */
 final class DataBreakpoints {
@@ -95,15 +95,13 @@ final class DataBreakpoints {
     Breakpoint told = new Breakpoint();
     told.setId(table.nextId());
     told.setVerified(true);
-    OptionalInt first = HitCondition.first(Objects.requireNonNullElse(asked.getHitCondition(), ""));
+    Optional<HitRule> rule = HitRule.of(Objects.requireNonNullElse(asked.getHitCondition(), ""));
     Optional<DataWatch.Reader> reader = reader(asked.getDataId());
     String refusal =
         all.size() >= MAX_WATCHED
             ? "at most " + MAX_WATCHED + " values are watched"
-            : first.isEmpty()
-                ? "hit condition is "
-                    + asked.getHitCondition()
-                    + ", must be a number, such as 5, or > 5"
+            : rule.isEmpty()
+                ? "hit condition is " + asked.getHitCondition() + ", must be " + HitRule.FORMS
                 : reader.isEmpty() ? "there is no value " + asked.getDataId() : "";
     if (!refusal.isEmpty()) {
       BreakpointRequests.unverified(told, refusal, BreakpointNotVerifiedReason.FAILED);
@@ -116,7 +114,7 @@ final class DataBreakpoints {
             name,
             reader.get(),
             Objects.requireNonNullElse(asked.getCondition(), "").strip(),
-            first.getAsInt()));
+            rule.get()));
     return told;
   }
 

@@ -20,6 +20,7 @@ import org.pendant.language.service.ScriptAnalysis;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.HitRule;
 
 /** Requests about breakpoints on functions and threads of the program: at their first statement. */
 final class FunctionBreakpoints {
@@ -90,11 +91,10 @@ final class FunctionBreakpoints {
     if (!known()) {
       return refused(id, "no program is there yet");
     }
-    OptionalInt first = HitCondition.first(Objects.requireNonNullElse(each.getHitCondition(), ""));
-    if (first.isEmpty()) {
+    Optional<HitRule> rule = HitRule.of(Objects.requireNonNullElse(each.getHitCondition(), ""));
+    if (rule.isEmpty()) {
       return refused(
-          id,
-          "hit condition is " + each.getHitCondition() + ", must be a number, such as 5, or > 5");
+          id, "hit condition is " + each.getHitCondition() + ", must be " + HitRule.FORMS);
     }
     if (each.getName() == null) {
       return refused(id, "a function breakpoint needs the name of a function");
@@ -115,7 +115,7 @@ final class FunctionBreakpoints {
             line.getAsInt(),
             true,
             ByteText.asBytes(Objects.requireNonNullElse(each.getCondition(), "")),
-            first.getAsInt(),
+            rule.get(),
             "");
     return new BreakpointTable.Wanted(
         id, line.getAsInt(), Optional.of(breakpoint), Optional.empty());

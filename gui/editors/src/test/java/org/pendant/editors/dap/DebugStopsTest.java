@@ -122,12 +122,14 @@ class DebugStopsTest {
       SourceBreakpoint condition = DebugClient.at(9);
       condition.setCondition("i = 7");
       SourceBreakpoint hits = DebugClient.at(9);
-      hits.setHitCondition("% 2");
+      hits.setHitCondition("every 2");
       Breakpoint[] told = client.breakpoints(condition, hits);
       assertFalse(told[0].isVerified());
       assertTrue(told[0].getMessage().contains("= assigns"), told[0].getMessage());
       assertEquals(
-          "hit condition is % 2, must be a number, such as 5, or > 5", told[1].getMessage());
+          "hit condition is every 2, must be a number, such as 5, or >= 5, > 5, == 5, <= 5, < 5, %"
+              + " 5",
+          told[1].getMessage());
     }
   }
 

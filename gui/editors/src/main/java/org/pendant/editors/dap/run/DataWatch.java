@@ -8,6 +8,7 @@ import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Debugger;
+import org.pendant.script.debug.HitRule;
 import org.pendant.script.debug.Variable;
 import org.pendant.script.value.ScriptError;
 
@@ -42,9 +43,9 @@ public final class DataWatch implements DebuggedRobot.FrameWatch {
    * @param id by which the client knows it
    * @param name that people read
    * @param condition an expression that must be true after a change; empty text for none
-   * @param fromHit the change that is the first to hold the program, at least 1
+   * @param hits which changes hold the program
    */
-  public record Watched(int id, String name, Reader reader, String condition, int fromHit) {}
+  public record Watched(int id, String name, Reader reader, String condition, HitRule hits) {}
 
   /** A change that has held the program. */
   public record Change(int id, String words) {}
@@ -106,7 +107,7 @@ public final class DataWatch implements DebuggedRobot.FrameWatch {
   }
 
   private boolean counts(Watched each, Debugger debugger) {
-    return holds(each, debugger) && hits.merge(each, 1, Integer::sum) >= each.fromHit();
+    return holds(each, debugger) && each.hits().counts(hits.merge(each, 1, Integer::sum));
   }
 
   private static boolean holds(Watched each, Debugger debugger) {
