@@ -8,7 +8,8 @@ import org.pendant.script.vm.ThreadSnapshot;
  * Debug state: whether a program is paused, and where its threads stand then.
  *
  * @param stop empty while nothing is paused
- * @param threads the main thread first; empty while nothing is paused
+ * @param threads the main thread first; while nothing is paused only where calls are followed,
+ *     otherwise empty
  */
 public record DebugState(Optional<Stop> stop, List<ThreadSnapshot> threads) {
   /** Nothing is paused. */

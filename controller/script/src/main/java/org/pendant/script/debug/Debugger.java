@@ -85,6 +85,15 @@ public final class Debugger {
     stops.onErrors(wanted);
   }
 
+  /**
+   * Whether {@link #state} also has the threads while nothing is paused, so that who looks back at
+   * a recording sees the calls of each frame; not so at first. Nothing happens in another way by
+   * it.
+   */
+  public void followCalls(boolean wanted) {
+    stops.followCalls(wanted);
+  }
+
   // --- holding and continuing
 
   /** Holds the running program before anything of the next frame has run. */

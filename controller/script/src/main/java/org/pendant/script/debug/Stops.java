@@ -22,6 +22,7 @@ final class Stops implements DebugHook {
   private Optional<StepRequest> step = Optional.empty();
   private boolean trapsForStep;
   private boolean onErrors;
+  private boolean following;
   private long count;
   private DebugState state = DebugState.FREE;
 
@@ -33,7 +34,20 @@ final class Stops implements DebugHook {
   }
 
   DebugState state() {
+    if (following && !state.held()) {
+      List<ThreadSnapshot> threads = probe.followedThreads();
+      if (!threads.equals(state.threads())) {
+        state = new DebugState(Optional.empty(), threads);
+      }
+    }
     return state;
+  }
+
+  void followCalls(boolean wanted) {
+    following = wanted;
+    if (!wanted && !state.held()) {
+      state = DebugState.FREE;
+    }
   }
 
   void onErrors(boolean wanted) {

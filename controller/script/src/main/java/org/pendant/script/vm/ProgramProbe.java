@@ -19,6 +19,7 @@ import org.pendant.script.value.Value;
 public final class ProgramProbe {
   private final Machine machine;
   private final Evaluator evaluator;
+  private final FollowedCalls followed = new FollowedCalls();
 
   ProgramProbe(Machine machine, Evaluator evaluator) {
     this.machine = machine;
@@ -104,6 +105,14 @@ public final class ProgramProbe {
         .run()
         .ifPresent(run -> run.threads().forEach(thread -> snapshots.add(snapshot(run, thread))));
     return snapshots;
+  }
+
+  /**
+   * As {@link #threads}, and the same object as the last time while no thread has come elsewhere;
+   * empty while there are very many calls.
+   */
+  public List<ThreadSnapshot> followedThreads() {
+    return machine.run().map(run -> followed.of(run, this)).orElse(List.of());
   }
 
   /** Those threads that have not waited for anything in the last {@code frames} frames. */

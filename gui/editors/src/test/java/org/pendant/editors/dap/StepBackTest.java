@@ -135,6 +135,23 @@ class StepBackTest {
   }
 
   @Test
+  void aMomentAtWhichNothingStoppedHasItsCallsToo() throws Exception {
+    String text = "def grip(x):\n  a = x\n  sleep(0.3)\nend\nb = 1\ngrip(b)\nsleep(0.1)\n";
+    try (DebugClient client = DebugClient.of(folder, text)) {
+      client.launch();
+      var _ = client.breakpoints(6);
+      client.configured();
+      client.stop();
+      client.stepOver();
+      client.stop();
+      assertEquals(7, client.line());
+      stepBack(client);
+      assertEquals(List.of(3, 6), client.stack().stream().map(each -> each.getLine()).toList());
+      assertEquals("grip", client.top().getName());
+    }
+  }
+
+  @Test
   void framesAreStepsOfTheirOwn() throws Exception {
     try (DebugClient client = stopped()) {
       assertEquals("1.002 s", client.values("Robot").get("time"));

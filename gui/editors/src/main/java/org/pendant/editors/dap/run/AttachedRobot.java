@@ -63,6 +63,7 @@ public final class AttachedRobot implements DebuggedRobot {
     }
     AttachedRobot attached = new AttachedRobot(attachable, listener, answers);
     attached.thread.start();
+    var _ = attached.robot.submit(new DebugCommand.Debug(debugger -> debugger.followCalls(true)));
     return attached;
   }
 
@@ -177,6 +178,7 @@ public final class AttachedRobot implements DebuggedRobot {
   private static void leave(Debugger debugger) {
     debugger.removeBreakpoints();
     debugger.stopOnErrors(false);
+    debugger.followCalls(false);
     if (debugger.state().held()) {
       debugger.resume();
     }

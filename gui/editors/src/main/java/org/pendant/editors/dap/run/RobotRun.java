@@ -116,6 +116,7 @@ public final class RobotRun implements DebuggedRobot {
     if (!waveforms.equals(InputWaveforms.NONE)) {
       var _ = robot.submit(new IoCommand.PlayInputs(waveforms));
     }
+    var _ = robot.submit(new DebugCommand.Debug(debugger -> debugger.followCalls(true)));
     CompletableFuture<Reply> started =
         robot.submit(
             new ProgramCommand.StartProgram(program, Optional.of(ProgramsFolder.of(file))));
