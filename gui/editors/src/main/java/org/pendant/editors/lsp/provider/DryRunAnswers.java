@@ -70,6 +70,7 @@ public final class DryRunAnswers {
   /** The time of each line of {@code asked} on which the arm moves, at its end. */
   public static List<InlayHint> hints(Document document, Range asked, DryRunResult result) {
     List<InlayHint> hints = new ArrayList<>();
+    boolean givenUp = result.outcome() == DryRunResult.Outcome.GIVEN_UP;
     for (LineStatistics line : result.lines()) {
       int index = line.line() - 1;
       boolean wanted =
@@ -79,19 +80,23 @@ public final class DryRunAnswers {
               && index < document.positions().lineCount();
       if (wanted) {
         InlayHint hint =
-            new InlayHint(range(document, line.line()).getEnd(), Either.forLeft(time(line)));
+            new InlayHint(
+                range(document, line.line()).getEnd(), Either.forLeft(time(line, givenUp)));
         hint.setPaddingLeft(true);
-        hint.setTooltip("Robot time of this line in a dry run");
+        hint.setTooltip(
+            givenUp
+                ? "Robot time of this line until the dry run was given up"
+                : "Robot time of this line in a dry run");
         hints.add(hint);
       }
     }
     return hints;
   }
 
-  private static String time(LineStatistics line) {
-    return line.executions() > 1
-        ? seconds(line.timeS()) + " in " + line.executions() + " turns"
-        : seconds(line.timeS());
+  /** What was not seen to its end took at least that long. */
+  private static String time(LineStatistics line, boolean givenUp) {
+    String time = (givenUp ? "\u2265 " : "") + seconds(line.timeS());
+    return line.executions() > 1 ? time + " in " + line.executions() + " turns" : time;
   }
 
   /** How long the whole program took, or that it was given up. */

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -22,6 +23,9 @@ import org.eclipse.lsp4j.SelectionRange;
 import org.eclipse.lsp4j.SemanticTokensEdit;
 import org.eclipse.lsp4j.TextDocumentIdentifier;
 import org.junit.jupiter.api.Test;
+import org.pendant.editors.dryrun.DryRun;
+import org.pendant.editors.dryrun.DryRunLimits;
+import org.pendant.editors.dryrun.DryRunResult;
 import org.pendant.editors.lsp.text.Document;
 
 /** What is told of a text as a whole: mistakes, symbols, colours, hints. */
@@ -174,6 +178,25 @@ final class WholeTextTest {
     CodeAction all = actions(document, ALL, CodeActionKind.SourceFixAll).getFirst();
     assertEquals(2, all.getEdit().getChanges().get(Texts.URI).size());
     assertTrue(actions(document, ALL, CodeActionKind.Refactor).isEmpty());
+  }
+
+  @Test
+  void aDryRunThatIsGivenUpTellsWhatALineTookAtLeast() {
+    Document document =
+        Texts.document("while True:\n  movej([0, -1.2, 0, -1.57, 0, 0], v=0.1)\nend\n");
+    DryRunResult result =
+        DryRun.of(
+            document.source(),
+            "ur5e",
+            new DryRunLimits(Duration.ofSeconds(1), Duration.ofMinutes(2)),
+            () -> false);
+    Range all = new Range(new Position(0, 0), new Position(4, 0));
+    List<String> told =
+        DryRunAnswers.hints(document, all, result).stream()
+            .map(hint -> hint.getLabel().getLeft())
+            .toList();
+    assertTrue(
+        told.size() == 1 && told.getFirst().matches("\u2265 [01]\\.\\d\\d s"), told::toString);
   }
 
   private static List<String> hints(String text, HintSettings settings) {
