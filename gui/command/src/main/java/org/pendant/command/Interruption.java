@@ -18,13 +18,15 @@ final class Interruption implements AutoCloseable {
   private static final int PATIENCE_S = 10;
 
   private final String what;
+  private final int patienceS;
   private final CountDownLatch wanted = new CountDownLatch(1);
   private final CountDownLatch ended = new CountDownLatch(1);
   private volatile Optional<ExitCode> exitCode = Optional.empty();
   private volatile boolean held;
 
-  private Interruption(String what) {
+  private Interruption(String what, int patienceS) {
     this.what = what;
+    this.patienceS = patienceS;
   }
 
   /**
@@ -33,7 +35,16 @@ final class Interruption implements AutoCloseable {
    * @param what is under way then, for messages, such as {@code the run}
    */
   static Interruption listen(String what) {
-    Interruption interruption = new Interruption(what);
+    return listen(what, PATIENCE_S);
+  }
+
+  /**
+   * As {@link #listen(String)}, for what may take longer to end.
+   *
+   * @param patienceS after which the process ends in any case
+   */
+  static Interruption listen(String what, int patienceS) {
+    Interruption interruption = new Interruption(what, patienceS);
     Runtime.getRuntime().addShutdownHook(new Thread(interruption::shutDown, "interruption"));
     return interruption;
   }
@@ -73,8 +84,8 @@ final class Interruption implements AutoCloseable {
       if (signalled) {
         letNextSignalEnd();
       }
-      if (!ended.await(PATIENCE_S, TimeUnit.SECONDS)) {
-        System.err.println("pendant: " + what + " did not end within " + PATIENCE_S + " s");
+      if (!ended.await(patienceS, TimeUnit.SECONDS)) {
+        System.err.println("pendant: " + what + " did not end within " + patienceS + " s");
       }
       if (signalled) {
         exitCode.ifPresent(code -> Runtime.getRuntime().halt(code.number()));

@@ -24,6 +24,9 @@ record TargetTests(TargetAddress address) {
   /** A limit that no test reaches, where people have set none. */
   private static final Duration NO_LIMIT = Duration.ofDays(365);
 
+  /** A target that answers nothing any more is given up within that time after Ctrl-C. */
+  private static final int PATIENCE_S = 30;
+
   static final Option TARGET =
       Option.text("--target", "HOST[:N]", "run the programs on the robot there, which moves")
           .documented(
@@ -85,7 +88,7 @@ record TargetTests(TargetAddress address) {
     if (plan.tests().isEmpty() && plan.broken().isEmpty()) {
       throw new UsageException("no test has the names and tags that are asked for");
     }
-    try (Interruption interruption = Interruption.listen("the test run")) {
+    try (Interruption interruption = Interruption.listen("the test run", PATIENCE_S)) {
       SuiteResult result = run(runner, plan, report, interruption, console);
       if (TestCommand.github(arguments)) {
         GithubAnnotations.lines(result).forEach(console::print);
@@ -131,17 +134,20 @@ record TargetTests(TargetAddress address) {
     }
   }
 
+  private void warn(long count, Console console) {
+    console.complain(
+        "pendant test: "
+            + address.host()
+            + " will move: "
+            + (count == 1 ? "1 test runs there" : count + " tests run there, one at a time")
+            + "; Ctrl-C stops it");
+    console.flush();
+  }
+
   private SuiteResult connected(TargetRunner runner, TestPlan plan, Console console)
       throws TargetTrouble {
     try (RobotTarget target = RobotTarget.connect(address)) {
-      long count = runner.count(plan);
-      console.complain(
-          "pendant test: "
-              + address.host()
-              + " will move: "
-              + (count == 1 ? "1 test runs there" : count + " tests run there, one at a time")
-              + "; Ctrl-C stops it");
-      return runner.run(plan, target);
+      return runner.run(plan, target, () -> warn(runner.count(plan), console));
     }
   }
 }

@@ -50,7 +50,6 @@ final class TargetRun {
   private final long beganNs = System.nanoTime();
   private Optional<TestOutcome> trouble = Optional.empty();
   private double lastS = Double.NaN;
-  private boolean begun;
   private boolean abandoned;
 
   TargetRun(
@@ -84,47 +83,53 @@ final class TargetRun {
   }
 
   /**
-   * Runs it.
+   * Gets the target ready for it.
    *
-   * @throws TargetTrouble if the target is lost, or cannot be made ready
+   * @throws TargetTrouble if it is not
    */
-  TestResult run() throws TargetTrouble {
+  void begin() throws TargetTrouble {
     view.clear();
     target.begin();
-    begun = true;
-    boolean ended = false;
-    try {
-      controller.startCompanion(one.file().program());
-      TestResult result = result(untilItEnds());
-      ended = true;
-      end(result.status().red());
-      return result;
-    } finally {
-      if (!ended) {
-        end(true);
-      }
-    }
   }
 
   /**
-   * Leaves the target as it was.
+   * Runs it, and leaves the target as it was.
    *
-   * @param red whether something else is told already
+   * @throws TargetTrouble if the target is lost
    */
-  private void end(boolean red) throws TargetTrouble {
+  TestResult run() throws TargetTrouble {
+    TestOutcome outcome;
     try {
-      target.end();
-    } catch (TargetTrouble e) {
-      abandoned = true;
-      if (!red) {
-        throw e;
-      }
+      controller.startCompanion(one.file().program());
+      outcome = untilItEnds();
+    } catch (TargetTrouble | RuntimeException e) {
+      var _ = end();
+      throw e;
     }
+    Optional<TargetTrouble> trouble = end();
+    if (trouble.isEmpty()) {
+      return result(outcome);
+    }
+    if (!outcome.status().red()) {
+      throw trouble.get();
+    }
+    String why = "what runs there could not be stopped: " + trouble.get().getMessage();
+    output.add(controller.state().timeS(), "target: " + why);
+    return result(
+        cancelled.getAsBoolean()
+            ? verdict.error("interrupted", "interrupted, but " + why, 0)
+            : outcome);
   }
 
-  /** Whether the target was ready for it. */
-  boolean begun() {
-    return begun;
+  /** Leaves the target as it was; answers why that fails. */
+  private Optional<TargetTrouble> end() {
+    try {
+      target.end();
+      return Optional.empty();
+    } catch (TargetTrouble e) {
+      abandoned = true;
+      return Optional.of(e);
+    }
   }
 
   /** A red test, as its target is lost. */

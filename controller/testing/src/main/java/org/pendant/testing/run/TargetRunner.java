@@ -109,9 +109,10 @@ public final class TargetRunner {
   /**
    * Runs what is planned. A target that is lost makes the test red that runs, and ends the suite.
    *
+   * @param ready is told once that the target is ready, before anything moves
    * @throws TargetTrouble if nothing could be run, as the target is not ready
    */
-  public SuiteResult run(TestPlan plan, TestTarget target) throws TargetTrouble {
+  public SuiteResult run(TestPlan plan, TestTarget target, Runnable ready) throws TargetTrouble {
     long beganNs = System.nanoTime();
     Set<String> called = new LinkedHashSet<>();
     plan.chosen().stream()
@@ -119,7 +120,7 @@ public final class TargetRunner {
         .forEach(each -> called.addAll(calls(each)));
     target.watch(TargetBuiltins.quantities(called));
     List<TestResult> results = new ArrayList<>();
-    boolean ready = false;
+    boolean begun = false;
     for (Chosen each : plan.chosen()) {
       if (cancelled.get()) {
         break;
@@ -131,15 +132,19 @@ public final class TargetRunner {
       }
       TargetRun run = new TargetRun(each, settings, builtins, target, view, cancelled::get);
       try {
+        run.begin();
+        if (!begun) {
+          begun = true;
+          ready.run();
+        }
         add(run.run(), results);
       } catch (TargetTrouble e) {
-        if (!ready && !run.begun()) {
+        if (!begun) {
           throw e;
         }
         cancel();
         add(run.lost(e), results);
       }
-      ready = true;
     }
     return result(plan, results, beganNs);
   }

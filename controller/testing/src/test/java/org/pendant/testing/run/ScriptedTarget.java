@@ -20,13 +20,15 @@ final class ScriptedTarget implements TestTarget {
   private static final double STOPPED = 1;
   private static final double PLAYING = 2;
 
-  private record Step(int frames, Optional<TargetEvent> event, Map<String, double[]> change) {}
+  private record Step(
+      int frames, Optional<TargetEvent> event, Map<String, double[]> change, Runnable deed) {}
 
   private final Map<String, double[]> values = new HashMap<>();
   private final Deque<Step> steps = new ArrayDeque<>();
   private final List<TargetEvent> events = new ArrayList<>();
   private Optional<String> lossAfterSteps = Optional.empty();
   private Optional<String> notReady = Optional.empty();
+  private Optional<String> unstoppable = Optional.empty();
   private boolean playing;
   private long frame;
   private int wait;
@@ -47,19 +49,31 @@ final class ScriptedTarget implements TestTarget {
 
   /** As soon as a program was sent, and what was to come before has come, this happens. */
   ScriptedTarget then(TargetEvent event) {
-    steps.add(new Step(0, Optional.of(event), Map.of()));
+    steps.add(new Step(0, Optional.of(event), Map.of(), () -> {}));
+    return this;
+  }
+
+  /** Somebody does something after some frames. */
+  ScriptedTarget after(int frames, Runnable deed) {
+    steps.add(new Step(frames, Optional.empty(), Map.of(), deed));
     return this;
   }
 
   /** A quantity changes after some frames. */
   ScriptedTarget after(int frames, String quantity, double... numbers) {
-    steps.add(new Step(frames, Optional.empty(), Map.of(quantity, numbers)));
+    steps.add(new Step(frames, Optional.empty(), Map.of(quantity, numbers), () -> {}));
     return this;
   }
 
   /** After all that it is gone. */
   ScriptedTarget isLost(String why) {
     lossAfterSteps = Optional.of(why);
+    return this;
+  }
+
+  /** What it runs cannot be stopped. */
+  ScriptedTarget cannotBeStopped(String why) {
+    unstoppable = Optional.of(why);
     return this;
   }
 
@@ -102,6 +116,7 @@ final class ScriptedTarget implements TestTarget {
       wait = 0;
       step.event().ifPresent(this::happen);
       values.putAll(step.change());
+      step.deed().run();
     }
     if (playing) {
       wait++;
@@ -130,7 +145,10 @@ final class ScriptedTarget implements TestTarget {
   }
 
   @Override
-  public void end() {
+  public void end() throws TargetTrouble {
     asked.add("end");
+    if (unstoppable.isPresent()) {
+      throw new TargetTrouble(unstoppable.get());
+    }
   }
 }

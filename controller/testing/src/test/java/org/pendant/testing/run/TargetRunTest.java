@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,6 +29,8 @@ class TargetRunTest {
 
   private final ScriptedTarget target = new ScriptedTarget();
   private final Map<String, String> files = new HashMap<>();
+  private final List<String> told = new ArrayList<>();
+  private TargetRunner runner;
 
   private SuiteResult run(String... lines) throws TargetTrouble {
     files.put(FILE, String.join("\n", lines) + "\n");
@@ -40,7 +43,7 @@ class TargetRunTest {
             20,
             Duration.ofSeconds(60),
             false);
-    TargetRunner runner =
+    runner =
         new TargetRunner(
             name -> {
               String text = files.get(name);
@@ -52,7 +55,7 @@ class TargetRunTest {
             settings,
             _ -> true,
             _ -> {});
-    return runner.run(runner.plan(List.of(FILE)), target);
+    return runner.run(runner.plan(List.of(FILE)), target, () -> told.add("ready"));
   }
 
   private TestResult only(String... lines) throws TargetTrouble {
@@ -262,6 +265,63 @@ class TargetRunTest {
             TargetTrouble.class, () -> run("def test_a():", "  start(\"pick.script\")", "end"));
 
     assertEquals("its robot mode is IDLE", trouble.getMessage());
+    assertEquals(List.of(), told);
+  }
+
+  @Test
+  void thatTheTargetIsReadyIsToldOnceBeforeAnythingStarts() throws TargetTrouble {
+    target.then(new TargetEvent.Started()).then(new TargetEvent.Ended());
+    target.after(1, () -> told.add("runs"));
+
+    run(
+        "def test_a():",
+        "  start(\"pick.script\")",
+        "  wait_for_end()",
+        "end",
+        "def test_b():",
+        "  sleep(0.01)",
+        "  if robot_time() > 100:",
+        "    start(\"pick.script\")",
+        "  end",
+        "end");
+
+    assertEquals(List.of("ready", "runs"), told);
+  }
+
+  @Test
+  void anInterruptedTestIsRedAndItsProgramStoppedAndNoOtherBegins() throws TargetTrouble {
+    target.then(new TargetEvent.Started()).after(50, () -> runner.cancel());
+
+    SuiteResult result =
+        run(
+            "def test_a():",
+            "  start(\"pick.script\")",
+            "  wait_for_end()",
+            "end",
+            "def test_b():",
+            "  start(\"pick.script\")",
+            "end");
+
+    TestResult red = result.results().getFirst();
+    assertEquals(TestStatus.ERROR, red.status());
+    assertEquals("interrupted, and stopped at the target", failure(red).message());
+    assertEquals(0.1, red.robotTimeS(), 0.02);
+    assertEquals(1, result.notRun());
+    assertEquals("end", target.asked.getLast());
+  }
+
+  @Test
+  void anInterruptedTestWhoseProgramDoesNotStopSaysSo() throws TargetTrouble {
+    target
+        .then(new TargetEvent.Started())
+        .after(50, () -> runner.cancel())
+        .cannotBeStopped("a program runs that does not stop");
+
+    TestResult red = only("def test_a():", "  start(\"pick.script\")", "  wait_for_end()", "end");
+
+    assertEquals(
+        "interrupted, but what runs there could not be stopped: a program runs that does not stop",
+        failure(red).message());
   }
 
   @Test

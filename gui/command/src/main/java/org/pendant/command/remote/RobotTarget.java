@@ -55,6 +55,7 @@ public final class RobotTarget implements TestTarget, Closeable {
   private final RtdeClient rtde;
   private final TargetCommands commands;
   private List<ReceivedField> fields = List.of();
+  private Optional<TargetTrouble> silent = Optional.empty();
   private boolean running;
   private boolean started;
 
@@ -232,6 +233,9 @@ public final class RobotTarget implements TestTarget, Closeable {
 
   @Override
   public TargetState next() throws TargetTrouble {
+    if (silent.isPresent()) {
+      throw silent.get();
+    }
     long endNs = System.nanoTime() + SILENCE_NS;
     while (System.nanoTime() < endNs) {
       Optional<String> lost = primary.lost();
@@ -247,8 +251,13 @@ public final class RobotTarget implements TestTarget, Closeable {
         throw new TargetTrouble("RTDE is lost: " + reason(e));
       }
     }
-    throw new TargetTrouble(
-        "it tells no state any more, for " + TimeUnit.NANOSECONDS.toSeconds(SILENCE_NS) + " s");
+    silent =
+        Optional.of(
+            new TargetTrouble(
+                "it tells no state any more, for "
+                    + TimeUnit.NANOSECONDS.toSeconds(SILENCE_NS)
+                    + " s"));
+    throw silent.get();
   }
 
   private TargetState state(ByteBuffer data) {
@@ -290,12 +299,27 @@ public final class RobotTarget implements TestTarget, Closeable {
   @Override
   public void end() throws TargetTrouble {
     commands.end();
+    if (!running) {
+      return;
+    }
+    try {
+      awaitStart();
+    } finally {
+      // also where it tells nothing any more: it may still listen
+      stop();
+    }
+  }
+
+  /** What was sent but has not started would start later. */
+  private void awaitStart() throws TargetTrouble {
     long endNs = System.nanoTime() + START_NS;
     while (running && !started && System.nanoTime() < endNs) {
-      // what was sent but has not started would start later
       var _ = next();
       var _ = events();
     }
+  }
+
+  private void stop() throws TargetTrouble {
     if (running) {
       running = false;
       var _ = ask("stop");
