@@ -10,7 +10,9 @@ import org.pendant.controller.installation.ConveyorSetup;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** Conveyor page: conveyors that programs can follow. */

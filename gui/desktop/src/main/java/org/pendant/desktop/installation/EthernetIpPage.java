@@ -5,6 +5,7 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.io.WatchdogAction;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** EtherNet/IP page: what the loss of an EtherNet/IP scanner does. */

@@ -3,6 +3,7 @@ package org.pendant.desktop.installation;
 import javax.swing.JComponent;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** External Control page: where the nodes get their script. */

@@ -18,6 +18,10 @@ import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.PoseRows;
+import org.pendant.desktop.unit.RotationChoice;
+import org.pendant.kit.form.Items;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 

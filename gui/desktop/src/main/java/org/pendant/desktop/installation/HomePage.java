@@ -9,6 +9,7 @@ import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 

@@ -10,6 +10,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;

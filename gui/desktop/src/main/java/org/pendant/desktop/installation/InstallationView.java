@@ -24,6 +24,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;

@@ -11,7 +11,9 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
+import org.pendant.kit.form.EntryField;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
 

@@ -6,6 +6,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Function;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationParts;
+import org.pendant.kit.form.Items;
 
 /**
  * List in the installation.

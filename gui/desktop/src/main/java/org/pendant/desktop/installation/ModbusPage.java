@@ -10,6 +10,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
 

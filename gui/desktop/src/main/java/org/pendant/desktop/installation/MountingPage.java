@@ -8,6 +8,7 @@ import org.pendant.controller.installation.BaseMounting;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.world.Vector3;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** Mounting page: how the base is mounted. */

@@ -14,7 +14,10 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.NamedPayload;
 import org.pendant.controller.world.Vector3;
+import org.pendant.kit.form.EntryField;
+import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** Payload page: the payloads, and the one that is active when a program starts. */

@@ -7,6 +7,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.StartUp;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.ArmLibrary;
 

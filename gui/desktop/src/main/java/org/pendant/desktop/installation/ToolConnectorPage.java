@@ -9,6 +9,7 @@ import org.pendant.controller.installation.Wiring;
 import org.pendant.controller.io.ToolOutputMode;
 import org.pendant.controller.io.ToolPinMode;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** Tool connector page: how the connector at the tool flange is used. */

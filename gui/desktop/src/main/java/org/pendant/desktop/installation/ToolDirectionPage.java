@@ -9,6 +9,7 @@ import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.ToolDirection;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** Tool direction page: how far the tool may be tilted. */

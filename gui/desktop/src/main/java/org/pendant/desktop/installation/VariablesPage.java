@@ -3,6 +3,7 @@ package org.pendant.desktop.installation;
 import javax.swing.JComponent;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.kit.form.Items;
 import org.pendant.kit.layout.TitledCard;
 
 /** Variables page: variables that every program has, and that keep their values. */

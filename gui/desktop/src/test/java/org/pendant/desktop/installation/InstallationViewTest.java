@@ -31,6 +31,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.kit.form.EntryField;
 
 @Tag("slow")
 final class InstallationViewTest {

@@ -1,4 +1,4 @@
-package org.pendant.desktop.installation;
+package org.pendant.kit.form;
 
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
@@ -16,7 +16,7 @@ import org.pendant.kit.layout.Typed;
  * focus leaves. Escape brings back what was there.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class EntryField extends JTextField {
+public final class EntryField extends JTextField {
   private final transient UnaryOperator<String> check;
   private final transient Consumer<String> take;
   private transient Runnable refused = () -> {};
@@ -32,7 +32,7 @@ final class EntryField extends JTextField {
    * @param check why a text cannot be taken; empty if it can
    * @param take takes a text that can be
    */
-  EntryField(int columns, UnaryOperator<String> check, Consumer<String> take) {
+  public EntryField(int columns, UnaryOperator<String> check, Consumer<String> take) {
     super(columns);
     this.check = check;
     this.take = take;
@@ -58,19 +58,19 @@ final class EntryField extends JTextField {
   }
 
   /** What it is for, while nothing is wrong. */
-  EntryField withTip(String text) {
+  public EntryField withTip(String text) {
     tip = text;
     setToolTipText(text);
     return this;
   }
 
   /** Runs when what is wrong with the text changes. */
-  void whenRefused(Runnable listener) {
+  public void whenRefused(Runnable listener) {
     refused = listener;
   }
 
   /** Runs whenever nothing is typed that could be taken. */
-  void whenNothing(Runnable listener) {
+  public void whenNothing(Runnable listener) {
     nothing = listener;
   }
 
@@ -95,7 +95,7 @@ final class EntryField extends JTextField {
   }
 
   /** Why what is in the field cannot be taken; empty if it can. */
-  String refusal() {
+  public String refusal() {
     return refusal;
   }
 
@@ -110,7 +110,7 @@ final class EntryField extends JTextField {
   }
 
   /** Shows a value; what the user is typing in place of the same one stays. */
-  void follow(String value) {
+  public void follow(String value) {
     boolean typing = !getText().equals(shown);
     if (!Objects.equals(value, shown) || (!typing && !getText().equals(value))) {
       show(value);
@@ -118,7 +118,7 @@ final class EntryField extends JTextField {
   }
 
   /** Shows a value, whatever the user has typed. */
-  void show(String value) {
+  public void show(String value) {
     shown = value;
     if (!getText().equals(value)) {
       showing = true;

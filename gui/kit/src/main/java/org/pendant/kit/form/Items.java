@@ -1,4 +1,4 @@
-package org.pendant.desktop.installation;
+package org.pendant.kit.form;
 
 import java.awt.Component;
 import java.awt.event.ActionEvent;
@@ -19,7 +19,6 @@ import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -29,7 +28,7 @@ import org.pendant.kit.theme.Palette;
  *
  * @param <T> immutable
  */
-final class Items<T> {
+public final class Items<T> {
   private static final int ROWS = 6;
 
   private final String id;
@@ -51,7 +50,7 @@ final class Items<T> {
   private boolean showing;
 
   /** Where the things are kept. */
-  interface Model<T> {
+  public interface Model<T> {
 
     /** All of them. */
     List<T> list();
@@ -81,7 +80,8 @@ final class Items<T> {
    * @param words what one is called in it
    * @param whenEmpty what will be here
    */
-  Items(String id, String what, String whenEmpty, Model<T> model, Function<T, String> words) {
+  public Items(
+      String id, String what, String whenEmpty, Model<T> model, Function<T, String> words) {
     this.id = id;
     this.model = model;
     this.words = words;
@@ -126,7 +126,7 @@ final class Items<T> {
   }
 
   /** A button that adds one. */
-  Items<T> adder(String title, Supplier<T> fresh) {
+  public Items<T> adder(String title, Supplier<T> fresh) {
     JButton button = new JButton(title);
     String word = title.toLowerCase(java.util.Locale.ROOT).replace(' ', '-');
     TitledCard.named(button, id + "-" + word, title);
@@ -138,11 +138,11 @@ final class Items<T> {
   }
 
   /** The form for the chosen one, to be filled with fields. */
-  PartsForm<T> form() {
+  public PartsForm<T> form() {
     return form;
   }
 
-  JComponent component() {
+  public JComponent component() {
     if (remove.getParent() == null) {
       buttons.add(remove);
       buttons.add(up);
@@ -152,18 +152,18 @@ final class Items<T> {
   }
 
   /** The chosen one. */
-  Optional<T> chosen() {
+  public Optional<T> chosen() {
     List<T> all = model.list();
     return chosen >= 0 && chosen < all.size() ? Optional.of(all.get(chosen)) : Optional.empty();
   }
 
   /** The place of the chosen one; -1 for none. */
-  int chosenIndex() {
+  public int chosenIndex() {
     return chosen().isPresent() ? chosen : -1;
   }
 
   /** A name that none has: the word with a number behind it. */
-  String freshName(String word) {
+  public String freshName(String word) {
     for (int i = 1; ; i++) {
       String name = word + "_" + i;
       if (model.list().stream().map(words).noneMatch(each -> each.startsWith(name))) {
@@ -173,7 +173,7 @@ final class Items<T> {
   }
 
   /** Changes the chosen one. */
-  void replace(T after) {
+  public void replace(T after) {
     chosen()
         .ifPresent(
             before -> {
@@ -261,7 +261,7 @@ final class Items<T> {
   }
 
   /** Shows all of them as they are now. */
-  void show() {
+  public void show() {
     show(false);
   }
 

@@ -1,37 +1,34 @@
-package org.pendant.desktop.installation;
+package org.pendant.desktop.unit;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.desktop.unit.FormMemory;
-import org.pendant.desktop.unit.PoseForm;
-import org.pendant.desktop.unit.RotationForm;
 import org.pendant.kit.settings.Settings;
 
 /** Rotation choice: how rotations are shown and typed on all pages, as on the other screens. */
-final class RotationChoice {
+public final class RotationChoice {
   private final Settings settings;
   private final List<Runnable> listeners = new ArrayList<>();
   private RotationForm seen;
 
   /** As it was left. */
-  RotationChoice(Settings settings) {
+  public RotationChoice(Settings settings) {
     this.settings = settings;
     seen = form();
   }
 
   /** Tells of another choice, which people make on other screens as well. */
-  void look() {
+  public void look() {
     if (form() != seen) {
       seen = form();
       List.copyOf(listeners).forEach(Runnable::run);
     }
   }
 
-  RotationForm form() {
+  public RotationForm form() {
     return FormMemory.read(settings).rotation();
   }
 
-  void set(RotationForm next) {
+  public void set(RotationForm next) {
     PoseForm now = FormMemory.read(settings);
     if (next != now.rotation()) {
       FormMemory.write(settings, new PoseForm(now.length(), now.angle(), next));
@@ -39,7 +36,7 @@ final class RotationChoice {
     }
   }
 
-  void addListener(Runnable listener) {
+  public void addListener(Runnable listener) {
     listeners.add(listener);
   }
 }

@@ -1,4 +1,4 @@
-package org.pendant.desktop.installation;
+package org.pendant.desktop.unit;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,13 +11,14 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.desktop.unit.RotationForm;
+import org.pendant.kit.form.EntryField;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
 
 /** Pose rows: the six fields of a pose in a form, and the choice of how its rotation is written. */
-final class PoseRows {
+public final class PoseRows {
   private static final List<String> AXES = List.of("X", "Y", "Z");
   private static final int ANGLES = 3;
 
@@ -29,7 +30,7 @@ final class PoseRows {
    * @param name with which the names of the fields begin
    * @param usable whether the pose can be typed now
    */
-  static <T> void addTo(
+  public static <T> void addTo(
       PartsForm<T> form,
       String name,
       RotationChoice rotation,

@@ -1,4 +1,4 @@
-package org.pendant.desktop.installation;
+package org.pendant.kit.form;
 
 import java.awt.Component;
 import java.util.ArrayList;
@@ -19,8 +19,6 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.kit.form.Measure;
-import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -31,12 +29,12 @@ import org.pendant.kit.theme.Palette;
  *
  * @param <T> immutable
  */
-final class PartsForm<T> {
+public final class PartsForm<T> {
   /** How wide fields become at most. */
   private static final String FIELD = "growx, wmin 60, wmax 260";
 
   /** Between buttons, pixels before scaling. */
-  static final int BETWEEN = 6;
+  public static final int BETWEEN = 6;
 
   private final String id;
   private final Function<T, String> refusal;
@@ -55,7 +53,7 @@ final class PartsForm<T> {
   }
 
   /** Another value with what the user typed; refuses by an IllegalArgumentException. */
-  interface Change<T> {
+  public interface Change<T> {
     T with(T before, String text);
   }
 
@@ -66,24 +64,24 @@ final class PartsForm<T> {
    * @param refusal why a value cannot be; empty if it can
    * @param take takes a value that can be
    */
-  PartsForm(String id, Function<T, String> refusal, Consumer<T> take) {
+  public PartsForm(String id, Function<T, String> refusal, Consumer<T> take) {
     this.id = id;
     this.refusal = refusal;
     this.take = take;
     panel.setOpaque(false);
   }
 
-  JComponent component() {
+  public JComponent component() {
     return panel;
   }
 
   /** Runs whenever nothing is typed that could be taken. */
-  void whenNothing(Runnable listener) {
+  public void whenNothing(Runnable listener) {
     nothing = listener;
   }
 
   /** Shows a value; what is being typed stays. */
-  void show(T next) {
+  public void show(T next) {
     value = Optional.of(next);
     showing = true;
     followers.forEach(each -> each.show(next));
@@ -91,7 +89,7 @@ final class PartsForm<T> {
   }
 
   /** Shows another thing: what was typed for the last one goes. */
-  void showOther(T next) {
+  public void showOther(T next) {
     other = true;
     show(next);
     other = false;
@@ -113,7 +111,7 @@ final class PartsForm<T> {
   }
 
   /** A field that another component places. */
-  EntryField entry(String name, String tip, Function<T, String> text, Change<T> change) {
+  public EntryField entry(String name, String tip, Function<T, String> text, Change<T> change) {
     EntryField field =
         TitledCard.named(
                 new EntryField(8, typed -> why(change, typed), typed -> take(change, typed)),
@@ -133,7 +131,7 @@ final class PartsForm<T> {
   }
 
   /** As {@link #entry}, for a number. */
-  EntryField number(
+  public EntryField number(
       String name,
       String tip,
       Measure unit,
@@ -154,13 +152,13 @@ final class PartsForm<T> {
   }
 
   /** A row for a text. */
-  PartsForm<T> text(String label, Function<T, String> get, BiFunction<T, String, T> with) {
+  public PartsForm<T> text(String label, Function<T, String> get, BiFunction<T, String, T> with) {
     row(label, entry(nameOf(label), label, get, with::apply), "");
     return this;
   }
 
   /** A row for a number. */
-  PartsForm<T> numberRow(
+  public PartsForm<T> numberRow(
       String label, Measure unit, ToDoubleFunction<T> get, BiFunction<T, Double, T> with) {
     row(label, number(nameOf(label), label, unit, get, with), unit.symbol());
     return this;
@@ -178,7 +176,7 @@ final class PartsForm<T> {
   }
 
   /** A row for one of several. */
-  <C> PartsForm<T> choice(
+  public <C> PartsForm<T> choice(
       String label,
       Function<T, List<C>> choices,
       Function<C, String> words,
@@ -242,7 +240,8 @@ final class PartsForm<T> {
   }
 
   /** A row for yes or no. */
-  PartsForm<T> check(String label, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
+  public PartsForm<T> check(
+      String label, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
     JCheckBox box = TitledCard.named(new JCheckBox(label), id + "-" + nameOf(label), label);
     box.setOpaque(false);
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
@@ -258,7 +257,7 @@ final class PartsForm<T> {
   }
 
   /** A row with something that follows the value by itself. */
-  PartsForm<T> add(String label, JComponent component) {
+  public PartsForm<T> add(String label, JComponent component) {
     JLabel words = new JLabel(label);
     words.setLabelFor(component);
     panel.add(words);
@@ -267,7 +266,7 @@ final class PartsForm<T> {
   }
 
   /** A row of buttons. */
-  PartsForm<T> buttons(JButton... buttons) {
+  public PartsForm<T> buttons(JButton... buttons) {
     JPanel row = new JPanel(new WrappingRow(BETWEEN));
     row.setOpaque(false);
     for (JButton each : buttons) {
@@ -278,7 +277,7 @@ final class PartsForm<T> {
   }
 
   /** A heading above what comes next. */
-  PartsForm<T> heading(String text) {
+  public PartsForm<T> heading(String text) {
     JLabel label = new JLabel(text);
     label.putClientProperty("FlatLaf.styleClass", "semibold");
     panel.add(label, "span, gaptop 8, wrap");
@@ -286,7 +285,7 @@ final class PartsForm<T> {
   }
 
   /** A quiet sentence. */
-  PartsForm<T> note(String text) {
+  public PartsForm<T> note(String text) {
     Remark remark = new Remark(id + "-note", Palette::quiet);
     remark.say(text);
     panel.add(remark, "span, wrap, " + Remark.LAYOUT);
@@ -294,7 +293,7 @@ final class PartsForm<T> {
   }
 
   /** A sentence that depends on the value; empty for none. */
-  PartsForm<T> remark(Function<T, String> words) {
+  public PartsForm<T> remark(Function<T, String> words) {
     Remark remark = new Remark(id + "-remark", Palette::warning);
     followers.add(now -> remark.say(words.apply(now)));
     panel.add(remark, "span, wrap, " + Remark.LAYOUT);
@@ -302,13 +301,13 @@ final class PartsForm<T> {
   }
 
   /** Something over the whole width. */
-  PartsForm<T> wide(JComponent component) {
+  public PartsForm<T> wide(JComponent component) {
     panel.add(component, "span, growx, wrap");
     return this;
   }
 
   /** A grid of fields with one place for what is wrong with any of them. */
-  PartsForm<T> grid(JPanel grid, List<EntryField> fields) {
+  public PartsForm<T> grid(JPanel grid, List<EntryField> fields) {
     Remark problem = new Remark(id + "-grid-problem", Palette::error);
     Runnable tell =
         () ->
@@ -327,7 +326,7 @@ final class PartsForm<T> {
   }
 
   /** Runs with each value that is shown. */
-  PartsForm<T> follow(Consumer<T> follower) {
+  public PartsForm<T> follow(Consumer<T> follower) {
     followers.add(follower::accept);
     return this;
   }
