@@ -26,13 +26,15 @@ import org.pendant.editors.lsp.text.Documents;
 
 /**
  * Server session: what the parts of the server share while one client is connected, and the threads
- * that work for it: one answers requests in their order, one does what nobody waits for.
+ * that work for it: one answers requests in their order, one does what nobody waits for, and one
+ * looks at all files at once, which may take long and must not delay the others.
  */
 final class ServerSession implements AutoCloseable {
   private final Documents documents = new Documents(new Catalogues());
   private final ExecutorService answers = Executors.newSingleThreadExecutor(named("answers"));
   private final ScheduledExecutorService background =
       Executors.newSingleThreadScheduledExecutor(named("background"));
+  private final ExecutorService workspace = Executors.newSingleThreadExecutor(named("workspace"));
   private final Consumer<Throwable> faults;
   private volatile ClientFeatures features = ClientFeatures.LEAST;
   private volatile ServerSettings settings = ServerSettings.DEFAULT;
@@ -93,10 +95,10 @@ final class ServerSession implements AutoCloseable {
         });
   }
 
-  /** As {@link #answer}, for what may take long and need not be in order. */
-  <R> CompletableFuture<R> answerInBackground(Function<CancelChecker, R> answer) {
+  /** As {@link #answer}, for what looks at all files and need not be in order. */
+  <R> CompletableFuture<R> answerOfWorkspace(Function<CancelChecker, R> answer) {
     return CompletableFutures.computeAsync(
-        background,
+        workspace,
         cancelled -> {
           cancelled.checkCanceled();
           return guarded(() -> answer.apply(cancelled));
@@ -156,5 +158,6 @@ final class ServerSession implements AutoCloseable {
   public void close() {
     answers.shutdownNow();
     background.shutdownNow();
+    workspace.shutdownNow();
   }
 }

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArraySet;
 import org.eclipse.lsp4j.Diagnostic;
 import org.eclipse.lsp4j.jsonrpc.CancelChecker;
 import org.pendant.editors.lsp.provider.DiagnosticAnswers;
@@ -39,7 +40,7 @@ final class WorkspaceFiles {
   private static final Set<String> ENDINGS = Set.of(".script", ".urscript");
 
   private final Documents documents;
-  private final Set<Path> folders = new LinkedHashSet<>();
+  private final Set<Path> folders = new CopyOnWriteArraySet<>();
   private final Map<Path, Facts> known = new HashMap<>();
 
   /**
@@ -59,17 +60,12 @@ final class WorkspaceFiles {
     this.documents = documents;
   }
 
-  synchronized void add(String folderUri) {
+  void add(String folderUri) {
     UriPath.path(folderUri).ifPresent(folders::add);
   }
 
-  synchronized void remove(String folderUri) {
+  void remove(String folderUri) {
     UriPath.path(folderUri).ifPresent(folders::remove);
-  }
-
-  /** Whether a file is in one of the folders. */
-  synchronized boolean holds(Path file) {
-    return folders.stream().anyMatch(file::startsWith);
   }
 
   /**

@@ -73,7 +73,7 @@ final class WorkspaceRequests implements WorkspaceService {
   public CompletableFuture<
           Either<List<? extends SymbolInformation>, List<? extends WorkspaceSymbol>>>
       symbol(WorkspaceSymbolParams asked) {
-    return session.answerInBackground(
+    return session.answerOfWorkspace(
         cancelled -> {
           List<WorkspaceSymbol> found = new ArrayList<>();
           for (WorkspaceFiles.Facts facts : all(cancelled)) {
@@ -90,7 +90,7 @@ final class WorkspaceRequests implements WorkspaceService {
   public CompletableFuture<WorkspaceDiagnosticReport> diagnostic(WorkspaceDiagnosticParams asked) {
     Map<String, String> previous = new HashMap<>();
     asked.getPreviousResultIds().forEach(each -> previous.put(each.getUri(), each.getValue()));
-    return session.answerInBackground(
+    return session.answerOfWorkspace(
         cancelled -> {
           begin(asked.getWorkDoneToken());
           try {
