@@ -16,31 +16,43 @@ public final class LexemeReader {
   private int end;
   private boolean lineBegins = true;
 
-  private LexemeReader(Source source) {
+  private LexemeReader(Source source, int start) {
     text = source.text();
+    end = start;
     lexemes = new ArrayList<>(16 + text.length() / 4);
+  }
+
+  /** For {@code source}, whose tokens another reads and hands on, from offset {@code start} on. */
+  static LexemeReader beside(Source source, int start) {
+    return new LexemeReader(source, start);
   }
 
   /** All lexemes of {@code source} in order. */
   public static List<Lexeme> lexemes(Source source) {
-    return new LexemeReader(source).read(source);
-  }
-
-  private List<Lexeme> read(Source source) {
     ByteStream bytes = new ByteStream(source);
-    end = bytes.index();
+    LexemeReader reader = new LexemeReader(source, bytes.index());
     UrScriptLexer lexer = new UrScriptLexer(bytes);
     lexer.setTokenFactory(ScriptToken.FACTORY);
     lexer.removeErrorListeners();
-    while (true) {
-      ScriptToken token = (ScriptToken) lexer.nextToken();
-      boolean atEnd = token.is(Token.EOF);
-      addComments(atEnd ? text.length() : token.startOffset());
-      if (atEnd) {
-        return lexemes;
-      }
+    while (!reader.take((ScriptToken) lexer.nextToken())) {
+      // until the end of the text
+    }
+    return reader.lexemes;
+  }
+
+  /** Takes the next token as the lexer has made it; whether it is the end of the text. */
+  boolean take(ScriptToken token) {
+    boolean atEnd = token.is(Token.EOF);
+    addComments(atEnd ? text.length() : token.startOffset());
+    if (!atEnd) {
       add(kind(token.getType()), token.startOffset(), token.endOffset());
     }
+    return atEnd;
+  }
+
+  /** What was taken. */
+  List<Lexeme> taken() {
+    return lexemes;
   }
 
   /** The grammar skips blanks and comments alike: a number sign tells them apart. */

@@ -27,8 +27,23 @@ public final class ScriptParser {
    * pasted into one are read alike.
    */
   public static ParseResult parseProgram(Source source) {
+    return parse(source, new TokenPass(source, false));
+  }
+
+  /**
+   * A script file as {@link #parseProgram} reads it, and its lexemes, by one pass over the text.
+   */
+  public static ReadText read(Source source) {
+    TokenPass pass = new TokenPass(source, true);
+    ParseResult result = parse(source, pass);
+    boolean whole = source.text().length() <= MAX_BYTES;
+    return new ReadText(
+        result, pass.lexemes().filter(all -> whole).orElseGet(() -> LexemeReader.lexemes(source)));
+  }
+
+  private static ParseResult parse(Source source, TokenPass pass) {
     Complaints complaints = new Complaints(source);
-    List<Statement> statements = statements(source, complaints);
+    List<Statement> statements = statements(source, pass, complaints);
     SourceRange all = new SourceRange(0, source.text().length());
     return new ParseResult(new Script(source, statements, all), complaints.inOrder());
   }
@@ -38,7 +53,7 @@ public final class ScriptParser {
     return parseProgram(source);
   }
 
-  private static List<Statement> statements(Source source, Complaints complaints) {
+  private static List<Statement> statements(Source source, TokenPass pass, Complaints complaints) {
     int bytes = source.text().length();
     if (bytes > MAX_BYTES) {
       complaints.refuse(
@@ -46,7 +61,6 @@ public final class ScriptParser {
           source.name() + " has " + bytes + " bytes: a script may have " + MAX_BYTES + " at most");
       return List.of();
     }
-    TokenPass pass = new TokenPass(source);
     List<ScriptToken> tokens = pass.read();
     if (pass.tooDeep().isPresent()) {
       complaints.tooDeep(pass.tooDeep().get());

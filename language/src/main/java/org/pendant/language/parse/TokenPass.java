@@ -25,6 +25,7 @@ final class TokenPass {
 
   private final UrScriptLexer lexer;
   private final List<ScriptToken> tokens;
+  private final Optional<LexemeReader> beside;
   private ScriptToken previous;
   private int brackets;
   private int blocks;
@@ -34,8 +35,15 @@ final class TokenPass {
   /** The token at which a limit was passed, and what there was too much of. */
   record TooDeep(ScriptToken token, String what, int limit) {}
 
-  TokenPass(Source source) {
-    lexer = new UrScriptLexer(new ByteStream(source));
+  /**
+   * Of a source.
+   *
+   * @param lexemes whether the lexemes are wanted as well
+   */
+  TokenPass(Source source, boolean lexemes) {
+    ByteStream bytes = new ByteStream(source);
+    beside = lexemes ? Optional.of(LexemeReader.beside(source, bytes.index())) : Optional.empty();
+    lexer = new UrScriptLexer(bytes);
     lexer.setTokenFactory(ScriptToken.FACTORY);
     lexer.removeErrorListeners();
     tokens = new ArrayList<>(16 + source.text().length() / 4);
@@ -43,6 +51,11 @@ final class TokenPass {
 
   UrScriptLexer lexer() {
     return lexer;
+  }
+
+  /** The lexemes of the whole text; empty where they were not wanted, or it was not read. */
+  Optional<List<Lexeme>> lexemes() {
+    return tooDeep.isPresent() ? Optional.empty() : beside.map(LexemeReader::taken);
   }
 
   Optional<TooDeep> tooDeep() {
@@ -53,6 +66,9 @@ final class TokenPass {
   List<ScriptToken> read() {
     while (tooDeep.isEmpty()) {
       ScriptToken token = (ScriptToken) lexer.nextToken();
+      if (beside.isPresent()) {
+        var _ = beside.get().take(token);
+      }
       boolean firstOnLine = previous == null || previous.getLine() != token.getLine();
       if (!firstOnLine && previous.is(DOT) && TokenKinds.isReservedWord(token.getType())) {
         token.setType(NAME);

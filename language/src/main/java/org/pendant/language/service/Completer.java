@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.pendant.language.check.FunctionScope;
+import org.pendant.language.parse.Lexeme.Kind;
 import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Signature;
 import org.pendant.language.signature.Type;
@@ -58,8 +59,10 @@ final class Completer {
   }
 
   private void collect() {
-    for (Occurrence each : analysis.index().all()) {
-      uses.merge(each.symbol().name(), 1, Integer::sum);
+    for (int i = 0; i < lexemes.size(); i++) {
+      if (lexemes.is(i, Kind.NAME)) {
+        uses.merge(lexemes.text(i), 1, Integer::sum);
+      }
     }
     switch (place.role()) {
       case NOTHING -> {}

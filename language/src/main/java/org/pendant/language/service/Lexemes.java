@@ -17,7 +17,12 @@ final class Lexemes {
   }
 
   static Lexemes of(Source source) {
-    return new Lexemes(source, LexemeReader.lexemes(source));
+    return of(source, LexemeReader.lexemes(source));
+  }
+
+  /** Of a text that has been read. */
+  static Lexemes of(Source source, List<Lexeme> lexemes) {
+    return new Lexemes(source, lexemes);
   }
 
   Source source() {

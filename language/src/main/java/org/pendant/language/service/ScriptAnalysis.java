@@ -10,6 +10,7 @@ import org.pendant.language.check.ProgramForm;
 import org.pendant.language.check.Scopes;
 import org.pendant.language.check.ValueTypes;
 import org.pendant.language.parse.ParseResult;
+import org.pendant.language.parse.ReadText;
 import org.pendant.language.parse.ScriptParser;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.signature.Signature;
@@ -42,10 +43,11 @@ public final class ScriptAnalysis {
   private ScriptAnalysis(Source source, Catalogue catalogue) {
     this.source = source;
     this.catalogue = catalogue;
-    parsed = ScriptParser.parseProgram(source);
+    ReadText read = ScriptParser.read(source);
+    parsed = read.result();
     form = ProgramForm.of(parsed.script());
     scopes = Scopes.of(form);
-    lexemes = Lexemes.of(source);
+    lexemes = Lexemes.of(source, read.lexemes());
     signatures = new Signatures(source, catalogue);
   }
 

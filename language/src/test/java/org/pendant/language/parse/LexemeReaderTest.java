@@ -61,13 +61,14 @@ final class LexemeReaderTest {
       String text = new ScriptPrinter(random).print(new RandomTrees(random).statements(3));
       Source source = Source.of("seed", text.getBytes(StandardCharsets.ISO_8859_1));
       List<Lexeme> lexemes = LexemeReader.lexemes(source);
+      assertEquals(lexemes, ScriptParser.read(source).lexemes(), "seed " + seed);
       int end = 0;
       for (Lexeme lexeme : lexemes) {
         assertTrue(source.text().substring(end, lexeme.start()).isBlank(), "seed " + seed);
         end = lexeme.end();
       }
       assertEquals(
-          new TokenPass(source)
+          new TokenPass(source, false)
               .read().stream()
                   .filter(token -> !token.is(Token.EOF) && !token.is(UrScriptLexer.LABEL))
                   .map(ScriptToken::range)
@@ -77,6 +78,18 @@ final class LexemeReaderTest {
               .map(Lexeme::range)
               .toList(),
           "seed " + seed);
+    }
+  }
+
+  @Test
+  void aTextThatTheParserGivesUpHasAllItsLexemes() {
+    for (String text :
+        List.of(
+            "x = " + "(".repeat(300) + "1 # deep",
+            "\uFEFFa = 1.end # b",
+            "f(a,\n$ 3 \"x\"\n  b) ;")) {
+      Source source = Source.of("test", text);
+      assertEquals(LexemeReader.lexemes(source), ScriptParser.read(source).lexemes());
     }
   }
 
