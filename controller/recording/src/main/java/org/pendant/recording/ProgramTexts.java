@@ -32,6 +32,17 @@ record ProgramTexts(List<RecordedProgram> all, long bytes) {
     return new ProgramTexts(more, bytes + length);
   }
 
+  /** Those that had started up to the end of a frame. */
+  ProgramTexts until(long frame) {
+    ProgramTexts left = NONE;
+    for (RecordedProgram each : all) {
+      if (each.frame() <= frame) {
+        left = left.with(each);
+      }
+    }
+    return left;
+  }
+
   /** Without those that had ended before frame {@code frame}: another one had started. */
   ProgramTexts from(long frame) {
     int first = 0;

@@ -228,6 +228,28 @@ public final class Recording {
     return low;
   }
 
+  /**
+   * What is before the newest entry of a frame, for {@link RecordingRing#continuing}: that entry is
+   * made once more. The last segment may be a copy.
+   */
+  List<Segment> segmentsUntil(long frame) {
+    List<Segment> until = new ArrayList<>();
+    if (frame < firstFrame()) {
+      return until;
+    }
+    int last = stretchOf(Math.min(frame, lastFrame));
+    for (int i = 0; i < last; i++) {
+      until.add(stretches.get(i).segment());
+    }
+    Segment segment = stretches.get(last).segment();
+    int entry = segment.entryAt(frame, count(last, segment));
+    int kept = segment.frame(entry) == frame ? entry : entry + 1;
+    if (kept > 0) {
+      until.add(segment.first(kept));
+    }
+    return until;
+  }
+
   private int count(int index, Segment segment) {
     return index == stretches.size() - 1 ? lastCount : segment.published();
   }

@@ -56,6 +56,31 @@ public final class RecordingRing {
         new SnapshotEncoder(start, this::begun, this::full, SnapshotEncoder.AMBIENT_FRAMES);
   }
 
+  /**
+   * Continues with another controller that has done the same as the one of {@code before}, from a
+   * frame of that on: what was before the frame is kept.
+   *
+   * @param before of a ring
+   * @param start where the other controller is
+   */
+  public static RecordingRing continuing(
+      Recording before, ControllerState start, Supplier<Optional<Source>> programSource) {
+    return new RecordingRing(before, start, programSource);
+  }
+
+  private RecordingRing(
+      Recording before, ControllerState start, Supplier<Optional<Source>> programSource) {
+    this.programSource = programSource;
+    mostBytes = STANDARD_BYTES;
+    snapshots = Snapshots.like(start);
+    lastFrame = start.frame();
+    segments = before.segmentsUntil(start.frame()).toArray(Segment[]::new);
+    fullBytes = Arrays.stream(segments).mapToLong(Segment::bytes).sum();
+    texts = before.texts().until(start.frame());
+    snapshotEncoder =
+        new SnapshotEncoder(start, this::begun, this::full, SnapshotEncoder.AMBIENT_FRAMES);
+  }
+
   /** Takes a frame that has ended. For the thread that drives the controller. */
   public void take(ControllerState state) {
     snapshotEncoder.take(state);

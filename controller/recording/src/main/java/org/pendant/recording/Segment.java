@@ -99,6 +99,27 @@ final class Segment implements SegmentRef {
     return copy;
   }
 
+  /** Its first {@code count} entries, 1 to {@link #published}. */
+  Segment first(int count) {
+    int numberCount = 0;
+    int partCount = 0;
+    for (int i = 0; i < count; i++) {
+      numberCount += NumberGroup.sizeOfAll(numberMasks[i]);
+      partCount += Integer.bitCount(partMasks[i]);
+    }
+    Segment copy =
+        full(
+            firstFrame,
+            Arrays.copyOf(frames, count),
+            Arrays.copyOf(numberMasks, count),
+            Arrays.copyOf(partMasks, count),
+            Arrays.copyOf(numbers, numberCount),
+            Arrays.copyOf(parts, partCount));
+    // all of them at most; how much each takes is not known any more
+    copy.partBytes = partBytes;
+    return copy;
+  }
+
   /** Whether an entry of this size still has room. */
   boolean fits(long frame, int numberMask) {
     return entries < MAX_ENTRIES

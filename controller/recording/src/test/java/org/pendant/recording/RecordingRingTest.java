@@ -71,6 +71,39 @@ final class RecordingRingTest {
   }
 
   @Test
+  void goesOnFromAFrameOfAnotherRing() {
+    List<ControllerState> states = run(BUSY, 3000);
+    RecordingRing whole = new RecordingRing(start, Optional::empty);
+    states.forEach(whole::take);
+    for (int from : new int[] {1, 700, 2048, 3000}) {
+      RecordingRing next =
+          RecordingRing.continuing(whole.recording(), states.get(from - 1), Optional::empty);
+      states.subList(from, 3000).forEach(next::take);
+      Recording expected = whole.recording();
+      Recording is = next.recording();
+      assertEquals(0, is.firstFrame());
+      assertEquals(3000, is.lastFrame());
+      assertEquals(expected.log(0, 6), is.log(0, 6));
+      for (int frame = 0; frame <= 3000; frame += 50) {
+        assertEquals(
+            expected.atFrame(frame).arm().targetPositionRad(),
+            is.atFrame(frame).arm().targetPositionRad());
+        assertEquals(expected.atFrame(frame).io(), is.atFrame(frame).io());
+      }
+    }
+  }
+
+  @Test
+  void hasOnlyTheFrameItGoesOnFromWhereTheOtherRingBeginsLater() {
+    List<ControllerState> states = run(BUSY, 100);
+    RecordingRing late = new RecordingRing(states.get(50), Optional::empty);
+    RecordingRing next =
+        RecordingRing.continuing(late.recording(), states.get(10), Optional::empty);
+    assertEquals(11, next.recording().firstFrame());
+    assertEquals(11, next.recording().lastFrame());
+  }
+
+  @Test
   void givesBackEveryFrame() {
     List<ControllerState> states = run(BUSY, 3000);
     RecordingRing ring = new RecordingRing(start, Optional::empty);

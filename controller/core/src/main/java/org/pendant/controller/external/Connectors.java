@@ -1,5 +1,7 @@
 package org.pendant.controller.external;
 
+import java.util.List;
+import java.util.function.Supplier;
 import org.pendant.script.value.ScriptError;
 
 /**
@@ -42,6 +44,39 @@ public record Connectors(
   /** With something at the tool's serial line. */
   public Connectors withToolSerial(ToolSerialConnector door) {
     return new Connectors(sockets, rpc, modbus, door);
+  }
+
+  /**
+   * Those that {@code now} answers whenever one is needed, so that a controller can get its ways
+   * out after it was made.
+   */
+  public static Connectors by(Supplier<Connectors> now) {
+    return new Connectors(
+        (host, port) -> now.get().sockets().open(host, port),
+        url -> now.get().rpc().open(url),
+        new ModbusConnector() {
+          @Override
+          public ModbusPoint add(ModbusExchange exchange) throws ScriptError {
+            return now.get().modbus().add(exchange);
+          }
+
+          @Override
+          public Pending send(ModbusAddress device, int unit, int function, byte[] data)
+              throws ScriptError {
+            return now.get().modbus().send(device, unit, function, data);
+          }
+        },
+        new ToolSerialConnector() {
+          @Override
+          public SetUp setUp(ToolCommunication wanted) {
+            return now.get().toolSerial().setUp(wanted);
+          }
+
+          @Override
+          public List<News> takeNews() {
+            return now.get().toolSerial().takeNews();
+          }
+        });
   }
 
   static ScriptError missing() {

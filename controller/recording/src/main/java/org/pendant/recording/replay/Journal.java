@@ -1,6 +1,7 @@
 package org.pendant.recording.replay;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -72,6 +73,28 @@ public final class Journal {
     }
     Journal journal = new Journal(controller, limits);
     controller.noteCommandsIn(journal::note);
+    return journal;
+  }
+
+  /**
+   * Continues with a controller that has repeated the first {@code count} commands of another one's
+   * run. Only for the thread that drives it.
+   */
+  static Journal continuing(Journal original, int count, Controller repeated) {
+    Journal journal = new Journal(repeated, original.limits);
+    for (int i = 0; i < Math.ceilDiv(count, CHUNK); i++) {
+      int kept = Math.min(CHUNK, count - i * CHUNK);
+      // a chunk that is full does not change any more
+      journal.chunks[i] =
+          kept == CHUNK
+              ? original.chunks[i]
+              : Arrays.copyOf(Arrays.copyOf(original.chunks[i], kept), CHUNK);
+    }
+    for (int i = 0; i < count; i++) {
+      journal.bytes += KeptCommand.of(journal.entry(i).command()).map(KeptCommand::bytes).orElse(0);
+    }
+    journal.size = count;
+    repeated.noteCommandsIn(journal::note);
     return journal;
   }
 
@@ -183,6 +206,13 @@ public final class Journal {
   /** Command {@code index} of those that {@link #size} has counted. */
   Entry entry(int index) {
     return chunks[index / CHUNK][index % CHUNK];
+  }
+
+  /** The last frame so far up to whose end the run can be repeated; below 0 for none. */
+  long lastRepeatable() {
+    long newest = controller.state().frame();
+    long lost = controller.determinism().loss().map(Determinism.Loss::frame).orElse(Long.MAX_VALUE);
+    return Math.min(newest, Math.min(lost, fullFrame.orElse(Long.MAX_VALUE)) - 1);
   }
 
   /**

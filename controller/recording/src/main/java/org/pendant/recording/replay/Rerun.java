@@ -1,7 +1,6 @@
 package org.pendant.recording.replay;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
@@ -9,12 +8,11 @@ import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.models.time.FrameTime;
 
 /**
- * Rerun: brings a fresh controller to the end of a frame of another one's run, as fast as the
- * processor allows, and compares the two at every command and in the end. The other controller is
- * not touched and may continue meanwhile.
+ * Rerun: brings a controller to the end of a frame of another one's run, as fast as the processor
+ * allows, and compares the two at every command and in the end: a fresh one, or one that has gone a
+ * part of the way ({@link ParkedRuns}). The other controller is not touched and may continue.
  *
  * <p>A frame that a debugger still pauses is repeated up to where it is paused. The end of a frame
  * after which robot time stood is with the commands that came into force meanwhile.
@@ -96,66 +94,30 @@ public final class Rerun {
    * @param each sees every snapshot, as a reader did who saw those of the old controller
    */
   public Journal run(Controller fresh, Consumer<ControllerState> each) throws RerunRefused {
-    Journal copy = Journal.of(fresh, journal.limits());
-    int next = 0;
-    long turn = 0;
-    while (!arrived(fresh.state(), next)) {
-      if (cancelled) {
-        throw new CancellationException("the rerun was cancelled");
-      }
-      ControllerState before = fresh.state();
-      boolean begins = !before.debug().held() && !isIn(before.frame(), next);
-      turn = begins ? 0 : turn + 1;
-      long step = before.frame() + (begins ? 1 : 0);
-      next = submit(fresh, next, step, turn);
-      if (begins) {
-        fresh.advance();
-      } else {
-        fresh.applyCommands();
-      }
-      reached = fresh.state().frame();
-      each.accept(fresh.state());
-      if (!fresh.state().debug().held() && isIn(step, next) && journal.entry(next).held()) {
-        throw otherwise(step, "the debugger did not pause the program");
-      }
-    }
-    refuseUnlessSame(fresh);
-    return copy;
+    return run(Repetition.with(journal, fresh), each);
   }
 
-  private boolean arrived(ControllerState state, int next) throws RerunRefused {
-    if (isIn(state.frame(), next)) {
-      return false;
-    }
-    if (!state.debug().held()) {
-      return state.frame() == frame;
-    }
-    if (state.frame() < frame) {
-      throw otherwise(state.frame(), "the debugger paused the program");
-    }
-    return true;
+  /**
+   * As {@link #run(ControllerOptions)}, by leading on what has repeated a part of the way already.
+   *
+   * @param part of this run, and not beyond the frame; it goes on as a run of its own
+   */
+  public Journal run(Repetition part) throws RerunRefused {
+    return run(part, state -> {});
   }
 
-  /** Whether command {@code next} belongs to a frame. */
-  private boolean isIn(long wanted, int next) {
-    return next < commands && journal.entry(next).frame() == wanted;
-  }
-
-  /** Leaves the commands of the next step; answers which command is the first after them. */
-  private int submit(Controller fresh, int first, long begun, long turn) throws RerunRefused {
-    int next = first;
-    while (isIn(begun, next) && journal.entry(next).turn() == turn) {
-      Journal.Entry entry = journal.entry(next);
-      if (entry.before() != Fingerprint.of(fresh.state())) {
-        throw otherwise(begun - 1, "arm, signals or program were not as before");
-      }
-      if (fresh.submit(entry.command()).isDone()) {
-        // never so for as many as come into force in a frame, but a debugger may be asked for more
-        throw otherwise(begun, "a frame got more commands than it takes");
-      }
-      next++;
-    }
-    return next;
+  private Journal run(Repetition part, Consumer<ControllerState> each) throws RerunRefused {
+    reached = part.frame();
+    part.lead(
+        frame,
+        commands,
+        state -> {
+          reached = state.frame();
+          each.accept(state);
+        },
+        () -> cancelled);
+    refuseUnlessSame(part.controller());
+    return part.goOn();
   }
 
   private void refuseUnlessSame(Controller fresh) throws RerunRefused {
@@ -163,35 +125,28 @@ public final class Rerun {
     List<Determinism.FileRead> is = files(fresh);
     for (int i = 0; i < Math.min(was.size(), is.size()); i++) {
       if (!was.get(i).equals(is.get(i))) {
-        throw otherwise(was.get(i).frame(), "the file " + was.get(i).file() + " has changed");
+        throw Repetition.otherwise(
+            was.get(i).frame(), "the file " + was.get(i).file() + " has changed");
       }
     }
     if (was.size() != is.size()) {
-      throw otherwise(frame, "programs read " + is.size() + " files, before " + was.size());
+      throw Repetition.otherwise(
+          frame, "programs read " + is.size() + " files, before " + was.size());
     }
     Optional<Determinism.Loss> loss = fresh.determinism().loss();
     if (loss.isPresent()) {
-      throw otherwise(loss.get().frame(), loss.get().reason());
+      throw Repetition.otherwise(loss.get().frame(), loss.get().reason());
     }
     boolean sameMoment =
         recorded.isPresent() && recorded.get().debug().held() == fresh.state().debug().held();
     Optional<String> difference =
         sameMoment ? StateDifference.between(recorded.get(), fresh.state()) : Optional.empty();
     if (difference.isPresent()) {
-      throw otherwise(frame, difference.get());
+      throw Repetition.otherwise(frame, difference.get());
     }
   }
 
   private List<Determinism.FileRead> files(Controller controller) {
     return controller.determinism().files().stream().filter(each -> each.frame() <= frame).toList();
-  }
-
-  private static RerunRefused otherwise(long frame, String what) {
-    return new RerunRefused(
-        String.format(
-            Locale.ROOT,
-            "the run came out otherwise at %.3f s: %s",
-            frame * FrameTime.FRAME_S,
-            what));
   }
 }

@@ -9,7 +9,6 @@ import java.util.OptionalLong;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.Controller;
-import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.BoxCommand;
@@ -17,7 +16,6 @@ import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
-import org.pendant.controller.external.Connectors;
 import org.pendant.controller.message.Answer;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
@@ -26,6 +24,8 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.time.FrameTime;
 import org.pendant.recording.replay.Journal;
+import org.pendant.recording.replay.ParkedRuns;
+import org.pendant.recording.replay.Repetition;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.debug.DebugRequest;
@@ -45,7 +45,7 @@ import org.pendant.script.vm.ProgramState;
  */
 public final class VariantRun {
   private final Journal journal;
-  private final ControllerOptions options;
+  private final ParkedRuns parked;
   private final Variant variant;
   private final VariantLimits limits;
   private final Rerun rerun;
@@ -58,15 +58,10 @@ public final class VariantRun {
   private volatile double reachedS;
   private OptionalLong startedFrame = OptionalLong.empty();
 
-  private VariantRun(
-      Journal journal,
-      ControllerOptions options,
-      Variant variant,
-      VariantLimits limits,
-      OptionalLong moment)
+  private VariantRun(ParkedRuns parked, Variant variant, VariantLimits limits, OptionalLong moment)
       throws RerunRefused {
-    this.journal = journal;
-    this.options = options;
+    this.parked = parked;
+    journal = parked.journal();
     this.variant = variant;
     this.limits = limits;
     long frame = moment.orElse(journal.controller().state().frame());
@@ -84,20 +79,18 @@ public final class VariantRun {
    * ran at that moment, as there is no middle of a program that never ran.
    *
    * @param frame at whose end it begins
-   * @param options those of the controller whose run it was
+   * @param parked of the run
    * @throws RerunRefused if no program was started before, or the run cannot be repeated so far
    */
   public static VariantRun from(
-      long frame, Journal journal, ControllerOptions options, Variant variant, VariantLimits limits)
-      throws RerunRefused {
-    return new VariantRun(journal, options, variant, limits, OptionalLong.of(frame));
+      long frame, ParkedRuns parked, Variant variant, VariantLimits limits) throws RerunRefused {
+    return new VariantRun(parked, variant, limits, OptionalLong.of(frame));
   }
 
   /** As {@link #from}, from the start of the program that was started last. */
-  public static VariantRun fromStart(
-      Journal journal, ControllerOptions options, Variant variant, VariantLimits limits)
+  public static VariantRun fromStart(ParkedRuns parked, Variant variant, VariantLimits limits)
       throws RerunRefused {
-    return new VariantRun(journal, options, variant, limits, OptionalLong.empty());
+    return new VariantRun(parked, variant, limits, OptionalLong.empty());
   }
 
   /** What it is a run of. */
@@ -133,9 +126,10 @@ public final class VariantRun {
    * @throws CancellationException after {@link #cancel}
    */
   public VariantOutcome run() throws RerunRefused {
-    Controller fresh =
-        new Controller(options.withOutside(Connectors.NONE), journal.controller().builtins());
-    rerun.run(fresh, this::noteStart);
+    Repetition repetition = parked.before(rerun.frame());
+    rerun.run(repetition);
+    startedFrame = repetition.startedFrame();
+    Controller fresh = repetition.controller();
     ControllerState moment = fresh.state();
     if (start.isEmpty() && moment.program().state() == ProgramState.STOPPED) {
       throw new RerunRefused("no program runs at that moment");

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.OptionalLong;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
@@ -18,6 +19,7 @@ import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
 import org.pendant.recording.replay.Journal;
+import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.DebugRequest;
@@ -38,6 +40,7 @@ final class VariantRunTest {
   private final ControllerOptions options =
       ControllerOptions.headless().withSeed(3).withMeasuredNoise(true);
   private final Journal journal = Journal.of(new Controller(options));
+  private final ParkedRuns parked = ParkedRuns.none(journal, options);
   private final Controller robot = journal.controller();
 
   private Program program(String text) {
@@ -70,11 +73,11 @@ final class VariantRunTest {
   }
 
   private VariantOutcome run(Variant variant) throws RerunRefused {
-    return VariantRun.fromStart(journal, options, variant, VariantLimits.STANDARD).run();
+    return VariantRun.fromStart(parked, variant, VariantLimits.STANDARD).run();
   }
 
   private VariantOutcome run(long frame, Variant variant) throws RerunRefused {
-    return VariantRun.from(frame, journal, options, variant, VariantLimits.STANDARD).run();
+    return VariantRun.from(frame, parked, variant, VariantLimits.STANDARD).run();
   }
 
   @Test
@@ -188,8 +191,7 @@ final class VariantRunTest {
     until(START);
     VariantOutcome outcome =
         VariantRun.fromStart(
-                journal,
-                options,
+                parked,
                 Variant.asItWas("as it was"),
                 new VariantLimits(Duration.ofSeconds(5), Duration.ofMinutes(1)))
             .run();
@@ -225,11 +227,22 @@ final class VariantRunTest {
   }
 
   @Test
+  void aVariantFromAParkedRunIsTheSame() throws RerunRefused {
+    ParkedRuns near = new ParkedRuns(journal, options, Runnable::run);
+    play("sleep(30)\n" + SWING);
+    long moment = robot.state().frame() - 400;
+    VariantOutcome expected = run(moment, Variant.asItWas("as it was"));
+    near.look(OptionalLong.of(moment));
+    VariantOutcome outcome =
+        VariantRun.from(moment, near, Variant.asItWas("as it was"), VariantLimits.STANDARD).run();
+    assertEquals(expected, outcome);
+  }
+
+  @Test
   void itCanBeCancelled() throws RerunRefused {
     play(SWING);
     VariantRun run =
-        VariantRun.fromStart(
-            journal, options, Variant.asItWas("as it was"), VariantLimits.STANDARD);
+        VariantRun.fromStart(parked, Variant.asItWas("as it was"), VariantLimits.STANDARD);
     run.cancel();
     assertThrows(CancellationException.class, run::run);
   }

@@ -14,12 +14,15 @@ import org.pendant.controller.command.Refusal;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
+import org.pendant.models.time.FrameTime;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.RecordingRing;
 import org.pendant.recording.replay.Journal;
 
 /** Driven controller: one controller with the thread that drives it, until it is switched off. */
 final class DrivenController implements AutoCloseable {
+  private static final int FOLLOWED_FRAMES = 5 * FrameTime.FRAMES_PER_SECOND;
+
   private final SwitchedOn on;
   private final Robot robot;
   private final Drive drive;
@@ -48,7 +51,21 @@ final class DrivenController implements AutoCloseable {
               Faults.guard(() -> on.ring().take(state));
               Faults.guard(() -> on.guest().frame(state));
               listeners.forEach(each -> Faults.guard(() -> each.frame(state)));
+              Faults.guard(() -> followBehind(state));
             });
+  }
+
+  /** Has the repetitions follow the run, unless people are in a hurry. */
+  private void followBehind(ControllerState state) {
+    if (state.frame() % FOLLOWED_FRAMES == 0
+        && clock.pace() instanceof Pace.Times(double factor)
+        && factor <= 1) {
+      on.parked().follow();
+    }
+  }
+
+  SwitchedOn on() {
+    return on;
   }
 
   ControllerOptions options() {

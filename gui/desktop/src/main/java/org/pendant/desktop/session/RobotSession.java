@@ -29,6 +29,7 @@ import org.pendant.recording.Recording;
 import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.replay.Journal;
+import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.recording.whatif.Variant;
@@ -291,6 +292,16 @@ public final class RobotSession implements AutoCloseable {
   }
 
   /**
+   * People look at a frame: a {@link #branch} from about there shall not take long. At next to no
+   * cost.
+   *
+   * @param frame empty for now
+   */
+  public void look(OptionalLong frame) {
+    driven.on().parked().look(frame);
+  }
+
+  /**
    * Begins to branch from the end of a frame of the present run: another controller with the same
    * options runs up to it, with the same commands in the same frames and as fast as the processor
    * goes, and takes the place of the present one as after {@link #restart}. Robot time is paused
@@ -324,7 +335,7 @@ public final class RobotSession implements AutoCloseable {
   }
 
   private void branchOff(DrivenController from, Rerun rerun) throws RerunRefused {
-    SwitchedOn next = SwitchedOn.again(from.options(), from.robot().builtins(), rerun);
+    SwitchedOn next = SwitchedOn.again(from.on(), rerun, from.ring().recording());
     switching.lock();
     try {
       if (closed || driven != from) {
@@ -346,10 +357,11 @@ public final class RobotSession implements AutoCloseable {
    */
   public VariantRun variant(OptionalLong frame, Variant variant, VariantLimits limits)
       throws RerunRefused {
-    DrivenController from = driven;
+    ParkedRuns parked = driven.on().parked();
+    parked.follow();
     return frame.isPresent()
-        ? VariantRun.from(frame.getAsLong(), from.journal(), from.options(), variant, limits)
-        : VariantRun.fromStart(from.journal(), from.options(), variant, limits);
+        ? VariantRun.from(frame.getAsLong(), parked, variant, limits)
+        : VariantRun.fromStart(parked, variant, limits);
   }
 
   /** Whether a program has been started that is still known. */

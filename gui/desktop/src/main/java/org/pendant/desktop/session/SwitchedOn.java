@@ -3,16 +3,17 @@ package org.pendant.desktop.session;
 import java.util.concurrent.CancellationException;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
-import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
 import org.pendant.recording.replay.Journal;
+import org.pendant.recording.replay.ParkedRuns;
+import org.pendant.recording.replay.Repetition;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
-import org.pendant.script.function.Builtins;
 
 /**
  * Controller that is switched on and that no thread drives yet.
@@ -22,6 +23,7 @@ import org.pendant.script.function.Builtins;
  * @param tool the serial line of its tool connector
  * @param journal the commands that it got so far
  * @param ring what it did so far
+ * @param parked repetitions of its run
  * @param guest sees its frames before all others, in the thread that drives it
  */
 record SwitchedOn(
@@ -30,52 +32,31 @@ record SwitchedOn(
     ToolSerialLine tool,
     Journal journal,
     RecordingRing ring,
+    ParkedRuns parked,
     FrameListener guest)
     implements AutoCloseable {
-  /** Makes the journal of a controller that was just switched on. */
-  private interface Begin {
-    Journal of(Controller controller, RecordingRing ring) throws RerunRefused;
-  }
-
   /**
    * Switches one on.
    *
    * @throws IllegalArgumentException if the robot or an input is not known
    */
   static SwitchedOn with(ControllerOptions options) {
-    try {
-      return with(options, StandardBuiltins.create(), (controller, ring) -> Journal.of(controller));
-    } catch (RerunRefused e) {
-      throw new IllegalStateException("nothing is run again", e);
-    }
-  }
-
-  /**
-   * Switches one on and brings it to where {@code rerun} leads.
-   *
-   * @param options those of the controller whose run is repeated
-   * @param builtins those of that controller
-   * @throws RerunRefused if the run came out otherwise
-   * @throws CancellationException if the rerun was cancelled
-   */
-  static SwitchedOn again(ControllerOptions options, Builtins<ControlBox> builtins, Rerun rerun)
-      throws RerunRefused {
-    return with(options, builtins, (controller, ring) -> rerun.run(controller, ring::take));
-  }
-
-  private static SwitchedOn with(
-      ControllerOptions options, Builtins<ControlBox> builtins, Begin begin) throws RerunRefused {
     ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
     ToolSerialLine tool = new ToolSerialLine();
     boolean made = false;
     try {
       Controller controller =
           new Controller(
-              options.withOutside(scriptConnectors.connectors().withToolSerial(tool)), builtins);
-      RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
+              options.withOutside(scriptConnectors.connectors().withToolSerial(tool)),
+              StandardBuiltins.create());
       SwitchedOn on =
-          new SwitchedOn(
-              options, scriptConnectors, tool, begin.of(controller, ring), ring, state -> {});
+          of(
+              options,
+              scriptConnectors,
+              tool,
+              Journal.of(controller),
+              new RecordingRing(controller.state(), controller::programSource),
+              state -> {});
       made = true;
       return on;
     } finally {
@@ -87,12 +68,36 @@ record SwitchedOn(
   }
 
   /**
+   * Leads a repetition of a run on to where {@code rerun} leads, as a controller of its own.
+   *
+   * @param from whose run is repeated
+   * @param before what that did
+   * @throws RerunRefused if the run came out otherwise
+   * @throws CancellationException if the rerun was cancelled
+   */
+  static SwitchedOn again(SwitchedOn from, Rerun rerun, Recording before) throws RerunRefused {
+    Repetition repetition = from.parked().before(rerun.frame());
+    Journal journal = rerun.run(repetition);
+    Controller controller = repetition.controller();
+    ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
+    ToolSerialLine tool = new ToolSerialLine();
+    repetition.connect(scriptConnectors.connectors().withToolSerial(tool));
+    return of(
+        from.options(),
+        scriptConnectors,
+        tool,
+        journal,
+        RecordingRing.continuing(before, controller.state(), controller::programSource),
+        state -> {});
+  }
+
+  /**
    * One that others have made and that reaches nothing outside.
    *
    * @param controller has run no frame
    */
   static SwitchedOn of(ControllerOptions options, Controller controller, FrameListener guest) {
-    return new SwitchedOn(
+    return of(
         options,
         new ScriptConnectors(AllowedHosts.ANY),
         new ToolSerialLine(),
@@ -101,13 +106,27 @@ record SwitchedOn(
         guest);
   }
 
+  private static SwitchedOn of(
+      ControllerOptions options,
+      ScriptConnectors scriptConnectors,
+      ToolSerialLine tool,
+      Journal journal,
+      RecordingRing ring,
+      FrameListener guest) {
+    ParkedRuns parked =
+        new ParkedRuns(
+            journal, options, work -> Thread.ofPlatform().daemon().name("parked runs").start(work));
+    return new SwitchedOn(options, scriptConnectors, tool, journal, ring, parked, guest);
+  }
+
   Controller controller() {
     return journal.controller();
   }
 
-  /** Closes the ways to the outside. */
+  /** Closes the ways to the outside, and gives up what is parked. */
   @Override
   public void close() {
+    parked.close();
     scriptConnectors.close();
     tool.close();
   }

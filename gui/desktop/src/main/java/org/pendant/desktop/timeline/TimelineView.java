@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
@@ -23,6 +24,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.message.LogEntry;
@@ -35,6 +37,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
+import org.pendant.kit.fault.Faults;
 import org.pendant.kit.layout.Squeeze;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.Recording;
@@ -56,7 +59,10 @@ public final class TimelineView implements View {
 
   private final Workbench workbench;
   private final LookBack lookBack;
+  private static final int LOOK_MS = 200;
+
   private final BranchControl branch;
+  private final Timer lookSoon;
   private final TimelineCanvas canvas;
   private final TrackWatch watch;
   private final CardLayout cards = new CardLayout();
@@ -101,7 +107,18 @@ public final class TimelineView implements View {
     content.setBorder(BorderFactory.createEmptyBorder());
     declareActions(chooseFile);
     lookBack.addListener(this::show);
+    lookSoon = Faults.timer(LOOK_MS, this::look);
+    lookSoon.setRepeats(false);
+    lookBack.addListener(lookSoon::restart);
     show();
+  }
+
+  /** People have come to rest at a moment: a branch from there may be wanted. */
+  private void look() {
+    Optional<ControllerState> start = lookBack.ofFile() ? Optional.empty() : lookBack.branchStart();
+    workbench
+        .session()
+        .look(start.map(state -> OptionalLong.of(state.frame())).orElse(OptionalLong.empty()));
   }
 
   /** Shows the worst moments of runs as pins, see {@link Pins#from}. */

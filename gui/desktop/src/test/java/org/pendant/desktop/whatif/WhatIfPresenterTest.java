@@ -16,6 +16,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.language.source.Source;
 import org.pendant.recording.replay.Journal;
+import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.recording.whatif.Variant;
 import org.pendant.recording.whatif.VariantLimits;
@@ -40,7 +41,7 @@ final class WhatIfPresenterTest {
     @Override
     public VariantRun begin(OptionalLong frame, Variant variant, VariantLimits limits)
         throws RerunRefused {
-      return VariantRun.fromStart(journal, options, variant, limits);
+      return VariantRun.fromStart(ParkedRuns.none(journal, options), variant, limits);
     }
 
     @Override
