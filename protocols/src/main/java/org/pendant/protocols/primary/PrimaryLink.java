@@ -21,7 +21,7 @@ import java.util.concurrent.TimeoutException;
 
 /**
  * Primary link: sends programs to the primary port of a controller, of Pendant's or of a real
- * robot, and hears its messages. One thread uses it; another one of its own reads.
+ * robot, and hears its messages and variables. One thread uses it; another one of its own reads.
  */
 public final class PrimaryLink implements Closeable {
   private static final int HEADER_BYTES = 5;
@@ -40,6 +40,9 @@ public final class PrimaryLink implements Closeable {
   private final Socket socket;
   private final BlockingQueue<RobotMessage> waiting = new LinkedBlockingQueue<>(MAX_WAITING);
   private final CompletableFuture<Void> greeted = new CompletableFuture<>();
+  private final VariableReader reader = new VariableReader();
+  private boolean unreadable;
+  private volatile ProgramVariables variables = ProgramVariables.NONE;
   private volatile Optional<IOException> lost = Optional.empty();
 
   private PrimaryLink(Socket socket) {
@@ -116,6 +119,7 @@ public final class PrimaryLink implements Closeable {
       }
       greeted.complete(null);
     }
+    follow(type, packet);
     if (type == ROBOT_MESSAGE) {
       try {
         RobotMessageDecoder.decode(packet.slice()).ifPresent(waiting::offer);
@@ -123,6 +127,29 @@ public final class PrimaryLink implements Closeable {
         throw new IOException("a message of the primary port is cut off", e);
       }
     }
+  }
+
+  /** A controller whose variables cannot be read is good for everything else. */
+  private void follow(int type, ByteBuffer packet) {
+    if (unreadable) {
+      return;
+    }
+    try {
+      if (type == VariablePackages.PROGRAM_STATE) {
+        reader.take(packet.slice());
+      } else if (type == ROBOT_STATE) {
+        reader.pause();
+      }
+      variables = reader.told();
+    } catch (RuntimeException _) {
+      unreadable = true;
+      variables = ProgramVariables.NONE;
+    }
+  }
+
+  /** The global variables of the program, as they were told last. */
+  public ProgramVariables variables() {
+    return variables;
   }
 
   /** The messages that have come since this was asked before. */

@@ -18,9 +18,9 @@ final class VariablePackages {
   static final int USUAL_BYTES = 1900;
 
   private static final int HEADER = 16;
-  private static final byte PROGRAM_STATE = 25;
-  private static final byte SETUP = 0;
-  private static final byte UPDATE = 1;
+  static final byte PROGRAM_STATE = 25;
+  static final byte SETUP = 0;
+  static final byte UPDATE = 1;
   private static final byte LINE_END = '\n';
 
   private VariablePackages() {}

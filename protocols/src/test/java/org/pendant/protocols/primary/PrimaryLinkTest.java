@@ -13,8 +13,10 @@ import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.pendant.script.value.Value;
 
 /** The link against bytes as the description of the protocol has them. */
 class PrimaryLinkTest {
@@ -90,6 +92,34 @@ class PrimaryLinkTest {
               new RobotMessage.Request(timeUs, 1, RobotMessage.Wanted.FLOAT, "Offset?")),
           heard);
       assertEquals("it has closed the connection", link.lost().orElseThrow());
+    }
+  }
+
+  @Test
+  void hearsVariables() throws IOException {
+    try (PrimaryLink link =
+        linked(
+            VERSION,
+            "00000014 19 00000002DFDC18B0 00 0000 610A 620A",
+            "00000019 19 00000002DFDC18B0 01 0000 0F 00000005 0A 0D 01 0A",
+            "00000005 10")) {
+      all(link);
+
+      assertEquals(
+          new ProgramVariables(1, 1, Map.of("a", Value.of(5), "b", Value.of(true))),
+          link.variables());
+    }
+  }
+
+  @Test
+  void hearsMessagesAlsoWhereVariablesCannotBeRead() throws IOException {
+    try (PrimaryLink link =
+        linked(
+            VERSION,
+            "00000012 19 00000002DFDC18B0 01 0000 63 0A",
+            "00000014 14 00000002DFDC18B0 FD 00 \"hello\"")) {
+      assertEquals(new RobotMessage.Text(12_345_678_000L, "hello"), all(link).getLast());
+      assertEquals(ProgramVariables.NONE, link.variables());
     }
   }
 

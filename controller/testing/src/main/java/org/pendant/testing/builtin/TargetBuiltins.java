@@ -36,6 +36,9 @@ public final class TargetBuiltins {
   /** Frames for which a line of the log is waited for, which comes another way than states do. */
   private static final long LINE_FRAMES = 500;
 
+  /** Frames for which variables are waited for that the target tells ten times a second. */
+  private static final long VARIABLE_FRAMES = 1_000;
+
   private static final int LOW_BITS = 32;
   private static final int SINGLE_BITS = 64;
   private static final int REGISTERS = 48;
@@ -251,6 +254,7 @@ public final class TargetBuiltins {
   private void declareOperator() {
     codes.put("log_contains", call -> call.answer(logged(call, call.text(0))));
     codes.put("assert_log", this::awaitLine);
+    codes.put("program_variable", this::awaitVariable);
     codes.put(
         "popup_open",
         call -> {
@@ -267,6 +271,34 @@ public final class TargetBuiltins {
           TestBuiltins.bench(call).post(new MessageCommand.AnswerPopup(oldest));
           return call.answer();
         });
+  }
+
+  /** What the target has begun to tell before it was asked may be older than what the test saw. */
+  private Outcome awaitVariable(Call<ControlBox> call) throws ScriptError {
+    String name = call.text(0);
+    long begun = view.variables().begun();
+    long last = call.frame() + VARIABLE_FRAMES;
+    Wait wait =
+        frame -> {
+          if (view.variablesSince(begun)) {
+            Value value = view.variables().values().get(name);
+            if (value == null) {
+              throw new ScriptError(
+                  "bad-argument",
+                  "program_variable: name is "
+                      + name
+                      + ", which is no global variable of the program that has a value");
+            }
+            return Optional.of(value.copy());
+          }
+          if (frame >= last) {
+            throw new ScriptError(
+                "not-at-target",
+                "program_variable: the target tells no variables of a program of this test");
+          }
+          return Optional.empty();
+        };
+    return wait;
   }
 
   private boolean logged(Call<ControlBox> call, String part) {

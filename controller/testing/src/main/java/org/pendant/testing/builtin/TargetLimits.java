@@ -66,6 +66,7 @@ public final class TargetLimits {
           "resume_program",
           "program_running",
           "program_paused",
+          "program_variable",
           "hold_popups",
           "popup_open",
           "close_popup",
@@ -139,7 +140,6 @@ public final class TargetLimits {
       case "set_tool_digital_in", "set_standard_analog_in", "set_tool_analog_in" ->
           "sets an input, which only what is connected there does";
       case "answer" -> "answers questions, which no port of a robot takes";
-      case "program_variable" -> "asks for a variable, which is not read of a target yet";
       case "safety_message" -> "asks for words that no port of a robot tells";
       default -> "does what people do at the robot, which none of its ports does";
     };

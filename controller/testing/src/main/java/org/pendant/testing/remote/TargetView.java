@@ -18,12 +18,43 @@ public final class TargetView {
   private TargetState state = new TargetState(Map.of());
   private final List<String> lines = new ArrayList<>();
   private final Map<Long, String> popups = new HashMap<>();
+  private TargetVariables variables = TargetVariables.NONE;
+
+  /** Variables that were begun to be told by then are of an earlier program. */
+  private long earlier = Long.MAX_VALUE;
 
   /** Forgets everything, for the next test. */
   public void clear() {
     state = new TargetState(Map.of());
     lines.clear();
     popups.clear();
+    variables = TargetVariables.NONE;
+    programSent();
+  }
+
+  /** A program was sent; what is told of variables until it starts is not about it. */
+  public void programSent() {
+    earlier = Long.MAX_VALUE;
+  }
+
+  /** The program that was sent has started. */
+  public void programStarted() {
+    earlier = variables.begun();
+  }
+
+  /** The target has told this of variables. */
+  public void see(TargetVariables now) {
+    variables = now;
+  }
+
+  /** What the target has told of variables. */
+  public TargetVariables variables() {
+    return variables;
+  }
+
+  /** Whether all of them were told of this program, and after {@code begun} times. */
+  public boolean variablesSince(long begun) {
+    return variables.whole() > Math.max(begun, earlier);
   }
 
   /** A state has come. */

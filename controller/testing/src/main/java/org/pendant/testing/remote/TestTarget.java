@@ -52,6 +52,9 @@ public interface TestTarget {
    */
   List<TargetEvent> events() throws TargetTrouble;
 
+  /** The global variables of its program, as it told them last; never waits. */
+  TargetVariables variables();
+
   /** A test has ended: ends what it has left running, and puts the speed slider back. */
   void end() throws TargetTrouble;
 }

@@ -38,7 +38,7 @@ final class TargetProgram {
   }
 
   private Phase phase = Phase.NONE;
-  private Optional<Source> source = Optional.empty();
+  private Optional<Program> sent = Optional.empty();
   private Optional<TargetScript> script = Optional.empty();
   private Optional<ScriptFailure> failure = Optional.empty();
   private boolean stopAsked;
@@ -49,7 +49,7 @@ final class TargetProgram {
 
   /** A program has been sent. */
   void sent(Program program, TargetScript text) {
-    source = Optional.of(program.source());
+    sent = Optional.of(program);
     script = Optional.of(text);
     failure = Optional.empty();
     stopAsked = false;
@@ -125,7 +125,7 @@ final class TargetProgram {
   }
 
   private ScriptFailure failure(TargetEvent.Failed failed) {
-    Source file = source.orElseThrow();
+    Source file = sent.orElseThrow().source();
     int line = Math.clamp(script.orElseThrow().lineOf(failed.line()), 1, file.lineCount());
     int column = script.orElseThrow().columnOf(failed.line(), failed.column());
     int start = file.lineStart(line);
@@ -135,6 +135,6 @@ final class TargetProgram {
         new SourceRange(start, start + file.lineText(line).length()),
         line,
         column,
-        List.of(new StackEntry(file.name(), line)));
+        List.of(new StackEntry(sent.orElseThrow().name(), line)));
   }
 }

@@ -147,6 +147,7 @@ final class TargetRun {
       view.see(state);
       bench.changes().see(state.levels(), controller.state().timeS());
       program.see(state);
+      view.see(target.variables());
       for (TargetEvent each : target.events()) {
         take(each);
       }
@@ -202,7 +203,8 @@ final class TargetRun {
                       "no-answer",
                       "the program asks \"" + text + "\", which no port of a robot answers",
                       0));
-      case TargetEvent.Started _, TargetEvent.Ended _ -> {}
+      case TargetEvent.Started _ -> view.programStarted();
+      case TargetEvent.Ended _ -> {}
     }
   }
 
@@ -239,6 +241,7 @@ final class TargetRun {
       return;
     }
     program.sent(wanted, script.get());
+    view.programSent();
     target.start(script.get().text());
   }
 

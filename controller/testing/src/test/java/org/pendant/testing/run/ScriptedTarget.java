@@ -10,9 +10,11 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.controller.command.Command;
 import org.pendant.models.time.FrameTime;
+import org.pendant.script.value.Value;
 import org.pendant.testing.remote.TargetEvent;
 import org.pendant.testing.remote.TargetState;
 import org.pendant.testing.remote.TargetTrouble;
+import org.pendant.testing.remote.TargetVariables;
 import org.pendant.testing.remote.TestTarget;
 
 /** A target that tells what it was told to tell, a state every 2 ms of its own time. */
@@ -29,6 +31,8 @@ final class ScriptedTarget implements TestTarget {
   private Optional<String> lossAfterSteps = Optional.empty();
   private Optional<String> notReady = Optional.empty();
   private Optional<String> unstoppable = Optional.empty();
+  private String sent = "";
+  private TargetVariables variables = TargetVariables.NONE;
   private boolean playing;
   private long frame;
   private int wait;
@@ -53,6 +57,13 @@ final class ScriptedTarget implements TestTarget {
     return this;
   }
 
+  /** It tells variables after some frames. */
+  ScriptedTarget telling(int frames, Map<String, Value> told) {
+    return after(
+        frames,
+        () -> variables = new TargetVariables(variables.begun() + 1, variables.whole() + 1, told));
+  }
+
   /** Somebody does something after some frames. */
   ScriptedTarget after(int frames, Runnable deed) {
     steps.add(new Step(frames, Optional.empty(), Map.of(), deed));
@@ -63,6 +74,17 @@ final class ScriptedTarget implements TestTarget {
   ScriptedTarget after(int frames, String quantity, double... numbers) {
     steps.add(new Step(frames, Optional.empty(), Map.of(quantity, numbers), () -> {}));
     return this;
+  }
+
+  /** What was sent fails in the line that contains this, and ends. */
+  void fail(String part, String why) {
+    List<String> lines = sent.lines().toList();
+    for (int i = 0; i < lines.size(); i++) {
+      if (lines.get(i).contains(part)) {
+        happen(new TargetEvent.Failed(i + 1, 1, why));
+      }
+    }
+    happen(new TargetEvent.Ended());
   }
 
   /** After all that it is gone. */
@@ -99,6 +121,7 @@ final class ScriptedTarget implements TestTarget {
   @Override
   public void start(String script) {
     asked.add(script);
+    sent = script;
     playing = true;
   }
 
@@ -142,6 +165,11 @@ final class ScriptedTarget implements TestTarget {
     List<TargetEvent> taken = List.copyOf(events);
     events.clear();
     return taken;
+  }
+
+  @Override
+  public TargetVariables variables() {
+    return variables;
   }
 
   @Override

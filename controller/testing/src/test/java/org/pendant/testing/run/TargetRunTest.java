@@ -16,6 +16,8 @@ import java.util.function.BiConsumer;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.script.value.NumberList;
+import org.pendant.script.value.Value;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestResult;
@@ -363,6 +365,85 @@ class TargetRunTest {
     assertTrue(asked.contains("SetSpeedFraction"), asked);
     assertTrue(asked.contains("AnswerPopup[number=7]"), asked);
     assertTrue(asked.contains("watch 57"), asked);
+  }
+
+  @Test
+  void aVariableIsWhatTheTargetTellsOfTheProgramOfThisTestAfterItIsAsked() throws TargetTrouble {
+    target
+        .telling(0, Map.of("count", Value.of(3)))
+        .then(new TargetEvent.Started())
+        .telling(50, Map.of("count", Value.of(1)))
+        .telling(50, Map.of("count", Value.of(2), "place", NumberList.of(0.1, 0.2)))
+        .telling(50, Map.of("count", Value.of(3)))
+        .then(new TargetEvent.Ended());
+
+    TestResult result =
+        only(
+            "def test_it():",
+            "  start(\"pick.script\")",
+            "  assert_equal(program_variable(\"count\"), 1)",
+            "  assert_equal(program_variable(\"place\"), [0.1, 0.2])",
+            "  eventually(program_variable(\"count\") == 3, within=1)",
+            "  wait_for_end()",
+            "end");
+
+    assertEquals("", result.failure().map(TestFailure::message).orElse(""));
+  }
+
+  @Test
+  void aVariableThatTheTargetDoesNotTellIsToldAsThat() throws TargetTrouble {
+    target.then(new TargetEvent.Started()).telling(50, Map.of("count", Value.of(1)));
+
+    TestResult result =
+        only(
+            "def test_it():",
+            "  start(\"pick.script\")",
+            "  textmsg(program_variable(\"cuont\"))",
+            "end");
+
+    assertEquals(
+        "program_variable: name is cuont, which is no global variable of the program that has"
+            + " a value",
+        failure(result).message());
+  }
+
+  @Test
+  void aTargetThatTellsNoVariablesIsNotWaitedForLong() throws TargetTrouble {
+    target.then(new TargetEvent.Started());
+
+    TestResult result =
+        only(
+            "def test_it():",
+            "  start(\"pick.script\")",
+            "  textmsg(program_variable(\"count\"))",
+            "end");
+
+    assertEquals(
+        "program_variable: the target tells no variables of a program of this test",
+        failure(result).message());
+    assertEquals(2, result.robotTimeS(), 0.1);
+  }
+
+  @Test
+  void aTreeIsSentAsItsScriptAndItsErrorToldWithItsNode() throws TargetTrouble {
+    files.put(
+        "cell/boxes.pendant",
+        """
+        pendant program 1
+        main
+          script-line code="textmsg(1)"
+          script-line code="textmsg(2)"
+        """);
+    target.then(new TargetEvent.Started()).after(1, () -> target.fail("textmsg(2)", "too far"));
+
+    TestResult result =
+        only(
+            "def test_it():",
+            "  start(\"boxes.pendant\")",
+            "  eventually(not program_running(), within=2)",
+            "end");
+
+    assertEquals("node 3 \"textmsg(2)\": the program failed: too far", failure(result).message());
   }
 
   @Test

@@ -18,6 +18,7 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.protocols.dashboard.DashboardClient;
 import org.pendant.protocols.primary.PrimaryLink;
+import org.pendant.protocols.primary.ProgramVariables;
 import org.pendant.protocols.primary.RobotMessage;
 import org.pendant.protocols.rtde.ReceivedField;
 import org.pendant.protocols.rtde.RtdeClient;
@@ -26,6 +27,7 @@ import org.pendant.testing.remote.TargetEvent;
 import org.pendant.testing.remote.TargetState;
 import org.pendant.testing.remote.TargetState.RunState;
 import org.pendant.testing.remote.TargetTrouble;
+import org.pendant.testing.remote.TargetVariables;
 import org.pendant.testing.remote.TargetView;
 import org.pendant.testing.remote.TestTarget;
 
@@ -283,6 +285,12 @@ public final class RobotTarget implements TestTarget, Closeable {
       follow(each);
     }
     return events;
+  }
+
+  @Override
+  public TargetVariables variables() {
+    ProgramVariables told = primary.variables();
+    return new TargetVariables(told.begun(), told.whole(), told.values());
   }
 
   /** Whether what was sent has started, and still runs. */
