@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.editors.dap.DebugAdapterConnection;
 import org.pendant.editors.lsp.LanguageServerConnection;
 
@@ -16,10 +18,13 @@ import org.pendant.editors.lsp.LanguageServerConnection;
 public final class Training {
   private Training() {}
 
-  /** Runs the program that {@code words} name, and has an editor ask about it and debug it. */
+  /**
+   * Runs the programs that {@code words} name, and has an editor ask about the first and debug it.
+   */
   public static void main(String[] words) throws IOException, InterruptedException {
     Path program = Path.of(words[0]).toAbsolutePath();
-    ExitCode code = new Pendant(Console.ofProcess()).run(List.of("run", words[0]));
+    List<String> run = Stream.concat(Stream.of("run"), Arrays.stream(words)).toList();
+    ExitCode code = new Pendant(Console.ofProcess()).run(run);
     TrainingEditor editor = new TrainingEditor();
     LanguageServerConnection.serve(
         "training",

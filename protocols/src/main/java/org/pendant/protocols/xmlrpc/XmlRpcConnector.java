@@ -20,7 +20,7 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
   private static final int MAX_PORT = 65_535;
 
   private final HostPolicy hostPolicy;
-  private final Set<XmlRpcLink> open = ConcurrentHashMap.newKeySet();
+  private final Set<RpcLink> open = ConcurrentHashMap.newKeySet();
 
   /** Connections that go no further than {@code reach}. */
   public XmlRpcConnector(HostPolicy hostPolicy) {
@@ -56,7 +56,7 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
   /** Ends all connections and the calls that are under way. */
   @Override
   public void close() {
-    open.forEach(XmlRpcLink::close);
+    open.forEach(RpcLink::close);
   }
 
   private static URI uri(String url) throws ScriptError {

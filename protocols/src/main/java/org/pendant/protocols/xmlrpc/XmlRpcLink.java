@@ -26,7 +26,7 @@ final class XmlRpcLink implements RpcLink {
   private static final int MAX_MESSAGE = 300;
 
   private final Wire wire;
-  private final Consumer<XmlRpcLink> afterwards;
+  private final Consumer<RpcLink> afterwards;
   private final XmlRpcClient client = new XmlRpcClient();
   private final ReentrantLock turn = new ReentrantLock(true);
   private final AtomicBoolean closingFirst = new AtomicBoolean();
@@ -37,7 +37,7 @@ final class XmlRpcLink implements RpcLink {
    *
    * @param afterwards told when it is closed
    */
-  XmlRpcLink(Wire wire, Consumer<XmlRpcLink> afterwards) {
+  XmlRpcLink(Wire wire, Consumer<RpcLink> afterwards) {
     this.wire = wire;
     this.afterwards = afterwards;
     XmlRpcClientConfigImpl config = new XmlRpcClientConfigImpl();

@@ -1,0 +1,173 @@
+package org.pendant.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.io.OutputStream;
+import java.lang.classfile.ClassFile;
+import java.lang.classfile.CodeElement;
+import java.lang.classfile.instruction.InvokeDynamicInstruction;
+import java.lang.reflect.Method;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Function;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
+import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What the launcher makes of the jars that were built. */
+@Tag("slow") // compiles the rewriting, which is a source of the build
+class StartableJarsTest {
+  @TempDir static Path tool;
+  @TempDir Path folder;
+
+  @BeforeAll
+  static void compile() {
+    Path source = Path.of(System.getProperty("pendant.home"), ".build", "StartableJars.java");
+    int code =
+        ToolProvider.getSystemJavaCompiler()
+            .run(null, null, null, "-proc:none", "-d", tool.toString(), source.toString());
+    assertEquals(0, code);
+  }
+
+  /** A record with components of every kind. */
+  record Everything(
+      boolean z, byte b, short s, char c, int i, long j, float f, double d, String text) {}
+
+  /** A closed family. */
+  sealed interface Shape permits Disc, Box, Point {}
+
+  record Disc(double radius) implements Shape {}
+
+  record Box(int width, int height) implements Shape {}
+
+  record Point() implements Shape {}
+
+  /** Says of values what pattern switches, {@code equals} and {@code hashCode} make of them. */
+  public static final class Sample implements Function<Integer, List<Object>> {
+    @Override
+    public List<Object> apply(Integer number) {
+      double odd = List.of(0.0, -0.0, Double.NaN, 1.5).get(number % 4);
+      Everything one = new Everything(true, (byte) 1, (short) 2, 'c', 3, 4, (float) odd, odd, null);
+      Everything other =
+          new Everything(true, (byte) 1, (short) 2, 'c', 3, 4, (float) odd, 0.0, null);
+      return List.of(
+          one.hashCode(),
+          one.equals(other),
+          List.<Object>of(one).equals(List.of(new Point())),
+          new Point().equals(new Point()),
+          new Box(number, 2).equals(new Box(2, number)),
+          new Box(number, 2).hashCode(),
+          name(new Disc(number)),
+          name(new Box(number, 2)),
+          name(new Point()),
+          kind(null),
+          kind("text"),
+          kind(number));
+    }
+
+    private static String name(Shape shape) {
+      return switch (shape) {
+        case Box box when box.width() > 2 -> "wide";
+        case Box box when box.width() > 1 -> "box";
+        case Disc(double radius) when radius > 1 -> "big";
+        case Disc disc -> "disc";
+        case Box box -> "narrow";
+        case Point point -> "point";
+      };
+    }
+
+    private static String kind(Object object) {
+      return switch (object) {
+        case null -> "nothing";
+        case CharSequence text -> "text";
+        default -> "something";
+      };
+    }
+  }
+
+  @Test
+  void switchesAndRecordsDoTheSameInRewrittenJars() throws Exception {
+    rewrite(jar("META-INF/MANIFEST.MF"));
+    try (URLClassLoader rewritten =
+        new URLClassLoader(new URL[] {folder.resolve("some.jar").toUri().toURL()}, null)) {
+      @SuppressWarnings("unchecked") // it is the class above, loaded once more
+      Function<Integer, List<Object>> sample =
+          (Function<Integer, List<Object>>)
+              rewritten.loadClass(Sample.class.getName()).getConstructor().newInstance();
+      for (int i = 0; i < 4; i++) {
+        assertEquals(new Sample().apply(i), sample.apply(i), "sample " + i);
+      }
+    }
+  }
+
+  @Test
+  void rewrittenClassesLeaveNothingToBeMadeAtTheStart() throws Exception {
+    rewrite(jar("META-INF/MANIFEST.MF"));
+    try (JarFile jar = new JarFile(folder.resolve("some.jar").toFile())) {
+      for (Class<?> type : List.of(Sample.class, Box.class)) {
+        byte[] content = jar.getInputStream(jar.getEntry(file(type))).readAllBytes();
+        assertFalse(
+            ClassFile.of().parse(content).methods().stream()
+                .flatMap(method -> method.code().stream())
+                .flatMap(code -> code.elementStream())
+                .anyMatch(StartableJarsTest::isMadeLater),
+            type.getName());
+      }
+    }
+  }
+
+  @Test
+  void signaturesAreTakenOutOfJars() throws Exception {
+    rewrite(jar("META-INF/SIGNER.SF", "META-INF/SIGNER.RSA", "META-INF/NOTICE"));
+    try (JarFile jar = new JarFile(folder.resolve("some.jar").toFile())) {
+      assertEquals(
+          List.of("META-INF/NOTICE"),
+          jar.stream().map(JarEntry::getName).filter(name -> name.startsWith("META-INF")).toList());
+    }
+  }
+
+  private static boolean isMadeLater(CodeElement element) {
+    return element instanceof InvokeDynamicInstruction call
+        && !call.name().equalsString("toString")
+        && !call.bootstrapMethod().owner().displayName().equals("StringConcatFactory");
+  }
+
+  private Path jar(String... others) throws Exception {
+    Path file = folder.resolve("some.jar");
+    try (OutputStream bytes = Files.newOutputStream(file);
+        JarOutputStream out = new JarOutputStream(bytes)) {
+      for (String name : others) {
+        out.putNextEntry(new JarEntry(name));
+      }
+      for (Class<?> type :
+          Stream.of(Sample.class, Everything.class, Shape.class, Disc.class, Box.class, Point.class)
+              .toList()) {
+        out.putNextEntry(new JarEntry(file(type)));
+        out.write(type.getResourceAsStream("/" + file(type)).readAllBytes());
+      }
+    }
+    return file;
+  }
+
+  private static String file(Class<?> type) {
+    return type.getName().replace('.', '/') + ".class";
+  }
+
+  private static void rewrite(Path jar) throws Exception {
+    try (URLClassLoader build = new URLClassLoader(new URL[] {tool.toUri().toURL()})) {
+      Method main = build.loadClass("StartableJars").getDeclaredMethod("main", String[].class);
+      main.setAccessible(true);
+      main.invoke(null, (Object) new String[] {jar.getParent().toString()});
+    }
+  }
+}
