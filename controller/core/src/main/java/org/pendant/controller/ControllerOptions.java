@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import org.pendant.controller.arm.ReadingNoise;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
+import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.file.ProgramsFolder;
@@ -50,6 +51,7 @@ public final class ControllerOptions {
   private ReadingNoise noise = ReadingNoise.NONE;
   private boolean startRamp;
   private Scene scene = Scene.EMPTY;
+  private CellEquipment equipment = CellEquipment.NONE;
   private Optional<SafetyConfiguration> safety = Optional.empty();
   private boolean poweredOn = true;
   private PowerTimes powerTimes = PowerTimes.STANDARD;
@@ -84,6 +86,7 @@ public final class ControllerOptions {
     copy.noise = noise;
     copy.startRamp = startRamp;
     copy.scene = scene;
+    copy.equipment = equipment;
     copy.safety = safety;
     copy.poweredOn = poweredOn;
     copy.powerTimes = powerTimes;
@@ -226,6 +229,11 @@ public final class ControllerOptions {
     return changed(copy -> copy.scene = surroundings);
   }
 
+  /** With something around the arm that answers programs. */
+  public ControllerOptions withEquipment(CellEquipment devicesAndRules) {
+    return changed(copy -> copy.equipment = devicesAndRules);
+  }
+
   /**
    * Set up as an installation says. Its safety limits hold unless {@link #withSafety} names others;
    * inputs, signals and encoders of these options come after it.
@@ -301,6 +309,11 @@ public final class ControllerOptions {
     return scene;
   }
 
+  /** What around the arm answers programs. */
+  public CellEquipment equipment() {
+    return equipment;
+  }
+
   /** By how much readings err. */
   public ReadingNoise noise() {
     return noise;
@@ -328,6 +341,7 @@ public final class ControllerOptions {
         noise,
         startRamp,
         scene,
+        equipment,
         safety(),
         poweredOn,
         powerTimes,

@@ -135,6 +135,7 @@ final class Frame {
     beganNs = box.clock().inRealTime() ? System.nanoTime() : 0;
     if (!held) {
       box.beginFrame();
+      box.links().stepCell();
     }
     takeInputs();
     held = runScripts();

@@ -36,6 +36,8 @@ final class WorldCommandHandler implements CommandHandler<WorldCommand> {
           load.ifPresentOrElse(box.flange()::attachLoad, box.flange()::followDeclaredPayload);
       case WorldCommand.RunEncoder(int index, double ticksPerS) ->
           box.offsets().encoders().get(index).run(ticksPerS);
+      case WorldCommand.PutPart(String gripper, double widthM) ->
+          box.links().devices().putPart(gripper, widthM);
     }
     return Reply.done();
   }

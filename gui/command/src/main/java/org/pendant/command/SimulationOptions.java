@@ -4,11 +4,15 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.box.CellEquipment;
+import org.pendant.controller.box.EquipmentReader;
+import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyConfigurationReader;
 import org.pendant.controller.world.Scene;
@@ -26,6 +30,18 @@ final class SimulationOptions {
               "scene.json",
               "what the arm can touch and what truly hangs on its flange, see"
                   + " [scene.md](scene.md)");
+  private static final Option DEVICE =
+      Option.of(
+              "--device",
+              new OptionArgument.Choice(DeviceSetup.KINDS),
+              "something that answers the program, such as a gripper")
+          .repeated()
+          .documented(
+              "two-finger",
+              "something that answers the program in robot time, besides what the scene has: "
+                  + String.join(
+                      ", ", DeviceSetup.KINDS.stream().map(each -> "`" + each + "`").toList())
+                  + "; may be repeated, see [devices.md](devices.md)");
   private static final Option SAFETY =
       Option.input("--safety", "FILE.json", "safety limits and planes instead of the standard ones")
           .documented(
@@ -76,7 +92,8 @@ final class SimulationOptions {
                   + " see [motion.md](motion.md#the-start-of-a-program); `off`: they do not");
 
   /** For the usage text. */
-  static final List<Option> ALL = List.of(SCENE, SAFETY, ARM, NOISE, ENCODER_NOISE, START_RAMP);
+  static final List<Option> ALL =
+      List.of(SCENE, DEVICE, SAFETY, ARM, NOISE, ENCODER_NOISE, START_RAMP);
 
   private SimulationOptions() {}
 
@@ -94,13 +111,39 @@ final class SimulationOptions {
     }
     Optional<String> scene = arguments.value(SCENE);
     if (scene.isPresent()) {
-      chosen = chosen.withScene(scene(scene.get(), arguments.files()));
+      chosen =
+          chosen
+              .withScene(scene(scene.get(), arguments.files()))
+              .withEquipment(equipment(scene.get(), arguments.files()));
     }
+    chosen = chosen.withEquipment(equipped(chosen.equipment(), arguments));
     Optional<String> safety = arguments.value(SAFETY);
     if (safety.isPresent()) {
       chosen = chosen.withSafety(safety(safety.get(), options.arm(), arguments.files()));
     }
     return chosen;
+  }
+
+  private static CellEquipment equipped(CellEquipment cell, Arguments arguments)
+      throws UsageException {
+    List<DeviceSetup> devices = new ArrayList<>();
+    for (String kind : arguments.values(DEVICE)) {
+      devices.add(
+          DeviceSetup.of(kind)
+              .orElseThrow(
+                  () ->
+                      new UsageException(
+                          DEVICE.name()
+                              + " is '"
+                              + kind
+                              + "', must be "
+                              + ((OptionArgument.Choice) DEVICE.argument()).legal())));
+    }
+    try {
+      return cell.and(devices);
+    } catch (IllegalArgumentException e) {
+      throw new UsageException(DEVICE.name() + ": " + e.getMessage());
+    }
   }
 
   /**
@@ -131,6 +174,16 @@ final class SimulationOptions {
     }
   }
 
+  private static CellEquipment equipment(String name, SourceFiles files) throws UsageException {
+    try (InputStream in = Files.newInputStream(files.path("the scene", name))) {
+      return EquipmentReader.read(name, in);
+    } catch (JsonException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw SourceFiles.unreadable(name, e);
+    }
+  }
+
   /**
    * The file of the scene that the command line names; empty if it names none.
    *
@@ -140,6 +193,7 @@ final class SimulationOptions {
     Optional<String> name = arguments.value(SCENE);
     if (name.isPresent()) {
       scene(name.get(), arguments.files());
+      equipment(name.get(), arguments.files());
     }
     return name.map(each -> Path.of(each).toAbsolutePath());
   }

@@ -1,5 +1,6 @@
 package org.pendant.controller.box;
 
+import org.pendant.controller.device.CellDevices;
 import org.pendant.controller.eip.Assemblies;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.ExternalConnections;
@@ -7,12 +8,15 @@ import org.pendant.controller.io.InputWatchdogs;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.modbus.ModbusSignals;
+import org.pendant.controller.rule.Rules;
 
 /**
  * External links of the box to other computers and devices: connections that programs open, and
  * what clients write and read.
  */
 public final class BoxLinks {
+  private final CellDevices devices;
+  private final Rules rules;
   private final ExternalConnections outside;
   private final ModbusSignals modbus;
   private final ToolSerialInterface toolLine;
@@ -20,11 +24,29 @@ public final class BoxLinks {
   private final Assemblies assemblies = new Assemblies();
   private Published published = Published.NOTHING;
 
-  BoxLinks(Connectors connectors, Signals signals, MessageLog log) {
-    outside = new ExternalConnections(connectors);
+  BoxLinks(
+      CellEquipment equipment,
+      CellDevices devices,
+      Connectors connectors,
+      Signals signals,
+      MessageLog log) {
+    this.devices = devices;
+    rules = new Rules(equipment.rules(), signals.digital(), devices::putPart);
+    outside = new ExternalConnections(devices.before(connectors));
     modbus = new ModbusSignals(connectors.modbus(), log);
     signals.runState().lead(modbus::follow);
     toolLine = new ToolSerialInterface(connectors.toolSerial(), signals, log);
+  }
+
+  /** The devices of the cell. */
+  public CellDevices devices() {
+    return devices;
+  }
+
+  /** Has the cell answer what was sent and set in the frame before, once a frame. */
+  public void stepCell() {
+    devices.step();
+    rules.step();
   }
 
   /** The connections of programs to other computers. */

@@ -25,6 +25,7 @@ import org.pendant.models.arm.Joints;
  * @param noise by how much readings err, but for those of an ideal arm
  * @param startRamp whether time on paths rises from 0 to 1 at the start of a program
  * @param scene what stands around the arm and hangs on it
+ * @param equipment what around it answers programs
  * @param safety limits and planes
  * @param poweredOn whether the arm is powered and its brakes are released at first
  * @param powerTimes how long changes of power take
@@ -42,6 +43,7 @@ public record BoxSetup(
     ReadingNoise noise,
     boolean startRamp,
     Scene scene,
+    CellEquipment equipment,
     SafetyConfiguration safety,
     boolean poweredOn,
     PowerTimes powerTimes,
@@ -88,6 +90,7 @@ public record BoxSetup(
         ReadingNoise.NONE,
         false,
         Scene.EMPTY,
+        CellEquipment.NONE,
         SafetyConfiguration.standard(arm),
         true,
         PowerTimes.STANDARD,

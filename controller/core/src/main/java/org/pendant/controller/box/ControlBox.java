@@ -2,6 +2,7 @@ package org.pendant.controller.box;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.pendant.controller.device.CellDevices;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.message.OperatorPrompts;
@@ -65,7 +66,12 @@ public final class ControlBox implements Host {
             new ArmDrive.Setup(setup.startRad(), arm, safety, motion, modes, offsets, flange, log));
     kinematics = new ArmKinematics(setup.arm(), flange, motion, drive);
     links =
-        new BoxLinks(DeterminismGuard.of(setup.connectors(), clock.determinism()), signals, log);
+        new BoxLinks(
+            setup.equipment(),
+            new CellDevices(setup.equipment().devices(), signals, kinematics::actualTcpInBase, log),
+            DeterminismGuard.of(setup.connectors(), clock.determinism()),
+            signals,
+            log);
     prompts = OperatorPrompts.none(setup.operator(), log);
     environment = new ProgramEnvironment(setup.programsFolder(), setup.seed());
   }

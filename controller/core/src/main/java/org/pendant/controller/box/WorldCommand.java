@@ -57,4 +57,12 @@ public sealed interface WorldCommand extends Command {
    * @param ticksPerS -1,000,000 to 1,000,000; 0 for a belt that stands
    */
   record RunEncoder(int index, double ticksPerS) implements WorldCommand {}
+
+  /**
+   * Puts a part between the fingers of a gripper, or takes it away.
+   *
+   * @param gripper the name of a device
+   * @param widthM 0 for no part
+   */
+  record PutPart(String gripper, double widthM) implements WorldCommand {}
 }

@@ -39,7 +39,7 @@ final class PendingWait implements Wait {
 
   @Override
   public boolean outside() {
-    return true;
+    return !pending.inRobotTime();
   }
 
   @Override

@@ -52,7 +52,7 @@ final class SocketOpenWait implements Wait {
 
   @Override
   public boolean outside() {
-    return true;
+    return !socket.inRobotTime();
   }
 
   @Override

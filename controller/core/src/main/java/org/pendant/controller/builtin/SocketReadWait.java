@@ -34,6 +34,6 @@ final class SocketReadWait implements Wait {
 
   @Override
   public boolean outside() {
-    return true;
+    return !socket.inRobotTime();
   }
 }

@@ -28,6 +28,11 @@ public interface ExternalSocket {
   /** What the peer has sent and the program has not taken. */
   ReceivedBytes received();
 
+  /** Whether the peer lives in robot time, so that no clock has to wait for it. */
+  default boolean inRobotTime() {
+    return false;
+  }
+
   /** Ends it, once what was left to be sent has gone out. */
   void close();
 }

@@ -17,6 +17,11 @@ public interface Pending {
    */
   Value result() throws ScriptError;
 
+  /** Whether who answers lives in robot time, so that no clock has to wait for it. */
+  default boolean inRobotTime() {
+    return false;
+  }
+
   /** The result is not wanted any more. */
   void cancel();
 }

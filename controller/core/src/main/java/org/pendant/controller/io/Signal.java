@@ -1,7 +1,9 @@
 package org.pendant.controller.io;
 
+import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * Digital signal.
@@ -10,6 +12,8 @@ import java.util.regex.Pattern;
  * @param index its number in the group, from 0
  */
 public record Signal(SignalBank bank, int index) {
+  private static final SignalBank[] INPUTS =
+      Arrays.stream(SignalBank.values()).filter(SignalBank::input).toArray(SignalBank[]::new);
   private static final Pattern NAME = Pattern.compile("(\\w+)\\[(\\d{1,2})\\]");
 
   /**
@@ -36,18 +40,32 @@ public record Signal(SignalBank bank, int index) {
         }
       }
     }
-    throw new IllegalArgumentException("input is '" + name + "', must be one of " + validInputs());
+    throw new IllegalArgumentException("input is '" + name + "', must be one of " + valid(INPUTS));
   }
 
-  private static String validInputs() {
-    StringBuilder names = new StringBuilder();
-    for (SignalBank bank : SignalBank.values()) {
-      if (bank.input()) {
-        names.append(names.isEmpty() ? "" : ", ").append(bank.text());
-        names.append("[0] to [").append(bank.size() - 1).append(']');
+  /**
+   * The signal called {@code name}, such as {@code tool_out[1]}.
+   *
+   * @throws IllegalArgumentException if there is none; the message names those there are
+   */
+  public static Signal named(String name) {
+    Matcher parts = NAME.matcher(name);
+    if (parts.matches()) {
+      int index = Integer.parseInt(parts.group(2));
+      for (SignalBank bank : SignalBank.values()) {
+        if (bank.text().equals(parts.group(1)) && index < bank.size()) {
+          return new Signal(bank, index);
+        }
       }
     }
-    return names.toString();
+    throw new IllegalArgumentException(
+        "signal is '" + name + "', must be one of " + valid(SignalBank.values()));
+  }
+
+  private static String valid(SignalBank... banks) {
+    return Arrays.stream(banks)
+        .map(bank -> bank.text() + "[0] to [" + (bank.size() - 1) + "]")
+        .collect(Collectors.joining(", "));
   }
 
   @Override

@@ -35,7 +35,7 @@ public final class SceneReader {
 
   private Scene scene(Json root) throws JsonException {
     JsonFields fields = new JsonFields(root, "a scene");
-    fields.allow(Nearest::among, "objects", "load", "tool", "push");
+    fields.allow(Nearest::among, "objects", "load", "tool", "push", "devices", "rules");
     for (Json each : fields.array("objects", Scene.MAX_OBJECTS)) {
       add(each);
     }

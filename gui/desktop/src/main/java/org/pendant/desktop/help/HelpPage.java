@@ -53,6 +53,7 @@ record HelpPage(String name, String title) {
         TESTS,
         new HelpPage("docs/testing-functions.md", "Functions of tests"),
         new HelpPage("docs/scene.md", "Scenes"),
+        new HelpPage("docs/devices.md", "Devices of the cell"),
         new HelpPage("docs/conveyors.md", "Conveyors"),
         new HelpPage("docs/toolpaths.md", "Toolpaths"),
         new HelpPage("docs/outside.md", "Sockets and XML-RPC"),

@@ -1,0 +1,53 @@
+package org.pendant.controller.box;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.pendant.controller.device.CellDevices;
+import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.rule.RuleSetup;
+import org.pendant.models.json.Json;
+
+/**
+ * Equipment of a cell: what in it answers the program.
+ *
+ * @param devices at most {@value CellDevices#MAX}, each with its own name
+ * @param rules what happens by itself, in their order
+ */
+public record CellEquipment(List<DeviceSetup> devices, List<RuleSetup> rules) {
+  /** Nothing. */
+  public static final CellEquipment NONE = new CellEquipment(List.of(), List.of());
+
+  /**
+   * Checks count and names.
+   *
+   * @throws IllegalArgumentException for too many devices, and for two of one name
+   */
+  public CellEquipment {
+    devices = List.copyOf(devices);
+    rules = List.copyOf(rules);
+    if (devices.size() > CellDevices.MAX) {
+      throw new IllegalArgumentException(
+          "cell has " + devices.size() + " devices, must be at most " + CellDevices.MAX);
+    }
+    Set<String> names = new HashSet<>();
+    for (DeviceSetup device : devices) {
+      if (!names.add(device.name())) {
+        throw new IllegalArgumentException(
+            "name is " + Json.quoted(device.name()) + " again, must be another for each device");
+      }
+    }
+  }
+
+  /**
+   * With more devices.
+   *
+   * @throws IllegalArgumentException for two of one name, and too many
+   */
+  public CellEquipment and(List<DeviceSetup> more) {
+    return more.isEmpty()
+        ? this
+        : new CellEquipment(Stream.concat(devices.stream(), more.stream()).toList(), rules);
+  }
+}

@@ -1,0 +1,58 @@
+package org.pendant.controller.device;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.pendant.controller.device.gripper.Fingers;
+import org.pendant.controller.external.DeviceTalk;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+
+/** Device of the cell at work; the frame loop owns it. */
+interface CellDevice {
+  /** What it is called. */
+  String name();
+
+  /** What it is and where programs reach it, for people. */
+  String described();
+
+  /** The port of this controller at which programs reach it by a socket. */
+  default OptionalInt port() {
+    return OptionalInt.empty();
+  }
+
+  /** Begins to talk at a new connection to {@link #port}. */
+  default DeviceTalk connect() {
+    throw new IllegalStateException(name() + " has no port");
+  }
+
+  /** The port of this controller at which programs call its procedures. */
+  default OptionalInt procedurePort() {
+    return OptionalInt.empty();
+  }
+
+  /**
+   * Answers the call of a procedure; empty where it has none of this name.
+   *
+   * @throws ScriptError where it is called wrongly
+   */
+  default Optional<Value> call(String method, List<Value> arguments) throws ScriptError {
+    return Optional.empty();
+  }
+
+  /** Its fingers, where it has some. */
+  default Optional<Fingers> fingers() {
+    return Optional.empty();
+  }
+
+  /**
+   * Puts a part where it can hold it.
+   *
+   * @param widthM 0 for none
+   * @return whether it can hold one
+   */
+  boolean putPart(double widthM);
+
+  /** Moves it through one frame. */
+  void step();
+}

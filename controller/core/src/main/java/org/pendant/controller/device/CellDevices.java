@@ -1,0 +1,144 @@
+package org.pendant.controller.device;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.pendant.controller.device.gripper.Fingers;
+import org.pendant.controller.external.Connectors;
+import org.pendant.controller.external.DeviceSocket;
+import org.pendant.controller.external.ExternalSocket;
+import org.pendant.controller.external.RpcLink;
+import org.pendant.controller.io.Signals;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.models.json.Json;
+import org.pendant.models.pose.Pose;
+import org.pendant.script.value.ScriptError;
+
+/**
+ * Devices of the cell: what programs reach at the controller's own address, and what answers its
+ * outputs, in robot time. Runs with them repeat exactly. The frame loop owns them.
+ */
+public final class CellDevices {
+  /** Devices in a cell at most. */
+  public static final int MAX = 64;
+
+  private final List<CellDevice> devices = new ArrayList<>();
+  private final List<DeviceSocket> sockets = new ArrayList<>();
+  private final Signals signals;
+  private final Supplier<Pose> tcpInBase;
+  private final MessageLog log;
+
+  /**
+   * The devices of a cell, and a line in the log for each.
+   *
+   * @param tcpInBase where the tool centre point is
+   */
+  public CellDevices(
+      List<DeviceSetup> setups, Signals signals, Supplier<Pose> tcpInBase, MessageLog log) {
+    this.signals = signals;
+    this.tcpInBase = tcpInBase;
+    this.log = log;
+    setups.forEach(this::add);
+  }
+
+  /**
+   * Adds a device.
+   *
+   * @throws IllegalArgumentException if there are too many, or one has its name
+   */
+  public void add(DeviceSetup setup) {
+    if (devices.size() >= MAX) {
+      throw new IllegalArgumentException("a cell has at most " + MAX + " devices");
+    }
+    if (find(setup.name()).isPresent()) {
+      throw new IllegalArgumentException(
+          "there is a device " + Json.quoted(setup.name()) + " already");
+    }
+    CellDevice device =
+        switch (setup) {
+          case DeviceSetup.TwoFinger gripper -> new TwoFingerDevice(gripper, signals, log);
+          case DeviceSetup.RpcGripper gripper -> new RpcDevice(gripper, log);
+          case DeviceSetup.Driven driven -> new DrivenDevice(driven, signals.digital(), log);
+          case DeviceSetup.Vacuum vacuum -> new VacuumDevice(vacuum, signals.digital(), log);
+          case DeviceSetup.Sensor sensor -> new SensorDevice(sensor, tcpInBase, signals.digital());
+        };
+    devices.add(device);
+    log.info(device.name() + ": " + device.described());
+  }
+
+  /** The ways out with the devices before them: what is no device is reached as ever. */
+  public Connectors before(Connectors others) {
+    return new Connectors(
+        (host, port) -> open(host, port, others),
+        url -> openServer(url, others),
+        others.modbus(),
+        others.toolSerial());
+  }
+
+  private ExternalSocket open(String host, int port, Connectors others) throws ScriptError {
+    if (OwnAddress.isHost(host)) {
+      for (CellDevice device : devices) {
+        if (device.port().orElse(0) == port) {
+          DeviceSocket socket = new DeviceSocket(device.connect());
+          sockets.add(socket);
+          return socket;
+        }
+      }
+    }
+    return others.sockets().open(host, port);
+  }
+
+  private RpcLink openServer(String url, Connectors others) throws ScriptError {
+    int port = OwnAddress.portOf(url);
+    List<CellDevice> servers =
+        devices.stream().filter(each -> each.procedurePort().orElse(-1) == port).toList();
+    return servers.isEmpty() ? others.rpc().open(url) : new DeviceProcedures(servers);
+  }
+
+  /**
+   * Puts a part where a gripper can hold it.
+   *
+   * @param widthM 0 for none
+   * @throws IllegalArgumentException if there is no such gripper, or the part cannot be there
+   */
+  public void putPart(String gripper, double widthM) {
+    Optional<CellDevice> device = find(gripper);
+    double mostM = device.flatMap(CellDevice::fingers).map(Fingers::strokeM).orElse(1.0);
+    if (!(widthM >= 0 && widthM <= mostM)) {
+      throw new IllegalArgumentException("width is " + widthM + " m, must be 0 to " + mostM + " m");
+    }
+    if (device.isEmpty() || !device.get().putPart(widthM)) {
+      throw new IllegalArgumentException(
+          "gripper is " + Json.quoted(gripper) + ", must be a gripper of the cell" + names());
+    }
+  }
+
+  private String names() {
+    return devices.isEmpty()
+        ? "; there is none"
+        : devices.stream().map(CellDevice::name).collect(Collectors.joining(", ", ": ", ""));
+  }
+
+  private Optional<CellDevice> find(String name) {
+    return devices.stream().filter(each -> each.name().equals(name)).findFirst();
+  }
+
+  /** The fingers of a gripper; empty where there are none. */
+  public Optional<Fingers> fingers(String name) {
+    return find(name).flatMap(CellDevice::fingers);
+  }
+
+  /** Hears what programs have sent, answers, and moves everything through one frame. */
+  public void step() {
+    for (int i = sockets.size() - 1; i >= 0; i--) {
+      if (!sockets.get(i).step()) {
+        sockets.remove(i);
+      }
+    }
+    for (int i = 0; i < devices.size(); i++) {
+      devices.get(i).step();
+    }
+  }
+}

@@ -1,0 +1,53 @@
+package org.pendant.controller.device;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.external.Pending;
+import org.pendant.controller.external.RpcLink;
+import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+
+/** Device procedures: the link of a program to the devices that serve one port. */
+record DeviceProcedures(List<CellDevice> devices) implements RpcLink {
+  @Override
+  public Pending connect() {
+    return new Answered(NoneValue.NONE);
+  }
+
+  @Override
+  public Pending call(String method, List<Value> arguments) throws ScriptError {
+    for (CellDevice each : devices) {
+      Optional<Value> answer = each.call(method, arguments);
+      if (answer.isPresent()) {
+        return new Answered(answer.get());
+      }
+    }
+    throw new ScriptError(
+        "no-such-procedure",
+        "no such procedure of "
+            + String.join(", ", devices.stream().map(CellDevice::name).toList()));
+  }
+
+  @Override
+  public void disconnect() {}
+
+  @Override
+  public void close() {}
+
+  /** An answer that is there. */
+  private record Answered(Value result) implements Pending {
+    @Override
+    public boolean over() {
+      return true;
+    }
+
+    @Override
+    public boolean inRobotTime() {
+      return true;
+    }
+
+    @Override
+    public void cancel() {}
+  }
+}

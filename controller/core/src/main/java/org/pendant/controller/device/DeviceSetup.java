@@ -1,0 +1,132 @@
+package org.pendant.controller.device;
+
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.io.Signal;
+
+/** Setup of a device: what it is and how it begins. */
+public sealed interface DeviceSetup {
+  /** The kinds of devices that need nothing but their name. */
+  List<String> KINDS = List.of("two-finger", "two-finger-tool", "rg", "2fg");
+
+  /** The name that messages, rules and tests call it by. */
+  String name();
+
+  /** Whether it can hold a part. */
+  default boolean holdsParts() {
+    return true;
+  }
+
+  /** How wide a part may be that it holds, m. */
+  double strokeM();
+
+  /**
+   * A device of a kind as it is delivered, called by the kind.
+   *
+   * @param kind one of {@link #KINDS}
+   */
+  static Optional<DeviceSetup> of(String kind) {
+    return switch (kind) {
+      case "two-finger" -> Optional.of(new TwoFinger(kind, false, true, 0));
+      case "two-finger-tool" -> Optional.of(new TwoFinger(kind, true, false, 0));
+      case "rg", "2fg" -> Optional.of(new RpcGripper(kind, kind, 0));
+      default -> Optional.empty();
+    };
+  }
+
+  /**
+   * Adaptive two-finger gripper with an 85 mm stroke.
+   *
+   * @param atTool whether it is on the serial line of the tool; at the socket of its driver
+   *     otherwise
+   * @param activated whether it was activated before programs begin
+   * @param partM width of a part between its fingers, 0 for none
+   */
+  record TwoFinger(String name, boolean atTool, boolean activated, double partM)
+      implements DeviceSetup {
+    private static final double STROKE_M = 0.085;
+
+    @Override
+    public double strokeM() {
+      return STROKE_M;
+    }
+  }
+
+  /**
+   * Gripper that is worked by remote procedures.
+   *
+   * @param kind rg or 2fg
+   * @param partM width of a part between its fingers, 0 for none
+   */
+  record RpcGripper(String name, String kind, double partM) implements DeviceSetup {
+    private static final double RG_STROKE_M = 0.110;
+    private static final double TWO_FG_STROKE_M = 0.039;
+
+    @Override
+    public double strokeM() {
+      return kind.equals("rg") ? RG_STROKE_M : TWO_FG_STROKE_M;
+    }
+  }
+
+  /**
+   * Something that two outputs, or one, drive from end to end: a gripper with two fingers, or a
+   * door.
+   *
+   * @param kind gripper or door
+   * @param close the output that closes it
+   * @param open the output that opens it; without one it opens while {@code close} is low
+   * @param closed the input that tells that it is closed, where there is one
+   * @param opened the input that tells that it is open, where there is one
+   * @param gripped the input that tells that it holds something, where there is one
+   * @param strokeM how far it opens
+   * @param timeS how long it takes from end to end
+   * @param partM width of a part in it, 0 for none
+   */
+  record Driven(
+      String name,
+      String kind,
+      Signal close,
+      Optional<Signal> open,
+      Optional<Signal> closed,
+      Optional<Signal> opened,
+      Optional<Signal> gripped,
+      double strokeM,
+      double timeS,
+      double partM)
+      implements DeviceSetup {}
+
+  /**
+   * Vacuum gripper.
+   *
+   * @param suck the output that sucks
+   * @param holds the input that tells that it holds something, where there is one
+   * @param timeS how long the vacuum takes to build up and to go
+   * @param part whether there is a part to hold
+   */
+  record Vacuum(String name, Signal suck, Optional<Signal> holds, double timeS, boolean part)
+      implements DeviceSetup {
+    @Override
+    public double strokeM() {
+      return 1;
+    }
+  }
+
+  /**
+   * Sensor that sees the tool centre point.
+   *
+   * @param signal the input that tells
+   * @param zone where it sees something
+   * @param inverted whether the input is high while it sees nothing
+   */
+  record Sensor(String name, Signal signal, Zone zone, boolean inverted) implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+}

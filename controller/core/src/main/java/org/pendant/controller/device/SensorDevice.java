@@ -1,0 +1,40 @@
+package org.pendant.controller.device;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.pendant.controller.io.DigitalIo;
+import org.pendant.models.pose.Pose;
+
+/** Sensor device: tells by an input whether it sees the tool centre point. */
+final class SensorDevice implements CellDevice {
+  private final DeviceSetup.Sensor setup;
+  private final Supplier<Pose> tcpInBase;
+  private final SensorLine line;
+
+  SensorDevice(DeviceSetup.Sensor setup, Supplier<Pose> tcpInBase, DigitalIo io) {
+    this.setup = setup;
+    this.tcpInBase = tcpInBase;
+    line = new SensorLine(io, Optional.of(setup.signal()));
+  }
+
+  @Override
+  public String name() {
+    return setup.name();
+  }
+
+  @Override
+  public String described() {
+    return "sensor at " + setup.signal();
+  }
+
+  @Override
+  public boolean putPart(double widthM) {
+    return false;
+  }
+
+  @Override
+  public void step() {
+    Pose tcp = tcpInBase.get();
+    line.tell(setup.zone().holds(tcp.x(), tcp.y(), tcp.z()) != setup.inverted());
+  }
+}

@@ -1,0 +1,98 @@
+package org.pendant.controller.device;
+
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.pendant.controller.device.gripper.AdaptiveGripper;
+import org.pendant.controller.device.gripper.Fingers;
+import org.pendant.controller.device.gripper.GripperLines;
+import org.pendant.controller.device.gripper.PartBetween;
+import org.pendant.controller.device.gripper.RtuLine;
+import org.pendant.controller.external.DeviceTalk;
+import org.pendant.controller.external.ToolCommunication;
+import org.pendant.controller.io.Signals;
+import org.pendant.controller.message.MessageLog;
+
+/** Two-finger device: an adaptive gripper at the socket of its driver, or on the tool's line. */
+final class TwoFingerDevice implements CellDevice {
+  private static final int BAUD = 115_200;
+
+  private final String name;
+  private final boolean atTool;
+  private final Signals signals;
+  private final MessageLog log;
+  private final AdaptiveGripper gripper;
+  private final GripperLines.Station station = new GripperLines.Station();
+
+  TwoFingerDevice(DeviceSetup.TwoFinger setup, Signals signals, MessageLog log) {
+    name = setup.name();
+    atTool = setup.atTool();
+    this.signals = signals;
+    this.log = log;
+    gripper = new AdaptiveGripper(setup.activated(), text -> log.info(name + ": " + text));
+    gripper.fingers().put(PartBetween.of(setup.partM()));
+  }
+
+  @Override
+  public String name() {
+    return name;
+  }
+
+  @Override
+  public String described() {
+    return "two-finger gripper "
+        + (atTool
+            ? "by Modbus RTU on the tool's line, 127.0.0.1:" + RtuLine.PORT
+            : "at 127.0.0.1:" + GripperLines.PORT)
+        + (gripper.active() ? ", activated" : ", not activated");
+  }
+
+  @Override
+  public OptionalInt port() {
+    return OptionalInt.of(atTool ? RtuLine.PORT : GripperLines.PORT);
+  }
+
+  @Override
+  public DeviceTalk connect() {
+    return atTool
+        ? new RtuLine(gripper, this::lineIsOn)
+        : new GripperLines(gripper, station, text -> log.warnOnce(name + ": " + text));
+  }
+
+  private boolean lineIsOn() {
+    ToolCommunication line = signals.tool().communication();
+    if (!line.enabled()) {
+      log.warnOnce(
+          name + ": the tool's line is off; set_tool_communication(True, ...) turns it on");
+      return false;
+    }
+    if (line.baudRate() != BAUD || line.parity() != ToolCommunication.Parity.NONE) {
+      log.warnOnce(
+          name
+              + ": the tool's line has "
+              + line.baudRate()
+              + " baud and parity "
+              + line.parity().number()
+              + ", must have "
+              + BAUD
+              + " and 0");
+      return false;
+    }
+    return true;
+  }
+
+  @Override
+  public Optional<Fingers> fingers() {
+    return Optional.of(gripper.fingers());
+  }
+
+  @Override
+  public boolean putPart(double widthM) {
+    gripper.fingers().put(PartBetween.of(widthM));
+    return true;
+  }
+
+  @Override
+  public void step() {
+    gripper.step();
+  }
+}

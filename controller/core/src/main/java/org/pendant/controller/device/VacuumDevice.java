@@ -1,0 +1,59 @@
+package org.pendant.controller.device;
+
+import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.models.time.FrameTime;
+
+/** Vacuum device: a gripper that sucks. It holds a part when its vacuum has built up. */
+final class VacuumDevice implements CellDevice {
+  private final DeviceSetup.Vacuum setup;
+  private final DigitalIo io;
+  private final MessageLog log;
+  private final SensorLine holds;
+  private final long fullFrames;
+  private long frames;
+  private boolean part;
+  private boolean held;
+
+  VacuumDevice(DeviceSetup.Vacuum setup, DigitalIo io, MessageLog log) {
+    this.setup = setup;
+    this.io = io;
+    this.log = log;
+    holds = new SensorLine(io, setup.holds());
+    fullFrames = FrameTime.framesFor(setup.timeS());
+    part = setup.part();
+  }
+
+  @Override
+  public String name() {
+    return setup.name();
+  }
+
+  @Override
+  public String described() {
+    return "vacuum gripper that " + setup.suck() + " works";
+  }
+
+  @Override
+  public boolean putPart(double widthM) {
+    part = widthM > 0;
+    return true;
+  }
+
+  @Override
+  public void step() {
+    boolean sucks = io.level(setup.suck().bank(), setup.suck().index());
+    if (part && sucks) {
+      frames = Math.min(frames + 1, fullFrames);
+    } else {
+      // without a part there is no vacuum; a part that is let go comes off as the vacuum goes
+      frames = part ? Math.max(frames - 1, 0) : 0;
+    }
+    boolean now = part && (held ? frames > 0 : sucks && frames >= fullFrames);
+    if (now != held) {
+      held = now;
+      log.info(setup.name() + (held ? ": part held" : ": part let go"));
+    }
+    holds.tell(held);
+  }
+}

@@ -1,0 +1,98 @@
+package org.pendant.controller.rule;
+
+import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.rule.RuleSetup.Action;
+import org.pendant.controller.rule.RuleSetup.Trigger;
+import org.pendant.models.time.FrameTime;
+
+/** A rule at work. */
+final class Rule {
+  /** Changes that wait for their time; of more at once the later ones are lost. */
+  private static final int MAX_WAITING = 64;
+
+  private final RuleSetup setup;
+  private final long afterFrames;
+  private final long forFrames;
+  private final long[] due = new long[MAX_WAITING];
+  private final boolean[] forth = new boolean[MAX_WAITING];
+  private int waiting;
+  private boolean held;
+  private boolean begun;
+  private long next;
+
+  Rule(RuleSetup setup) {
+    this.setup = setup;
+    afterFrames = frames(setup.afterS());
+    forFrames = frames(setup.forS());
+  }
+
+  private static long frames(double timeS) {
+    return timeS > 0 ? FrameTime.framesFor(timeS) : 0;
+  }
+
+  void step(DigitalIo io, Rules.Parts parts, long frame) {
+    switch (setup.trigger()) {
+      case Trigger.When when -> {
+        boolean holds = when.condition().holds(io);
+        if (begun && holds && !held) {
+          begin(frame);
+        }
+        held = holds;
+      }
+      case Trigger.While during -> {
+        boolean holds = during.condition().holds(io);
+        if (!begun || holds != held) {
+          // what has not happened yet is not to happen any more: it was too short
+          waiting = 0;
+          plan(frame + (holds ? afterFrames : 0), holds);
+        }
+        held = holds;
+      }
+      case Trigger.Every every -> {
+        if (frame >= next) {
+          next = frame + FrameTime.framesFor(every.periodS());
+          begin(frame);
+        }
+      }
+    }
+    begun = true;
+    carryOut(io, parts, frame);
+  }
+
+  private void begin(long frame) {
+    plan(frame + afterFrames, true);
+    if (forFrames > 0) {
+      plan(frame + afterFrames + forFrames, false);
+    }
+  }
+
+  private void plan(long at, boolean wanted) {
+    if (waiting < MAX_WAITING) {
+      due[waiting] = at;
+      forth[waiting] = wanted;
+      waiting++;
+    }
+  }
+
+  private void carryOut(DigitalIo io, Rules.Parts parts, long frame) {
+    int kept = 0;
+    for (int i = 0; i < waiting; i++) {
+      if (due[i] <= frame) {
+        act(io, parts, forth[i]);
+      } else {
+        due[kept] = due[i];
+        forth[kept] = forth[i];
+        kept++;
+      }
+    }
+    waiting = kept;
+  }
+
+  private void act(DigitalIo io, Rules.Parts parts, boolean wanted) {
+    switch (setup.action()) {
+      case Action.SetInput set ->
+          io.set(set.input().bank(), set.input().index(), set.level() == wanted);
+      case Action.PutPart put -> parts.put(put.gripper(), wanted ? put.widthM() : 0);
+    }
+  }
+}

@@ -1,0 +1,102 @@
+package org.pendant.controller.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.pendant.controller.io.SignalFields;
+import org.pendant.controller.rule.RuleSetup.Action;
+import org.pendant.controller.rule.RuleSetup.Trigger;
+import org.pendant.language.check.Nearest;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.Range;
+
+/** Rule reader: reads the rules of a cell; docs/devices.md describes them. */
+public final class RuleReader {
+  /** Rules of a cell at most. */
+  public static final int MAX_RULES = 256;
+
+  private final Map<String, Double> grippers;
+
+  private RuleReader(Map<String, Double> grippers) {
+    this.grippers = grippers;
+  }
+
+  /**
+   * Reads the section {@code rules}.
+   *
+   * @param grippers how far each gripper opens, m, by its name
+   * @throws JsonException for the first thing that is wrong, with its place
+   */
+  public static List<RuleSetup> read(JsonFields scene, Map<String, Double> grippers)
+      throws JsonException {
+    RuleReader reader = new RuleReader(grippers);
+    List<RuleSetup> rules = new ArrayList<>();
+    for (Json each : scene.array("rules", MAX_RULES)) {
+      rules.add(reader.rule(new JsonFields(each, "a rule")));
+    }
+    return rules;
+  }
+
+  private RuleSetup rule(JsonFields fields) throws JsonException {
+    fields.allow(
+        Nearest::among, "when", "while", "every", "after", "for", "set", "to", "part", "width");
+    Trigger trigger = trigger(fields);
+    double forS = fields.number("for", RuleSetup.TIME, 0);
+    if (forS > 0 && trigger instanceof Trigger.While) {
+      throw fields
+          .required("for")
+          .place()
+          .refusal("for is there with while, must be left out: it lasts as long as that");
+    }
+    return new RuleSetup(trigger, fields.number("after", RuleSetup.TIME, 0), action(fields), forS);
+  }
+
+  private static Trigger trigger(JsonFields fields) throws JsonException {
+    one(fields, "when", "while", "every");
+    if (fields.optional("every").isPresent()) {
+      return new Trigger.Every(fields.number("every", RuleSetup.PERIOD));
+    }
+    return fields.optional("when").isPresent()
+        ? new Trigger.When(condition(fields, "when"))
+        : new Trigger.While(condition(fields, "while"));
+  }
+
+  private static void one(JsonFields fields, String... keys) throws JsonException {
+    long there = List.of(keys).stream().filter(each -> fields.optional(each).isPresent()).count();
+    if (there != 1) {
+      throw fields
+          .place()
+          .refusal("a rule has " + there + " of " + String.join(", ", keys) + ", must have one");
+    }
+  }
+
+  private static SignalCondition condition(JsonFields fields, String key) throws JsonException {
+    Json.Text text = fields.text(key);
+    try {
+      return SignalCondition.of(text.value());
+    } catch (IllegalArgumentException e) {
+      throw text.place().refusal(key + ": " + e.getMessage());
+    }
+  }
+
+  private Action action(JsonFields fields) throws JsonException {
+    one(fields, "set", "part");
+    if (fields.optional("set").isPresent()) {
+      return new Action.SetInput(
+          SignalFields.input(fields, "set"), fields.optional("to").isEmpty() || fields.flag("to"));
+    }
+    Json.Text name = fields.text("part");
+    Double strokeM = grippers.get(name.value());
+    if (strokeM == null) {
+      throw name.place()
+          .refusal(
+              "part is "
+                  + name.described()
+                  + ", must be the name of a gripper"
+                  + (grippers.isEmpty() ? "" : ": " + String.join(", ", grippers.keySet())));
+    }
+    return new Action.PutPart(name.value(), fields.number("width", new Range(0, strokeM, "m")));
+  }
+}

@@ -1,0 +1,81 @@
+package org.pendant.controller.box;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.pendant.controller.device.DeviceSetup;
+import org.pendant.models.json.JsonException;
+
+class EquipmentReaderTest {
+  private static CellEquipment read(String text) throws JsonException {
+    return EquipmentReader.read(
+        "cell.json", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+  }
+
+  @Test
+  void devicesNeedOnlyTheirType() throws Exception {
+    assertEquals(
+        List.of(DeviceSetup.of("two-finger").orElseThrow()),
+        read("{\"devices\": [{\"type\": \"two-finger\"}]}").devices());
+  }
+
+  @Test
+  void everythingOfADeviceIsRead() throws Exception {
+    assertEquals(
+        List.of(new DeviceSetup.TwoFinger("left", false, false, 0.03)),
+        read("{\"devices\": [{\"type\": \"two-finger\", \"name\": \"left\","
+                + " \"activated\": false, \"part\": 0.03}]}")
+            .devices());
+  }
+
+  @Test
+  void theFileOfTheDocumentationIsRead() throws Exception {
+    String page = Files.readString(Path.of("../../docs/devices.md"));
+    int start = page.indexOf("```json\n") + "```json\n".length();
+    CellEquipment cell = read(page.substring(start, page.indexOf("```", start)));
+    assertEquals(3, cell.devices().size());
+    assertEquals(4, cell.rules().size());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "{'devices': [{'type': 'two-fingers'}]} | 1:23: type is \"two-fingers\", must be",
+        "{'devices': [{'type': 'two-finger', 'pat': 1}]} | 1:37: unknown key \"pat\", did you mean"
+            + " part?",
+        "{'devices': [{'type': 'two-finger', 'part': 30}]} | 1:45: part is 30 m, must be 0 to"
+            + " 0.085 m",
+        "{'devices': [{'type': 'two-finger', 'activated': 1}]} | 1:50: activated is 1, must be"
+            + " true or false",
+        "{'devices': [{'type': 'two-finger'}, {'type': 'two-finger'}]} | 1:47: name is"
+            + " \"two-finger\" as in line 1, must be another for each device",
+        "{'devices': [{'type': 'gripper', 'close': 'digital_out[8]'}]} | 1:43: close is"
+            + " \"digital_out[8]\", must be a signal, such as digital_out[0]",
+        "{'devices': [{'type': 'proximity', 'signal': 'digital_out[0]', 'at': [0,0,0], 'range':"
+            + " 1}]} | 1:46: signal is \"digital_out[0]\", must be an input",
+        "{'rules': [{'when': 'digital_out[2] jumps', 'set': 'digital_in[3]'}]} | 1:21: when: is"
+            + " \"digital_out[2] jumps\", must be signals with rises, falls, is on or is off",
+        "{'rules': [{'set': 'digital_in[3]'}]} | 1:12: a rule has 0 of when, while, every, must"
+            + " have one",
+        "{'rules': [{'every': 0, 'set': 'digital_in[3]'}]} | 1:22: every is 0 s, must be 0.01 to"
+            + " 3600 s",
+        "{'rules': [{'every': 1, 'part': 'left', 'width': 0}]} | 1:33: part is \"left\", must be"
+            + " the name of a gripper",
+      })
+  void whatIsWrongIsRefusedWithItsPlace(String text, String message) {
+    JsonException refused = assertThrows(JsonException.class, () -> read(text.replace('\'', '"')));
+    assertEquals(
+        "cell.json:" + message,
+        refused.getMessage().substring(0, ("cell.json:" + message).length()));
+  }
+}
