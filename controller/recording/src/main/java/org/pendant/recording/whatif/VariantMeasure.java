@@ -13,6 +13,7 @@ final class VariantMeasure {
 
   private final FrameMargins margins;
   private final TcpWay.Builder way = new TcpWay.Builder(MAX_POINTS);
+  private final JointTrack.Builder track;
   private final Rounds rounds = new Rounds();
   private final ControllerState moment;
   private ControllerState newest;
@@ -24,6 +25,8 @@ final class VariantMeasure {
     newest = moment;
     margins = new FrameMargins(moment.arm(), safety);
     way.add(moment.arm().actualTcpInBase());
+    track = new JointTrack.Builder(moment.frame(), MAX_POINTS);
+    track.add(moment.frame(), moment.arm().actualPositionRad());
   }
 
   /** A frame has ended; one that a debugger holds counts when it is done. */
@@ -37,6 +40,7 @@ final class VariantMeasure {
     jointSpeed = higher(jointSpeed, Margin.JOINT_SPEED, state);
     rounds.see(state.program().line(), state.frame());
     way.add(state.arm().actualTcpInBase());
+    track.add(state.frame(), state.arm().actualPositionRad());
   }
 
   private Optional<Peak> higher(Optional<Peak> peak, Margin margin, ControllerState state) {
@@ -71,5 +75,9 @@ final class VariantMeasure {
 
   TcpWay way() {
     return way.way();
+  }
+
+  JointTrack track() {
+    return track.track();
   }
 }

@@ -17,6 +17,7 @@ import java.util.OptionalDouble;
  * @param jointSpeed the highest speed of a joint, as a share of what that can do
  * @param energyJ what the arm took from its supply, J
  * @param way of the tool centre point
+ * @param track of the joints, by the frames of the run that it is a variant of
  */
 public record VariantOutcome(
     Variant variant,
@@ -28,7 +29,8 @@ public record VariantOutcome(
     Optional<Peak> torque,
     Optional<Peak> jointSpeed,
     double energyJ,
-    TcpWay way) {
+    TcpWay way,
+    JointTrack track) {
 
   /** How a variant ended. */
   public enum End {

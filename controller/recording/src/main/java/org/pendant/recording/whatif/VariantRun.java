@@ -316,6 +316,7 @@ public final class VariantRun {
         measure.torque(),
         measure.jointSpeed(),
         measure.energyJ(),
-        measure.way());
+        measure.way(),
+        measure.track());
   }
 }

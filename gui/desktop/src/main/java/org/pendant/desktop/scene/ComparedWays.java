@@ -2,24 +2,34 @@ package org.pendant.desktop.scene;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.pendant.desktop.scene.mesh.Lines;
+import org.pendant.models.arm.Joints;
 import org.pendant.recording.whatif.TcpWay;
 
 /**
- * Compared ways: the ways of the tool in several variants of a run, each in a colour of its own.
+ * Compared ways: the ways of the tool in several variants of a run, and where the arm would be in
+ * each at the moment that people look at, each in a colour of its own.
  *
  * @param ways in the order of their names
+ * @param ghosts in the same order
  */
-public record ComparedWays(List<Way> ways) {
+public record ComparedWays(List<Way> ways, List<Ghost> ghosts) {
   /** None. */
-  public static final ComparedWays NONE = new ComparedWays(List.of());
+  public static final ComparedWays NONE = new ComparedWays(List.of(), List.of());
 
   /** How well those are seen that are not chosen while another one is. */
   private static final double BEHIND = 0.35;
 
-  /** Copies the list. */
+  private static final double GHOST = 0.38;
+  private static final double GHOST_CHOSEN = 0.6;
+  private static final double GHOST_BEHIND = 0.18;
+
+  /** Copies the lists. */
   public ComparedWays {
     ways = List.copyOf(ways);
+    ghosts = List.copyOf(ghosts);
   }
 
   /**
@@ -30,6 +40,49 @@ public record ComparedWays(List<Way> ways) {
    * @param chosen whether people look at this one
    */
   public record Way(String name, int rgb, boolean chosen, TcpWay points) {}
+
+  /**
+   * Where the arm of a variant is.
+   *
+   * @param name for people
+   * @param rgb its colour, 0xRRGGBB
+   * @param chosen whether people look at this one
+   * @param positionRad of its joints
+   */
+  public record Ghost(String name, int rgb, boolean chosen, Joints positionRad) {}
+
+  /**
+   * What stands in the legend.
+   *
+   * @param name for people
+   * @param rgb its colour, 0xRRGGBB
+   * @param chosen whether people look at this one
+   */
+  public record Entry(String name, int rgb, boolean chosen) {}
+
+  /** Each variant that is to be seen, once. */
+  public List<Entry> legend() {
+    return Stream.concat(
+            ways.stream().map(way -> new Entry(way.name(), way.rgb(), way.chosen())),
+            ghosts.stream().map(each -> new Entry(each.name(), each.rgb(), each.chosen())))
+        .distinct()
+        .toList();
+  }
+
+  /** The ghosts in the order in which they are drawn: what is nearer to an eye above the rest. */
+  public List<Ghost> drawnGhosts(ToDoubleFunction<Joints> distance) {
+    return ghosts.stream()
+        .sorted(
+            Comparator.comparing(Ghost::chosen)
+                .thenComparingDouble(each -> -distance.applyAsDouble(each.positionRad())))
+        .toList();
+  }
+
+  /** How well a ghost is seen, 0 to 1. */
+  public double opacity(Ghost ghost) {
+    boolean anyChosen = ghosts.stream().anyMatch(Ghost::chosen);
+    return ghost.chosen() ? GHOST_CHOSEN : anyChosen ? GHOST_BEHIND : GHOST;
+  }
 
   /** Whether people look at one of them. */
   public boolean anyChosen() {

@@ -3,7 +3,6 @@ package org.pendant.desktop.whatif;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -22,6 +21,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import org.pendant.controller.Robot;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.workbench.View;
@@ -30,7 +30,6 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.replay.RerunRefused;
-import org.pendant.recording.whatif.TcpWay;
 import org.pendant.recording.whatif.Variant;
 import org.pendant.recording.whatif.VariantLimits;
 import org.pendant.recording.whatif.VariantRun;
@@ -45,6 +44,7 @@ public final class WhatIfView implements View {
   public static final String ID = "whatif";
 
   private static final String WAYS = "whatif.ways";
+  private static final String GHOSTS = "whatif.ghosts";
   private static final int MAX_S = 600;
   private static final int FIELD_COLUMNS = 4;
 
@@ -65,8 +65,11 @@ public final class WhatIfView implements View {
       button("clear", "Clear", "Forgets what came of them", "Clear the results");
   private final JCheckBox ways = new JCheckBox("Ways in 3D");
   private final JTextField most = new JTextField(Integer.toString(MAX_S), FIELD_COLUMNS);
-  private ComparedWays shown = ComparedWays.NONE;
+  private final JCheckBox ghosts = new JCheckBox("Ghosts in 3D");
+  private final BooleanSupplier ofFile;
+  private VariantSights sights = new VariantSights(List.of(), List.of(), -1, row -> 0);
   private String ranOn = "";
+  private Optional<Robot> ranBy = Optional.empty();
 
   /** Compiles the program as it is edited now. */
   @FunctionalInterface
@@ -88,6 +91,7 @@ public final class WhatIfView implements View {
       Edited edited) {
     this.workbench = workbench;
     this.past = past;
+    this.ofFile = ofFile;
     presenter =
         new WhatIfPresenter(
             new SessionSource(workbench, edited),
@@ -170,7 +174,11 @@ public final class WhatIfView implements View {
     clear.addActionListener(event -> presenter.clear());
     ways.setName("whatif-ways");
     ways.setToolTipText("Shows in 3D where the tool went in each variant");
-    ways.addActionListener(event -> setWays(ways.isSelected()));
+    ways.addActionListener(event -> set(WAYS, ways.isSelected()));
+    ghosts.setName("whatif-ghosts");
+    ghosts.setToolTipText(
+        "While people look back, shows in 3D where the arm is in each variant at that time");
+    ghosts.addActionListener(event -> set(GHOSTS, ghosts.isSelected()));
     from.setName("whatif-from");
     most.setName("whatif-most");
     most.setToolTipText("A program that still runs after so many seconds is ended there");
@@ -186,6 +194,7 @@ public final class WhatIfView implements View {
     bar.add(remove);
     bar.add(clear);
     bar.add(ways);
+    bar.add(ghosts);
     bar.add(from);
     return bar;
   }
@@ -265,16 +274,19 @@ public final class WhatIfView implements View {
             () -> !presenter.running(),
             presenter::clear));
     actions.add(
-        Action.of(WAYS, "What if: ways in 3D", "", () -> setWays(!waysShown()))
-            .checked(this::waysShown));
+        Action.of(WAYS, "What if: ways in 3D", "", () -> set(WAYS, !on(WAYS)))
+            .checked(() -> on(WAYS)));
+    actions.add(
+        Action.of(GHOSTS, "What if: ghosts in 3D", "", () -> set(GHOSTS, !on(GHOSTS)))
+            .checked(() -> on(GHOSTS)));
   }
 
-  private boolean waysShown() {
-    return workbench.settings().get(WAYS).map(Boolean::parseBoolean).orElse(true);
+  private boolean on(String setting) {
+    return workbench.settings().get(setting).map(Boolean::parseBoolean).orElse(true);
   }
 
-  private void setWays(boolean on) {
-    workbench.settings().put(WAYS, Boolean.toString(on));
+  private void set(String setting, boolean on) {
+    workbench.settings().put(setting, Boolean.toString(on));
     show();
   }
 
@@ -288,6 +300,7 @@ public final class WhatIfView implements View {
     }
     if (whyNot().isEmpty()) {
       ranOn = workbench.session().options().robotId();
+      ranBy = Optional.of(workbench.session().robot());
       presenter.setMost(Duration.ofMillis(Math.round(1000 * mostS().orElseThrow())));
       presenter.run();
     }
@@ -321,7 +334,8 @@ public final class WhatIfView implements View {
     clear.setEnabled(
         !presenter.running()
             && presenter.results().stream().anyMatch(each -> each.finished().isPresent()));
-    ways.setSelected(waysShown());
+    ways.setSelected(on(WAYS));
+    ghosts.setSelected(on(GHOSTS));
     WhatIfPresenter.Start start = presenter.start();
     run.setText(start.words());
     run.getAccessibleContext().setAccessibleName(start.words());
@@ -335,27 +349,31 @@ public final class WhatIfView implements View {
     collect();
   }
 
-  /** The ways in the colours that the theme has now. */
+  /** What is to be seen, in the colours that the theme has now. */
   private void collect() {
-    List<ComparedWays.Way> found = new ArrayList<>();
-    List<VariantResult> results = presenter.results();
-    for (int i = 0; waysShown() && i < results.size(); i++) {
-      TcpWay way = results.get(i).finished().map(each -> each.way()).orElse(TcpWay.NONE);
-      if (way.size() > 1) {
-        found.add(
-            new ComparedWays.Way(
-                presenter.rows().get(i).name(),
-                Palette.series(i).getRGB() & 0xFFFFFF,
-                i == table.getSelectedRow(),
-                way));
-      }
-    }
-    shown = new ComparedWays(found);
+    sights =
+        new VariantSights(
+            presenter.rows(),
+            presenter.results(),
+            table.getSelectedRow(),
+            row -> Palette.series(row).getRGB() & 0xFFFFFF);
   }
 
-  /** Where the tool went in each variant, as far as people want to see that in 3D. */
+  /**
+   * Where the tool went in each variant, and where the arm is in each at the moment that people
+   * look at, as far as people want to see that in 3D.
+   */
   public ComparedWays ways() {
-    return workbench.session().options().robotId().equals(ranOn) ? shown : ComparedWays.NONE;
+    if (!workbench.session().options().robotId().equals(ranOn)) {
+      return ComparedWays.NONE;
+    }
+    OptionalLong frame =
+        on(GHOSTS)
+                && !ofFile.getAsBoolean()
+                && ranBy.equals(Optional.of(workbench.session().robot()))
+            ? past.get().map(at -> OptionalLong.of(at.frame())).orElse(OptionalLong.empty())
+            : OptionalLong.empty();
+    return new ComparedWays(on(WAYS) ? sights.ways() : List.of(), sights.ghosts(frame));
   }
 
   @Override

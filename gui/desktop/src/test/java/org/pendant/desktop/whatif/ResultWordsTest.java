@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.pendant.desktop.whatif.ResultWords.Figure;
+import org.pendant.recording.whatif.JointTrack;
 import org.pendant.recording.whatif.Peak;
 import org.pendant.recording.whatif.TcpWay;
 import org.pendant.recording.whatif.Variant;
@@ -27,7 +28,8 @@ final class ResultWordsTest {
         Optional.of(new Peak(torque, "elbow", 4, 1.5)),
         Optional.of(new Peak(0.25, "base", 3, 0.5)),
         energyJ,
-        TcpWay.NONE);
+        TcpWay.NONE,
+        JointTrack.NONE);
   }
 
   private static final VariantOutcome FIRST = outcome(VariantOutcome.End.FINISHED, 4, 0.4, 200);
@@ -95,7 +97,8 @@ final class ResultWordsTest {
             Optional.empty(),
             Optional.empty(),
             24_000,
-            TcpWay.NONE);
+            TcpWay.NONE,
+            JointTrack.NONE);
     assertEquals("80 J/round", ResultWords.figure(Figure.ENERGY, loop, Optional.empty()));
     assertEquals("2.000 s/round", ResultWords.figure(Figure.CYCLE, loop, Optional.empty()));
     assertEquals("\u2013", ResultWords.figure(Figure.TORQUE, loop, Optional.empty()));

@@ -114,7 +114,7 @@ final class LinePainter implements AutoCloseable {
   }
 
   private void loadCompared(ComparedWays wanted) {
-    if (wanted.equals(comparedNow)) {
+    if (wanted.ways().equals(comparedNow.ways())) {
       return;
     }
     comparedNow = wanted;

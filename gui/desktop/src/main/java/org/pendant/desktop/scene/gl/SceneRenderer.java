@@ -12,6 +12,7 @@ import org.joml.Vector3f;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.Ball;
 import org.pendant.desktop.scene.Camera;
+import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.LinkPlaces;
 import org.pendant.desktop.scene.SceneModel;
@@ -33,6 +34,7 @@ final class SceneRenderer implements AutoCloseable {
   private static final Vector3f TO_SUN = new Vector3f(0.42f, -0.62f, 1.05f).normalize();
   private static final Vector3f NO_TINT = new Vector3f();
   private static final int GHOST_RGB = 0x3B82D9;
+  private static final float GHOST_OPACITY = 0.38f;
 
   /** How far beyond the arm's reach there are shadows. */
   private static final float LIT_SHARE = 1.25f;
@@ -104,7 +106,7 @@ final class SceneRenderer implements AutoCloseable {
     drawSheets(sight, sheets.stream().filter(Sheets.Sheet::behind).toList());
     lines.draw(model, sight.ground, camera, toClip, target.drawnWidth(), target.drawnHeight());
     drawHiddenFrames(sight);
-    drawGhost(sight);
+    drawGhosts(sight);
     drawSheets(sight, sheets.stream().filter(sheet -> !sheet.behind()).toList());
     target.read(pixels);
   }
@@ -275,17 +277,31 @@ final class SceneRenderer implements AutoCloseable {
     return Math.abs(direction.z) < 0.7f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
   }
 
-  /** Its depths first, so that no far side shines through the near one. */
-  private void drawGhost(Sight sight) {
+  /** Those of variants, and above them where the arm shall go. */
+  private void drawGhosts(Sight sight) {
     SceneModel model = sight.model;
-    if (model.ghostRad().isEmpty()) {
-      return;
+    Vector3 eye = sight.camera.eyeM();
+    ComparedWays compared = model.compared();
+    for (ComparedWays.Ghost each :
+        compared.drawnGhosts(
+            rad -> distanceM(eye, model.kinematics().tcpPose(rad, model.tcpInFlange())))) {
+      drawGhost(sight, each.positionRad(), each.rgb(), (float) compared.opacity(each));
     }
+    model.ghostRad().ifPresent(rad -> drawGhost(sight, rad, GHOST_RGB, GHOST_OPACITY));
+  }
+
+  private static double distanceM(Vector3 eye, Pose pose) {
+    return Math.hypot(Math.hypot(eye.x() - pose.x(), eye.y() - pose.y()), eye.z() - pose.z());
+  }
+
+  /** Its depths first, so that no far side shines through the near one. */
+  private void drawGhost(Sight sight, Joints positionRad, int rgb, float opacity) {
+    SceneModel model = sight.model;
     ShaderProgram solid = useSolid(sight);
     glDisable(GL_BLEND);
-    place(solid, new LinkPlaces(model.kinematics(), model.arm().dh(), model.ghostRad().get()));
-    solid.set("tint", Paints.linear(GHOST_RGB), 0.7f);
-    solid.set("opacity", 0.38f);
+    place(solid, new LinkPlaces(model.kinematics(), model.arm().dh(), positionRad));
+    solid.set("tint", Paints.linear(rgb), 0.7f);
+    solid.set("opacity", opacity);
     // Where both arms are in one place, the real one is in front.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1, 16);

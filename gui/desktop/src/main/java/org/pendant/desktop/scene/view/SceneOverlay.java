@@ -98,7 +98,7 @@ final class SceneOverlay {
     }
     plate(box.get().getX(), box.get().getY(), box.get().getWidth(), box.get().getHeight());
     double base = box.get().getY() + em / 4.0 + metrics.getAscent();
-    for (ComparedWays.Way each : model.compared().ways()) {
+    for (ComparedWays.Entry each : model.compared().legend()) {
       double high = each.chosen() ? em / 2.0 : em / 4.0;
       double middle = base - metrics.getAscent() / 2.5;
       graphics.setColor(new Color(each.rgb()));
@@ -112,14 +112,15 @@ final class SceneOverlay {
 
   /** Above the legend of the trace. */
   private Optional<Rectangle2D> comparedBox(SceneModel model) {
-    List<ComparedWays.Way> ways = model.compared().ways();
-    if (ways.isEmpty() || width < MIN_WIDTH_FOR_LEGEND) {
+    List<ComparedWays.Entry> entries = model.compared().legend();
+    if (entries.isEmpty() || width < MIN_WIDTH_FOR_LEGEND) {
       return Optional.empty();
     }
     double bottom = legendBox(model).map(Rectangle2D::getY).orElse((double) height);
     double wide =
-        3 * em + ways.stream().mapToInt(way -> metrics.stringWidth(way.name())).max().orElse(0);
-    double high = ways.size() * metrics.getHeight() + em / 2.0;
+        3 * em
+            + entries.stream().mapToInt(each -> metrics.stringWidth(each.name())).max().orElse(0);
+    double high = entries.size() * metrics.getHeight() + em / 2.0;
     return Optional.of(new Rectangle2D.Double(em / 2.0, bottom - em / 2.0 - high, wide, high));
   }
 
