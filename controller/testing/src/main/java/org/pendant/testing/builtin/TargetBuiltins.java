@@ -37,7 +37,7 @@ public final class TargetBuiltins {
   private static final long LINE_FRAMES = 500;
 
   /** Frames for which variables are waited for that the target tells ten times a second. */
-  private static final long VARIABLE_FRAMES = 1_000;
+  private static final long VARIABLE_FRAMES = 500;
 
   private static final int LOW_BITS = 32;
   private static final int SINGLE_BITS = 64;
@@ -280,23 +280,24 @@ public final class TargetBuiltins {
     long last = call.frame() + VARIABLE_FRAMES;
     Wait wait =
         frame -> {
-          if (view.variablesSince(begun)) {
-            Value value = view.variables().values().get(name);
-            if (value == null) {
-              throw new ScriptError(
+          boolean told = view.variablesSince(begun);
+          Value value = told ? view.variables().values().get(name) : null;
+          if (value != null) {
+            return Optional.of(value.copy());
+          }
+          if (frame < last) {
+            // a program that has just started may not have come to it
+            return Optional.empty();
+          }
+          throw told
+              ? new ScriptError(
                   "bad-argument",
                   "program_variable: name is "
                       + name
-                      + ", which is no global variable of the program that has a value");
-            }
-            return Optional.of(value.copy());
-          }
-          if (frame >= last) {
-            throw new ScriptError(
-                "not-at-target",
-                "program_variable: the target tells no variables of a program of this test");
-          }
-          return Optional.empty();
+                      + ", which is no global variable of the program that has a value")
+              : new ScriptError(
+                  "not-at-target",
+                  "program_variable: the target tells no variables of a program of this test");
         };
     return wait;
   }

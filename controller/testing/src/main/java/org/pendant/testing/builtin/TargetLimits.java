@@ -112,6 +112,33 @@ public final class TargetLimits {
     return Optional.of("`" + function + "` " + (ofTests ? ofTests(function) : ofBox(found.get())));
   }
 
+  /**
+   * Why a function cannot be called by a test that is sent as a whole; empty where it can.
+   *
+   * @param sent the functions of tests that are sent with it
+   */
+  public static Optional<String> reasonSent(
+      Builtins<ControlBox> builtins, String function, Set<String> sent) {
+    boolean fine =
+        sent.contains(function)
+            || function.equals(ExpectationBuiltins.IMPORT)
+            || TestBuiltins.isHidden(function)
+            || builtins
+                .find(function)
+                .filter(each -> each.signature().module().equals(TestBuiltins.MODULE))
+                .isEmpty();
+    if (fine) {
+      return Optional.empty();
+    }
+    Optional<String> reason = reason(builtins, function);
+    return reason.isPresent()
+        ? reason
+        : Optional.of(
+            "`"
+                + function
+                + "` is for tests that start a program there; this one is sent as a whole");
+  }
+
   /** Whether it computes with the arm of the controller here, which need not be the target's. */
   private static boolean usesArm(Builtin<ControlBox> builtin) {
     return builtin.name().contains("_kin") || builtin.name().contains("waypoint");

@@ -14,7 +14,7 @@ import org.pendant.language.syntax.Statement.DefinitionKind;
  * column on. In a file of definitions that is the last one, with the others inside it; any other
  * file becomes the body of one.
  */
-public final class TargetScript {
+public final class TargetScript implements SentText {
   private static final String INDENT = "  ";
   private static final int MAX_NAME = 31;
 
@@ -101,12 +101,12 @@ public final class TargetScript {
     return name.substring(0, Math.min(name.length(), MAX_NAME));
   }
 
-  /** What is sent; bytes, one {@code char} a byte. */
+  @Override
   public String text() {
     return text;
   }
 
-  /** The line of the file that a line of the text is. */
+  @Override
   public int lineOf(int sent) {
     if (sent <= 1 && firstLine > 0) {
       return firstLine;
@@ -114,7 +114,7 @@ public final class TargetScript {
     return Math.max(1, sent <= firstLine || firstLine == 0 ? sent - 1 : sent);
   }
 
-  /** The column in the file of a column in a line of the text. */
+  @Override
   public int columnOf(int sent, int column) {
     boolean indented = sent > 1 && sent < plainFrom;
     return Math.max(1, indented ? column - INDENT.length() : column);

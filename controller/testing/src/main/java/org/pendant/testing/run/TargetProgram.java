@@ -5,12 +5,11 @@ import java.util.Optional;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 import org.pendant.script.vm.Ending;
-import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 import org.pendant.script.vm.ScriptFailure;
 import org.pendant.script.vm.ScriptFailure.StackEntry;
+import org.pendant.testing.remote.SentText;
 import org.pendant.testing.remote.TargetEvent;
-import org.pendant.testing.remote.TargetScript;
 import org.pendant.testing.remote.TargetState;
 import org.pendant.testing.remote.TargetState.RunState;
 
@@ -38,8 +37,7 @@ final class TargetProgram {
   }
 
   private Phase phase = Phase.NONE;
-  private Optional<Program> sent = Optional.empty();
-  private Optional<TargetScript> script = Optional.empty();
+  private Optional<Sent> sent = Optional.empty();
   private Optional<ScriptFailure> failure = Optional.empty();
   private boolean stopAsked;
   private boolean paused;
@@ -47,10 +45,22 @@ final class TargetProgram {
   private double sinceS;
   private double idleSinceS;
 
-  /** A program has been sent. */
-  void sent(Program program, TargetScript text) {
-    sent = Optional.of(program);
-    script = Optional.of(text);
+  /**
+   * What has been sent.
+   *
+   * @param source that it was made from
+   * @param function the name of its program
+   */
+  private record Sent(Source source, String function, SentText text) {}
+
+  /**
+   * A program has been sent.
+   *
+   * @param source that it was made from
+   * @param function its name
+   */
+  void sent(Source source, String function, SentText text) {
+    sent = Optional.of(new Sent(source, function, text));
     failure = Optional.empty();
     stopAsked = false;
     paused = false;
@@ -126,15 +136,18 @@ final class TargetProgram {
 
   private ScriptFailure failure(TargetEvent.Failed failed) {
     Source file = sent.orElseThrow().source();
-    int line = Math.clamp(script.orElseThrow().lineOf(failed.line()), 1, file.lineCount());
-    int column = script.orElseThrow().columnOf(failed.line(), failed.column());
-    int start = file.lineStart(line);
+    SentText text = sent.orElseThrow().text();
+    int line = Math.clamp(text.lineOf(failed.line()), 1, file.lineCount());
+    int column = text.columnOf(failed.line(), failed.column());
+    String whole = file.lineText(line);
+    int blank = whole.length() - whole.stripLeading().length();
+    int start = file.lineStart(line) + Math.clamp(column - 1, blank, whole.length());
     return new ScriptFailure(
         "target-error",
         failed.text(),
-        new SourceRange(start, start + file.lineText(line).length()),
+        new SourceRange(start, file.lineStart(line) + whole.length()),
         line,
         column,
-        List.of(new StackEntry(sent.orElseThrow().name(), line)));
+        List.of(new StackEntry(sent.orElseThrow().function(), line)));
   }
 }

@@ -13,6 +13,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.message.Operator;
+import org.pendant.language.source.Source;
 import org.pendant.models.time.FrameTime;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.value.Value;
@@ -20,6 +21,7 @@ import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
+import org.pendant.testing.remote.SentText;
 import org.pendant.testing.remote.TargetEvent;
 import org.pendant.testing.remote.TargetScript;
 import org.pendant.testing.remote.TargetState;
@@ -45,6 +47,7 @@ final class TargetRun {
   private final Controller controller;
   private final TestBench bench;
   private final Verdict verdict;
+  private final Optional<SentRun> sent;
   private final TargetProgram program = new TargetProgram();
   private final TestOutput output = new TestOutput();
   private final long beganNs = System.nanoTime();
@@ -79,6 +82,7 @@ final class TargetRun {
                 .withOperator(Operator.present()),
             builtins);
     controller.attach(bench);
+    sent = one.test().watches() ? Optional.empty() : Optional.of(new SentRun(one, bench));
     verdict = new Verdict(one.file(), one.test(), one.programs(), bench);
   }
 
@@ -100,7 +104,7 @@ final class TargetRun {
   TestResult run() throws TargetTrouble {
     TestOutcome outcome;
     try {
-      controller.startCompanion(one.file().program());
+      begin(sent);
       outcome = untilItEnds();
     } catch (TargetTrouble | RuntimeException e) {
       var _ = end();
@@ -119,6 +123,16 @@ final class TargetRun {
         cancelled.getAsBoolean()
             ? verdict.error("interrupted", "interrupted, but " + why, 0)
             : outcome);
+  }
+
+  private void begin(Optional<SentRun> whole) throws TargetTrouble {
+    if (whole.isEmpty()) {
+      controller.startCompanion(one.file().program());
+      return;
+    }
+    // its time is that of the target
+    program.see(target.next());
+    send(one.file().sent().source(), "", whole.get().test());
   }
 
   /** Leaves the target as it was; answers why that fails. */
@@ -180,6 +194,7 @@ final class TargetRun {
     double timeS = controller.state().timeS();
     program.take(event);
     switch (event) {
+      case TargetEvent.Said(var text) when sent.isPresent() && sent.get().takes(text) -> {}
       case TargetEvent.Said(var text) -> {
         view.addLine(text);
         output.add(timeS, text);
@@ -226,7 +241,9 @@ final class TargetRun {
     bench.seeElsewhere(program.state(), program.ending());
     controller.advance();
     output.take(controller.state());
-    return controller.companionEnding().map(this::outcome);
+    Optional<Ending> ending =
+        sent.isPresent() ? sent.get().ending(program, view) : controller.companionEnding();
+    return ending.map(this::outcome);
   }
 
   private void start(Program wanted) throws TargetTrouble {
@@ -240,9 +257,13 @@ final class TargetRun {
                   0));
       return;
     }
-    program.sent(wanted, script.get());
+    send(wanted.source(), wanted.name(), script.get());
+  }
+
+  private void send(Source source, String function, SentText text) throws TargetTrouble {
+    program.sent(source, function, text);
     view.programSent();
-    target.start(script.get().text());
+    target.start(text.text());
   }
 
   private void carryOut(Command command) throws TargetTrouble {

@@ -18,6 +18,7 @@ import org.pendant.testing.remote.TargetView;
 import org.pendant.testing.remote.TestTarget;
 import org.pendant.testing.run.TestPlan.Chosen;
 import org.pendant.testing.run.TestRunner.TestListener;
+import org.pendant.testing.source.SentAssertions;
 import org.pendant.testing.source.TestCase;
 import org.pendant.testing.source.TestSources;
 
@@ -76,16 +77,15 @@ public final class TargetRunner {
       return Optional.of(
           "--target: `@start_at` puts the arm somewhere, which only Pendant's own controller can");
     }
-    Optional<String> limit =
-        calls(one).stream()
-            .flatMap(each -> TargetLimits.reason(builtins, each).stream())
-            .findFirst();
-    if (limit.isPresent()) {
-      return limit.map(why -> "--target: " + why);
-    }
-    return test.watches()
-        ? Optional.empty()
-        : Optional.of("--target: it starts no program, so that nothing of it runs there");
+    return calls(one).stream()
+        .flatMap(
+            each ->
+                (test.watches()
+                        ? TargetLimits.reason(builtins, each)
+                        : TargetLimits.reasonSent(builtins, each, SentAssertions.names()))
+                    .stream())
+        .findFirst()
+        .map(why -> "--target: " + why);
   }
 
   private static List<String> calls(Chosen one) {

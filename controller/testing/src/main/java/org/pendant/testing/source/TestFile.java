@@ -17,6 +17,7 @@ import org.pendant.script.vm.Program;
  * @param functions the functions and builtins that it could replace by itself
  * @param starts the names of programs that each test may start, by its function
  * @param calls the functions that each test may call, by its function, what it imports included
+ * @param sent its tests as programs for robots elsewhere
  * @param warnings what people should look at, with its place, a line each
  */
 public record TestFile(
@@ -28,6 +29,7 @@ public record TestFile(
     Set<String> functions,
     Map<String, List<String>> starts,
     Map<String, List<String>> calls,
+    SentTests sent,
     List<String> warnings) {
   public TestFile {
     tests = List.copyOf(tests);

@@ -38,8 +38,11 @@ import org.pendant.testing.builtin.TestBuiltins;
  * that it imports, and of lines that choose the test by its number.
  */
 public final class TestFileReader {
-  private static final String BEFORE = "before_each";
-  private static final String AFTER = "after_each";
+  /** The function that runs before each test. */
+  static final String BEFORE = "before_each";
+
+  /** The function that runs after each test that has come to its end. */
+  static final String AFTER = "after_each";
 
   private final TestSources files;
   private final Builtins<ControlBox> builtins;
@@ -114,14 +117,16 @@ public final class TestFileReader {
       Source composed = composition.source();
       Set<String> functions = new HashSet<>(mocked);
       Map<String, List<String>> calls = new HashMap<>();
+      List<Statement> written = new ArrayList<>();
       functions.removeIf(each -> builtins.find(each).isEmpty());
       LoadResult loaded =
           ProgramLoader.load(
               composed,
               script -> {
+                written.addAll(written(script, imported));
                 Script whole = arranged(script, imported);
                 Definitions.each(whole.statements(), each -> functions.add(each.name()));
-                TestReach reach = new TestReach(written(whole, imported), builtins);
+                TestReach reach = new TestReach(written, builtins);
                 starts.keySet().forEach(test -> calls.put(test, reach.all(test)));
                 return Definitions.mockable(whole, mocked);
               },
@@ -138,6 +143,7 @@ public final class TestFileReader {
           functions,
           starts,
           calls,
+          new SentTests(composed, written),
           List.copyOf(warnings));
     }
 
@@ -256,10 +262,18 @@ public final class TestFileReader {
       return numbering.tests();
     }
 
-    /** What people have written, and not the lines that choose a test. */
-    private List<Statement> written(Script whole, List<SourceRange> imported) {
-      int end = imported.isEmpty() ? source.text().length() : imported.getLast().end();
-      return whole.statements().stream().filter(each -> each.range().start() < end).toList();
+    /** What people have written: imported values and functions, and the own text. */
+    private List<Statement> written(Script script, List<SourceRange> imported) {
+      List<Statement> statements = new ArrayList<>();
+      List<Statement> functions = new ArrayList<>();
+      imported.forEach(
+          each -> new ImportedScript(within(script, each), builtins).into(statements, functions));
+      statements.addAll(functions);
+      script.statements().stream()
+          .filter(each -> each.range().start() < source.text().length())
+          .filter(each -> importing(each).isEmpty())
+          .forEach(statements::add);
+      return statements;
     }
 
     /** The whole text as one program: imported values, own statements, and the choice of a test. */

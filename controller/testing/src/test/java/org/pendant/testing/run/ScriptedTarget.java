@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.pendant.controller.command.Command;
 import org.pendant.models.time.FrameTime;
 import org.pendant.script.value.Value;
@@ -21,6 +23,7 @@ import org.pendant.testing.remote.TestTarget;
 final class ScriptedTarget implements TestTarget {
   private static final double STOPPED = 1;
   private static final double PLAYING = 2;
+  private static final Pattern MARK = Pattern.compile("pendant-[0-9a-f]+");
 
   private record Step(
       int frames, Optional<TargetEvent> event, Map<String, double[]> change, Runnable deed) {}
@@ -76,14 +79,29 @@ final class ScriptedTarget implements TestTarget {
     return this;
   }
 
-  /** What was sent fails in the line that contains this, and ends. */
-  void fail(String part, String why) {
+  /** A test that was sent as a whole tells something of itself. */
+  void tell(String what) {
+    Matcher mark = MARK.matcher(sent);
+    if (!mark.find()) {
+      throw new AssertionError(sent);
+    }
+    happen(new TargetEvent.Said(mark.group() + " " + what));
+  }
+
+  /** The last line of what was sent that contains this, 1-based. */
+  private int lineWith(String part) {
     List<String> lines = sent.lines().toList();
-    for (int i = 0; i < lines.size(); i++) {
-      if (lines.get(i).contains(part)) {
-        happen(new TargetEvent.Failed(i + 1, 1, why));
+    for (int i = lines.size(); i > 0; i--) {
+      if (lines.get(i - 1).contains(part)) {
+        return i;
       }
     }
+    throw new AssertionError(part + " is not in " + sent);
+  }
+
+  /** What was sent fails in the last line that contains this, and ends. */
+  void fail(String part, String why) {
+    happen(new TargetEvent.Failed(lineWith(part), 1, why));
     happen(new TargetEvent.Ended());
   }
 
