@@ -37,6 +37,7 @@ public final class TestBuiltins {
     PeerBuiltins.declareIn(builtins);
     ProcedureBuiltins.declareIn(builtins);
     DeviceBuiltins.declareIn(builtins);
+    CellBuiltins.declareIn(builtins);
     GeneratorBuiltins.declareIn(builtins);
     return builtins;
   }

@@ -47,6 +47,7 @@ public record Example(String file, Topic topic, List<String> companions) {
         new Example("conveyor.script", Topic.MOTION, List.of()),
         new Example("engrave.script", Topic.MOTION, List.of("flower.nc")),
         new Example("weigh_and_press.script", Topic.MOTION, List.of("table.scene.json")),
+        new Example("grip_part.script", Topic.MOTION, List.of("grip_part.scene.json")),
         new Example("hello.script", Topic.LANGUAGE, List.of()),
         new Example("watch_input.script", Topic.LANGUAGE, List.of()),
         new Example("shared_counter.script", Topic.LANGUAGE, List.of()),

@@ -6,6 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.box.CellEquipment;
+import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.models.json.JsonException;
@@ -15,14 +18,17 @@ import org.pendant.models.json.JsonException;
  *
  * @param name for people; empty for no scene
  * @param onDisk the file; empty for a text that has none
- * @param scene what it says
+ * @param scene what it says of objects and load
+ * @param equipment what it says of devices and rules
  */
-public record SceneFile(String name, Optional<SavedProgram> onDisk, Scene scene) {
+public record SceneFile(
+    String name, Optional<SavedProgram> onDisk, Scene scene, CellEquipment equipment) {
   /** How names of scenes end. */
   public static final String ENDING = ".scene.json";
 
   /** Empty space. */
-  public static final SceneFile NONE = new SceneFile("", Optional.empty(), Scene.EMPTY);
+  public static final SceneFile NONE =
+      new SceneFile("", Optional.empty(), Scene.EMPTY, CellEquipment.NONE);
 
   /** Whether a file is called as scenes are. */
   public static boolean hasEnding(Path file) {
@@ -41,7 +47,8 @@ public record SceneFile(String name, Optional<SavedProgram> onDisk, Scene scene)
     return new SceneFile(
         String.valueOf(whole.getFileName()),
         Optional.of(read),
-        scene(whole.toString(), read.text()));
+        scene(whole.toString(), read.text()),
+        equipment(whole.toString(), read.text()));
   }
 
   /**
@@ -50,16 +57,32 @@ public record SceneFile(String name, Optional<SavedProgram> onDisk, Scene scene)
    * @throws IOException if it is no scene; its message has the place and the reason
    */
   public static SceneFile of(String name, String text) throws IOException {
-    return new SceneFile(name, Optional.empty(), scene(name, text));
+    return new SceneFile(name, Optional.empty(), scene(name, text), equipment(name, text));
   }
 
   private static Scene scene(String name, String text) throws IOException {
     try {
-      return SceneReader.read(
-          name, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+      return SceneReader.read(name, bytes(text));
     } catch (JsonException e) {
       throw new IOException(e.getMessage(), e);
     }
+  }
+
+  private static CellEquipment equipment(String name, String text) throws IOException {
+    try {
+      return EquipmentReader.read(name, bytes(text));
+    } catch (JsonException e) {
+      throw new IOException(e.getMessage(), e);
+    }
+  }
+
+  private static ByteArrayInputStream bytes(String text) {
+    return new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** A controller with all of it. */
+  public ControllerOptions in(ControllerOptions options) {
+    return options.withScene(scene).withEquipment(equipment);
   }
 
   /** Where it is on disk. */
@@ -74,8 +97,15 @@ public record SceneFile(String name, Optional<SavedProgram> onDisk, Scene scene)
 
   /** What is in it, in words. */
   public String words() {
-    int count = scene.objects().size();
-    String objects = count == 1 ? "1 object" : count + " objects";
-    return name + ", " + objects + (scene.load().isPresent() ? " and a load" : "");
+    int devices = equipment.devices().size();
+    return name
+        + ", "
+        + count(scene.objects().size(), "object")
+        + (devices > 0 ? ", " + count(devices, "device") : "")
+        + (scene.load().isPresent() ? " and a load" : "");
+  }
+
+  private static String count(int count, String what) {
+    return count + " " + what + (count == 1 ? "" : "s");
   }
 }

@@ -116,8 +116,7 @@ public final class Desktop {
                       desktop.settings, desktop.start, installation.isPresent(), wishes);
               desktop.missing.addAll(options.troubles());
               desktop.scene = desktop.sceneOf(wishes);
-              return RobotSession.start(
-                  options.controller().withScene(desktop.scene.scene().scene()));
+              return RobotSession.start(desktop.scene.scene().in(options.controller()));
             });
     Look look = new Look(desktop.settings);
     Programs programs = desktop.lastTime();

@@ -2,9 +2,9 @@ package org.pendant.desktop.shell;
 
 import java.util.List;
 import java.util.function.Consumer;
-import org.pendant.controller.world.Scene;
 import org.pendant.desktop.session.ProgramControls;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.settings.Settings;
@@ -139,8 +139,9 @@ final class RobotChange {
    *
    * @param then runs when it has them
    */
-  void surround(Scene scene, Runnable then) {
-    if (scene.equals(session.options().scene())) {
+  void surround(SceneFile scene, Runnable then) {
+    if (scene.scene().equals(session.options().scene())
+        && scene.equipment().equals(session.options().equipment())) {
       then.run();
       return;
     }
@@ -151,9 +152,8 @@ final class RobotChange {
             Background.run(
                 () -> {
                   session.restart(
-                      session
-                          .options()
-                          .withScene(scene)
+                      scene
+                          .in(session.options())
                           .withStart(session.state().arm().actualPositionRad()));
                   return scene;
                 },

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import org.pendant.controller.world.Scene;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.DiskChange;
 import org.pendant.desktop.session.ProgramDocument;
@@ -33,7 +32,7 @@ final class SceneFiles {
   private final Consumer<String> tell;
   private final UsedFolder used;
   private final Component parent;
-  private final BiConsumer<Scene, Runnable> surround;
+  private final BiConsumer<SceneFile, Runnable> surround;
   private ProgramDocument known;
   private Optional<Path> knownFile;
   private SceneFile current = SceneFile.NONE;
@@ -56,7 +55,7 @@ final class SceneFiles {
       Consumer<String> tell,
       UsedFolder used,
       Component parent,
-      BiConsumer<Scene, Runnable> surround) {
+      BiConsumer<SceneFile, Runnable> surround) {
     this.installation = installation;
     this.memory = memory;
     this.notices = notices;
@@ -132,7 +131,7 @@ final class SceneFiles {
     notices.close(TROUBLE);
     notices.close(CHANGED);
     surround.accept(
-        next.scene(),
+        next,
         () -> {
           current = next;
           change = new DiskChange();

@@ -123,7 +123,8 @@ final class OpenFolder {
         ControllerOptions.headless()
             .withRobot(arm)
             .withCalibration(arm.calibration())
-            .withScene(session.options().scene());
+            .withScene(session.options().scene())
+            .withEquipment(session.options().equipment());
     Installation used = installation.current();
     return InstallationCheck.refusal(used, arm).isEmpty() ? robot.withInstallation(used) : robot;
   }

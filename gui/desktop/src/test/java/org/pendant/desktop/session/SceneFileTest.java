@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.kit.settings.Settings;
 
 /** Scenes on disk, and which of them belongs to which installation. */
@@ -48,6 +49,27 @@ final class SceneFileTest {
     assertEquals(Optional.of(file), scene.path());
     assertEquals("cell.scene.json, 1 object", scene.words());
     assertEquals("table", scene.scene().objects().getFirst().name());
+  }
+
+  @Test
+  void devicesAreReadWithIt() throws IOException {
+    SceneFile scene =
+        SceneFile.of("cell.scene.json", "{\"devices\": [{\"type\": \"two-finger\"}]}");
+
+    assertEquals("cell.scene.json, 0 objects, 1 device", scene.words());
+    assertEquals(
+        scene.equipment(), scene.in(ControllerOptions.headless()).equipment(), scene.toString());
+  }
+
+  @Test
+  void aDeviceThatIsWrongIsToldWithItsPlace() {
+    String why =
+        assertThrows(
+                IOException.class,
+                () -> SceneFile.of("cell.scene.json", "{\"devices\": [{\"type\": \"hand\"}]}"))
+            .getMessage();
+
+    assertTrue(why.startsWith("cell.scene.json:1:23: type is \"hand\""), why);
   }
 
   @Test

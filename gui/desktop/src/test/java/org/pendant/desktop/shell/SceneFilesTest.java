@@ -70,7 +70,7 @@ final class SceneFilesTest {
                     new UsedFolder(folder, folder),
                     new JPanel(),
                     (scene, then) -> {
-                      surroundings.add(scene);
+                      surroundings.add(scene.scene());
                       then.run();
                     }));
   }
