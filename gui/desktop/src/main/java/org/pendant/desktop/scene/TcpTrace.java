@@ -32,6 +32,7 @@ public final class TcpTrace {
   private final double scaleMPerS;
   private final int capacity;
   private final Optional<Margin> colouring;
+  private final Optional<TcpTrace> elbow;
 
   /**
    * @param fastestMPerS speed of the fastest point, m/s
@@ -43,6 +44,26 @@ public final class TcpTrace {
     scaleMPerS = scaleMPerS(fastestMPerS);
     this.capacity = capacity;
     this.colouring = colouring;
+    elbow = Optional.empty();
+  }
+
+  private TcpTrace(TcpTrace tool, double scaleMPerS, Optional<TcpTrace> elbow) {
+    points = tool.points;
+    capacity = tool.capacity;
+    colouring = tool.colouring;
+    this.scaleMPerS = scaleMPerS;
+    this.elbow = elbow;
+  }
+
+  /** With the way of the elbow beside it; both have one scale of speeds. */
+  TcpTrace withElbow(TcpTrace way) {
+    double scale = Math.max(scaleMPerS, way.scaleMPerS);
+    return new TcpTrace(this, scale, Optional.of(new TcpTrace(way, scale, Optional.empty())));
+  }
+
+  /** The way of the elbow, if that is part of it. */
+  public Optional<TcpTrace> elbow() {
+    return elbow;
   }
 
   /** How many points there are. */

@@ -53,6 +53,18 @@ public final class TraceRing {
   public void add(ControllerState state, FrameMargins margins) {
     long before = count;
     add(state.arm(), state.timeS(), state.program().line());
+    note(margins, before);
+  }
+
+  /** As {@link #add(ControllerState, FrameMargins)}, for another point of the arm. */
+  void add(Pose pointInBase, ControllerState state, FrameMargins margins) {
+    long before = count;
+    add(pointInBase, Pose.ZERO, state.timeS(), state.program().line());
+    note(margins, before);
+  }
+
+  /** Adds to the last point how near the arm was to limits, if the point is a new one. */
+  private void note(FrameMargins margins, long before) {
     if (count > before) {
       int at = (int) (before % capacity) * TcpTrace.STRIDE + TcpTrace.MARGINS;
       for (Margin each : MARGINS) {

@@ -266,7 +266,10 @@ final class MenuPlan {
                 sub(
                     "Way of the tool",
                     "3D",
-                    list(all("scene.trace", "scene.clear"), line(), all("scene.trace-by"))),
+                    list(
+                        all("scene.trace", "scene.trace-elbow", "scene.clear"),
+                        line(),
+                        all("scene.trace-by"))),
                 line(),
                 sub("Safety", "3D: show", all("scene.safety")),
                 sub("Scene", "", all("scene-file")),

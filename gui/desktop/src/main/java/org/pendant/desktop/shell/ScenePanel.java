@@ -33,6 +33,7 @@ import org.pendant.controller.world.Contact;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.move.GhostArm;
+import org.pendant.desktop.scene.ArmTrace;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.JointFrames;
 import org.pendant.desktop.scene.Lens;
@@ -43,7 +44,6 @@ import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.scene.Touching;
-import org.pendant.desktop.scene.TraceRing;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.view.SceneView;
 import org.pendant.desktop.session.StillArm;
@@ -92,7 +92,7 @@ final class ScenePanel implements View, GhostArm {
   private final SceneView picture = new SceneView();
   private final JPanel panel = new JPanel(new BorderLayout());
   private final StillArm stillArm = new StillArm();
-  private final TraceRing trace = new TraceRing(TRACE_POINTS);
+  private final ArmTrace trace = new ArmTrace(TRACE_POINTS);
   private final SceneShows shows;
   private final SafetyScene safety;
   private final TouchedAtStop touchedAtStop = new TouchedAtStop();
@@ -186,6 +186,8 @@ final class ScenePanel implements View, GhostArm {
         shows::setFrames);
     buttons.check("scene.payload", "Show the payload as a ball", shows::payload, shows::setPayload);
     buttons.check("scene.trace", "Show where the tool was", shows::trace, shows::setTrace);
+    buttons.check(
+        "scene.trace-elbow", "Show where the elbow was, too", shows::elbow, shows::setElbow);
     buttons.choices("Colour the way of the tool by", colourings());
     buttons.check(
         "scene.waypoints",
@@ -309,7 +311,7 @@ final class ScenePanel implements View, GhostArm {
             ghostRad,
             shows.payload() ? Optional.of(state.readings().payload()) : Optional.empty(),
             shows.frames(),
-            shows.trace() ? trace.trace() : TcpTrace.EMPTY,
+            shows.trace() ? trace.trace(shows.elbow()) : TcpTrace.EMPTY,
             Palette.dark() ? SceneTheme.DARK : SceneTheme.LIGHT,
             marks(),
             safety.sight(state, arm.actualPositionRad()),

@@ -11,6 +11,7 @@ final class SceneShows {
   private static final String PAYLOAD = "scene.payload";
   private static final String FEATURES = "scene.features";
   private static final String TRACE = "scene.trace";
+  private static final String ELBOW = "scene.trace-elbow";
   private static final String TRACE_BY = "scene.trace-by";
   private static final String WAYPOINTS = "scene.waypoints";
   private static final String PLANES = "scene.safety-planes";
@@ -58,6 +59,15 @@ final class SceneShows {
 
   void setTrace(boolean on) {
     settings.put(TRACE, Boolean.toString(on));
+  }
+
+  /** Where the elbow was, beside where the tool was. */
+  boolean elbow() {
+    return on(ELBOW, false);
+  }
+
+  void setElbow(boolean on) {
+    settings.put(ELBOW, Boolean.toString(on));
   }
 
   /** The margin that the way of the tool is coloured by; empty for its speed. */

@@ -8,6 +8,7 @@ import org.pendant.desktop.scene.mesh.Lines;
 
 /** Line list: lines in the memory of the graphics: every two points in a row make a piece. */
 final class LineStrip implements AutoCloseable {
+  private static final double ELBOW_OPACITY = 0.7;
   private static final int STRIDE_BYTES = Lines.STRIDE * Float.BYTES;
   private static final int CORNERS = 4;
 
@@ -37,18 +38,23 @@ final class LineStrip implements AutoCloseable {
     glBufferData(GL_ARRAY_BUFFER, lines.numbers(), GL_DYNAMIC_DRAW);
   }
 
-  /** The lines of a trace. */
+  /** The lines of a trace; that of the elbow first, so that the tool's is drawn above it. */
   static Lines lines(TcpTrace trace) {
     Lines lines = new Lines();
+    trace.elbow().ifPresent(elbow -> add(lines, elbow, ELBOW_OPACITY));
+    add(lines, trace, 1);
+    return lines;
+  }
+
+  private static void add(Lines lines, TcpTrace trace, double most) {
     for (int i = 0; i < trace.size(); i++) {
       int rgb = SpeedColours.rgb(trace.colourShare(i));
       if (trace.begins(i)) {
-        lines.from(trace.x(i), trace.y(i), trace.z(i), rgb, trace.opacity(i));
+        lines.from(trace.x(i), trace.y(i), trace.z(i), rgb, most * trace.opacity(i));
       } else {
-        lines.to(trace.x(i), trace.y(i), trace.z(i), rgb, trace.opacity(i));
+        lines.to(trace.x(i), trace.y(i), trace.z(i), rgb, most * trace.opacity(i));
       }
     }
-    return lines;
   }
 
   void draw() {
