@@ -9,9 +9,11 @@ import org.pendant.controller.safety.SpeedUse;
  * @param certain whether the frames say so; otherwise it is likely
  * @param value the speed or acceleration that was wanted or reached, in m or rad and s; NaN for
  *     none
- * @param use the limit that was met, for a safety limit
+ * @param asked what the command asks for, in the same unit; NaN where the line does not say it
+ * @param use the limit that was met, where it is one
  */
-public record Cause(Kind kind, boolean certain, double value, Optional<SpeedUse> use) {
+public record Cause(
+    Kind kind, boolean certain, double value, double asked, Optional<SpeedUse> use) {
   /** What it was. */
   public enum Kind {
     /** Nothing moves. */
@@ -34,7 +36,15 @@ public record Cause(Kind kind, boolean certain, double value, Optional<SpeedUse>
     SCALING,
     /** The speed of the command, as far as the slider lets it. */
     COMMAND_SPEED,
-    /** A speed below that of the command: what drives or joints can do along the path. */
+    /** The speed that makes the move take as long as the command says. */
+    COMMAND_TIME,
+    /** A speed that the program sets by itself, frame by frame. */
+    STREAMED,
+    /** A speed below that of the command: a joint turns as fast as it can. */
+    JOINT_LIMIT,
+    /** Between speeding up and slowing down: the way is too short for the speed of the command. */
+    SHORT_WAY,
+    /** A speed below that of the command: what drives can do along the path, or a blend. */
     PATH_LIMIT,
     /** It speeds up. */
     ACCELERATION,
@@ -42,11 +52,24 @@ public record Cause(Kind kind, boolean certain, double value, Optional<SpeedUse>
     DECELERATION
   }
 
+  /** Whether the command asks for just what happens. */
+  public boolean asTheCommandSays() {
+    return MotionExplanation.same(value, asked);
+  }
+
   static Cause certain(Kind kind) {
-    return new Cause(kind, true, Double.NaN, Optional.empty());
+    return of(kind, true, Double.NaN);
   }
 
   static Cause of(Kind kind, boolean certain, double value) {
-    return new Cause(kind, certain, value, Optional.empty());
+    return new Cause(kind, certain, value, Double.NaN, Optional.empty());
+  }
+
+  Cause asking(double other) {
+    return new Cause(kind, certain, value, other, use);
+  }
+
+  static Cause met(Kind kind, SpeedUse use) {
+    return new Cause(kind, true, use.value(), Double.NaN, Optional.of(use));
   }
 }

@@ -44,6 +44,9 @@ public record MotionExplanation(
   /** What is the same speed, as a share. */
   private static final double SAME = 2e-3;
 
+  /** What is no change from a frame to the next, as a share. */
+  private static final double STEADY = SAME / 10;
+
   private static final double START_RAMP_S = 0.160;
 
   /** Copies the list. */
@@ -99,8 +102,11 @@ public record MotionExplanation(
             now.geometry().actual().speed().z()),
         (planned - plannedBefore) / FrameTime.FRAME_S,
         uses,
-        cause(before, now, uses, call, ramp));
+        cause(new Around(before, now, recording.atFrame(now.frame() + 1)), uses, text, call, ramp));
   }
+
+  /** A frame, the one before and the one after. */
+  private record Around(ControllerState before, ControllerState now, ControllerState after) {}
 
   private static String line(RecordedProgram program, int line) {
     return program
@@ -142,31 +148,24 @@ public record MotionExplanation(
   // --- what set the speed
 
   private static Cause cause(
-      ControllerState before,
-      ControllerState now,
-      List<SpeedUse> uses,
-      Optional<MoveCall> call,
-      boolean startRamp) {
-    ArmState arm = now.arm();
-    if (now.freedrive().active()) {
+      Around frames, List<SpeedUse> uses, String text, Optional<MoveCall> call, boolean startRamp) {
+    ArmState arm = frames.now().arm();
+    if (frames.now().freedrive().active()) {
       return Cause.certain(Cause.Kind.HAND);
     }
     if (arm.targetSpeedRadPerS().equals(Joints.ZERO)
-        && before.arm().targetSpeedRadPerS().equals(Joints.ZERO)) {
+        && frames.before().arm().targetSpeedRadPerS().equals(Joints.ZERO)) {
       return Cause.certain(Cause.Kind.REST);
     }
     return switch (arm.controlMode()) {
       case TORQUE -> Cause.certain(Cause.Kind.TORQUE);
-      default -> moving(before, now, uses, call, startRamp);
+      default -> moving(frames, uses, text, call, startRamp);
     };
   }
 
   private static Cause moving(
-      ControllerState before,
-      ControllerState now,
-      List<SpeedUse> uses,
-      Optional<MoveCall> call,
-      boolean startRamp) {
+      Around frames, List<SpeedUse> uses, String text, Optional<MoveCall> call, boolean startRamp) {
+    ControllerState now = frames.now();
     if (now.safety().stop().isPresent()) {
       return Cause.certain(Cause.Kind.SAFETY_STOP);
     }
@@ -177,45 +176,62 @@ public record MotionExplanation(
       return Cause.certain(Cause.Kind.START_RAMP);
     }
     double scaling = now.arm().speedScaling();
-    double wanted = now.arm().speedFraction();
-    boolean less = scaling < wanted - 1e-9;
+    boolean less = scaling < now.arm().speedFraction() - 1e-9;
     SpeedUse nearest = uses.getFirst();
-    if (nearest.share() >= MET) {
-      return new Cause(Cause.Kind.SAFETY_LIMIT, less, nearest.value(), Optional.of(nearest));
+    if (less && nearest.share() >= MET) {
+      return Cause.met(Cause.Kind.SAFETY_LIMIT, nearest);
     }
-    if (Math.abs(scaling - before.arm().speedScaling()) > 1e-9) {
+    if (Math.abs(scaling - frames.before().arm().speedScaling()) > 1e-9) {
       return Cause.certain(Cause.Kind.SCALING_RAMP);
     }
     if (less) {
       return Cause.of(Cause.Kind.SCALING, false, scaling);
     }
-    return planned(before, now, call, scaling);
+    if (call.isEmpty() && MoveCall.streams(text)) {
+      return Cause.certain(Cause.Kind.STREAMED);
+    }
+    return planned(frames, nearest, call, scaling);
   }
 
   /** Nothing but its plan sets the speed, at a scaling that does not change. */
   private static Cause planned(
-      ControllerState before, ControllerState now, Optional<MoveCall> call, double scaling) {
+      Around frames, SpeedUse nearest, Optional<MoveCall> call, double scaling) {
     boolean joints = call.map(MoveCall::ofJoints).orElse(false);
-    double speed = joints ? fastest(now) : toolSpeed(now);
-    double last = joints ? fastest(before) : toolSpeed(before);
+    double speed = speed(frames.now(), joints);
+    double last = speed(frames.before(), joints);
     double own = speed / scaling;
     double rate = (speed - last) / FrameTime.FRAME_S / (scaling * scaling);
-    double perFrame = Math.abs(speed - last) / Math.max(speed, last);
-    if (perFrame > SAME / 10) {
-      OptionalDouble asked = call.map(MoveCall::acceleration).orElseGet(OptionalDouble::empty);
-      boolean certain = asked.isPresent() && same(Math.abs(rate), asked.getAsDouble());
-      return Cause.of(
-          rate > 0 ? Cause.Kind.ACCELERATION : Cause.Kind.DECELERATION, certain, Math.abs(rate));
-    }
     OptionalDouble asked = call.map(MoveCall::speed).orElseGet(OptionalDouble::empty);
-    if (asked.isPresent() && own < asked.getAsDouble() * (1 - SAME)) {
-      return Cause.of(Cause.Kind.PATH_LIMIT, false, asked.getAsDouble());
+    boolean slower = asked.isPresent() && own < asked.getAsDouble() * (1 - SAME);
+    double next = speed(frames.after(), joints);
+    if (slower && last < speed * (1 - STEADY) && next < speed * (1 - STEADY)) {
+      return Cause.of(Cause.Kind.SHORT_WAY, true, own).asking(asked.getAsDouble());
+    }
+    if (Math.abs(speed - last) / Math.max(speed, last) > STEADY) {
+      // that it does is in the frames, whatever sets the rate
+      return Cause.of(
+              rate > 0 ? Cause.Kind.ACCELERATION : Cause.Kind.DECELERATION, true, Math.abs(rate))
+          .asking(
+              call.map(MoveCall::acceleration).orElseGet(OptionalDouble::empty).orElse(Double.NaN));
+    }
+    if (slower) {
+      return nearest.kind() == SpeedUse.Kind.JOINT_SPEED && nearest.share() >= MET
+          ? Cause.met(Cause.Kind.JOINT_LIMIT, nearest).asking(asked.getAsDouble())
+          : Cause.of(Cause.Kind.PATH_LIMIT, false, own).asking(asked.getAsDouble());
+    }
+    if (call.map(MoveCall::timed).orElse(false)) {
+      return Cause.of(Cause.Kind.COMMAND_TIME, true, own);
     }
     boolean certain = asked.isPresent() && same(own, asked.getAsDouble());
     return Cause.of(Cause.Kind.COMMAND_SPEED, certain, own);
   }
 
-  private static boolean same(double value, double asked) {
+  private static double speed(ControllerState state, boolean joints) {
+    return joints ? fastest(state) : toolSpeed(state);
+  }
+
+  /** Whether a number is what the line asks for. */
+  static boolean same(double value, double asked) {
     return Math.abs(value - asked) <= SAME * asked;
   }
 

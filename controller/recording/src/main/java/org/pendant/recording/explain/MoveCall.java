@@ -14,9 +14,12 @@ import java.util.regex.Pattern;
  * @param name of the function, such as {@code movel}
  * @param acceleration rad/s² or m/s²; empty where it is not known
  * @param speed rad/s or m/s; empty where it is not known, or a time is asked for
+ * @param timed whether a time is asked for
  */
-record MoveCall(String name, OptionalDouble acceleration, OptionalDouble speed) {
+record MoveCall(String name, OptionalDouble acceleration, OptionalDouble speed, boolean timed) {
   private static final Pattern CALL = Pattern.compile("\\b(movej|movel|movep)\\s*\\(");
+  private static final Pattern STREAM =
+      Pattern.compile("\\b(servoj|servol|speedj|speedl|stopj|stopl)\\s*\\(");
   private static final Pattern NAMED = Pattern.compile("\\s*([avtr])\\s*=(?!=)\\s*(.*)");
   private static final double JOINT_ACCELERATION = 1.4;
   private static final double JOINT_SPEED = 1.05;
@@ -60,7 +63,13 @@ record MoveCall(String name, OptionalDouble acceleration, OptionalDouble speed) 
         new MoveCall(
             call.group(1),
             timed ? OptionalDouble.empty() : acceleration,
-            timed ? OptionalDouble.empty() : speed));
+            timed ? OptionalDouble.empty() : speed,
+            timed));
+  }
+
+  /** Whether a line is of those by which a program sets speeds or targets itself. */
+  static boolean streams(String line) {
+    return STREAM.matcher(line).find();
   }
 
   private static OptionalDouble value(String text, Function<String, OptionalDouble> variables) {

@@ -72,6 +72,62 @@ final class MotionExplanationTest {
   }
 
   @Test
+  void whatFramesSayIsCertain() {
+    run(moveDown("a=0.1, v=0.1"), 2500);
+
+    assertTrue(at(1.5).cause().certain(), "the speed grows");
+    assertTrue(at(1.5).cause().asTheCommandSays(), "as much as the line says");
+    assertTrue(at(4.6).cause().certain(), "the speed falls");
+  }
+
+  @Test
+  void aWayThatIsTooShortForTheSpeedIsKnownByTheFramesAroundIt() {
+    run(moveDown("a=1, v=5"), 2500);
+
+    long peak = 0;
+    double fastest = 0;
+    for (int i = 500; i < 1500; i++) {
+      double speed = at(i / 500.0).plannedSpeedMPerS();
+      if (speed > fastest) {
+        fastest = speed;
+        peak = i;
+      }
+    }
+    Cause cause = at(peak / 500.0).cause();
+    assertEquals(Kind.SHORT_WAY, cause.kind());
+    assertTrue(cause.certain(), "it slows down right after");
+    assertEquals(5, cause.asked());
+  }
+
+  @Test
+  void aMoveThatIsToTakeATimeHasTheSpeedForThat() {
+    run(moveDown("t=3"), 2500);
+    boolean steady = false;
+    for (int i = 600; i < 2000; i += 10) {
+      Cause cause = at(i / 500.0).cause();
+      assertTrue(cause.certain(), () -> cause.toString());
+      steady |= cause.kind() == Kind.COMMAND_TIME;
+    }
+    assertTrue(steady, "some of it goes at one speed");
+  }
+
+  @Test
+  void aProgramThatSetsSpeedsItselfIsSaidToDoSo() {
+    run("speedj([0.2, 0, 0, 0, 0, 0], 5, 3)\n", 1000);
+    assertEquals(Kind.STREAMED, at(1).cause().kind());
+  }
+
+  @Test
+  void aJointThatTurnsAsFastAsItCanIsNamed() {
+    run(HOME + "movej([0, -1.5708, -1.5708, -1.5708, 1.5708, 5], a=30, v=9)\n", 2000);
+    Cause cause = at(1.8).cause();
+    assertEquals(Kind.JOINT_LIMIT, cause.kind());
+    assertTrue(cause.certain(), "the frame has the speed of the joint");
+    assertEquals(5, cause.use().orElseThrow().joint());
+    assertEquals(9, cause.asked());
+  }
+
+  @Test
   void theSliderIsTakenIntoAccount() {
     var _ = controller.submit(new BoxCommand.SetSpeedFraction(0.5));
     advance(200);

@@ -67,22 +67,41 @@ final class MotionWords {
                   100 * cause.value());
           case COMMAND_SPEED ->
               "Full speed of the command: " + speed(cause.value(), joints) + slider(moment) + ".";
-          case PATH_LIMIT ->
-              "Slower than the command asks ("
+          case COMMAND_TIME ->
+              "Steady, at the speed that makes the move take as long as the command says: "
                   + speed(cause.value(), joints)
-                  + "): what drives or joints can do along this path, a blend, or a way too short"
-                  + " to come up to speed.";
-          case ACCELERATION -> "Speeding up, at " + acceleration(cause, joints) + slider(moment);
+                  + slider(moment)
+                  + ".";
+          case STREAMED -> "The program sets the speed itself, by this command.";
+          case JOINT_LIMIT ->
+              slower(cause, joints) + use(cause.use().orElseThrow()) + ", as fast as it can turn.";
+          case SHORT_WAY ->
+              slower(cause, joints) + "the way is too short, and the arm slows down from here on.";
+          case PATH_LIMIT ->
+              slower(cause, joints) + "what drives can do along this path, or a blend.";
+          case ACCELERATION ->
+              "Speeding up, at " + acceleration(cause, joints) + slider(moment) + ".";
           case DECELERATION ->
               "Slowing down, for the end of the move or a corner, at "
                   + acceleration(cause, joints)
-                  + slider(moment);
+                  + slider(moment)
+                  + ".";
         };
     return cause.certain() ? sentence : "Likely: " + sentence;
   }
 
+  private String slower(Cause cause, boolean joints) {
+    return "Slower than the command asks (" + speed(cause.asked(), joints) + "): ";
+  }
+
   private String acceleration(Cause cause, boolean joints) {
-    return speed(cause.value(), joints) + "/s" + (cause.certain() ? ", as the command says." : ".");
+    String rate = speed(cause.value(), joints) + "/s";
+    if (cause.asTheCommandSays()) {
+      return rate + ", as the command says";
+    }
+    return Double.isNaN(cause.asked())
+        ? rate
+        : rate + "; the command says " + speed(cause.asked(), joints) + "/s";
   }
 
   private String speed(double value, boolean joints) {
