@@ -20,7 +20,8 @@ import org.pendant.recording.compare.Difference;
 
 /**
  * Command {@code pendant compare RECORDING PROGRAM}: runs the program that a robot ran while it was
- * recorded, and says what differs; with two recordings, {@link ExactComparison}.
+ * recorded, and says what differs; with two recordings, {@link ExactComparison} or {@link
+ * GoldenFileComparison}.
  */
 final class CompareCommand implements Subcommand {
   private static final String RECORDING = "the recording";
@@ -97,11 +98,17 @@ final class CompareCommand implements Subcommand {
     Optional<OutputFile> markdown = OutputFile.of(MARKDOWN, arguments);
     Optional<OutputFile> json = OutputFile.of(JSON, arguments);
     Optional<OutputFile> html = OutputFile.of(HTML, arguments);
-    if (ExactComparison.isMeant(operands)) {
+    boolean golden = GoldenFileComparison.isMeant(operands);
+    if (golden || ExactComparison.isMeant(operands)) {
       if (list.isPresent() || markdown.isPresent() || json.isPresent() || html.isPresent()) {
         throw new UsageException("two recordings are compared without files of what differs");
       }
-      return ExactComparison.run(operands.get(0), operands.get(1), arguments.files(), console);
+      String newer = operands.get(0);
+      String older = operands.get(1);
+      return golden
+          ? GoldenFileComparison.run(
+              newer, older, CompareLimit.of(arguments), arguments.files(), console)
+          : ExactComparison.run(newer, older, arguments.files(), console);
     }
     if (list.isPresent() != markdown.isPresent()) {
       throw new UsageException("--collection and --markdown go together, one of them is missing");
