@@ -1,0 +1,114 @@
+package org.pendant.controller.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.pendant.models.dynamics.Payload;
+import org.pendant.models.json.JsonText;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
+
+/**
+ * Scene writer: writes a scene as a file that {@link SceneReader} reads, a line for each object.
+ * What a file may leave out is left out.
+ */
+public final class SceneWriter {
+  private SceneWriter() {}
+
+  /** The file; lines end with a line feed. */
+  public static String write(Scene scene) {
+    List<String> parts = new ArrayList<>();
+    if (!scene.objects().isEmpty()) {
+      parts.add(list("objects", scene.objects().stream().map(SceneWriter::object).toList()));
+    }
+    scene.load().ifPresent(load -> parts.add("  \"load\": " + load(load)));
+    if (!scene.toolPoints().isEmpty()) {
+      parts.add(list("tool", scene.toolPoints().stream().map(SceneWriter::toolPoint).toList()));
+    }
+    if (!scene.pushAtTcpInBase().equals(Wrench.ZERO)) {
+      parts.add("  \"push\": " + push(scene.pushAtTcpInBase()));
+    }
+    return parts.isEmpty() ? "{}\n" : "{\n" + String.join(",\n", parts) + "\n}\n";
+  }
+
+  private static String list(String key, List<String> entries) {
+    return entries.stream()
+        .map(each -> "    " + each)
+        .collect(Collectors.joining(",\n", "  \"" + key + "\": [\n", "\n  ]"));
+  }
+
+  private static String object(SceneObject object) {
+    String name = "\"name\": " + JsonText.text(object.name()) + ", ";
+    return switch (object) {
+          case SceneObject.Plane plane ->
+              "{\"type\": \"plane\", "
+                  + name
+                  + "\"point\": "
+                  + vector(plane.pointInBaseM())
+                  + ", \"normal\": "
+                  + vector(plane.normalInBase());
+          case SceneObject.Box box ->
+              "{\"type\": \"box\", "
+                  + name
+                  + "\"pose\": "
+                  + pose(box.poseInBase())
+                  + ", \"size\": "
+                  + vector(box.sizeM());
+          case SceneObject.Sphere sphere ->
+              "{\"type\": \"sphere\", "
+                  + name
+                  + "\"centre\": "
+                  + vector(sphere.centreInBaseM())
+                  + ", \"radius\": "
+                  + JsonText.number(sphere.radiusM());
+        }
+        + material(object.material())
+        + "}";
+  }
+
+  private static String material(Material material) {
+    if (material.equals(Material.DEFAULT)) {
+      return "";
+    }
+    return ", \"material\": {\"stiffness\": "
+        + JsonText.number(material.stiffnessNPerM())
+        + ", \"damping\": "
+        + JsonText.number(material.dampingSPerM())
+        + ", \"friction\": "
+        + JsonText.number(material.friction())
+        + "}";
+  }
+
+  private static String load(Payload load) {
+    return "{\"mass\": "
+        + JsonText.number(load.massKg())
+        + ", \"cog\": "
+        + JsonText.numbers(load.cogXM(), load.cogYM(), load.cogZM())
+        + ", \"inertia\": "
+        + JsonText.numbers(
+            load.ixx(), load.iyy(), load.izz(), load.ixy(), load.ixz(), load.iyz())
+        + "}";
+  }
+
+  private static String toolPoint(ToolPoint point) {
+    String radius =
+        point.radiusM() == 0 ? "" : ", \"radius\": " + JsonText.number(point.radiusM());
+    return "{\"point\": " + vector(point.pointInFlangeM()) + radius + "}";
+  }
+
+  private static String push(Wrench push) {
+    return "{\"force\": "
+        + JsonText.numbers(push.fx(), push.fy(), push.fz())
+        + ", \"torque\": "
+        + JsonText.numbers(push.mx(), push.my(), push.mz())
+        + "}";
+  }
+
+  private static String vector(Vector3 vector) {
+    return JsonText.numbers(vector.x(), vector.y(), vector.z());
+  }
+
+  private static String pose(Pose pose) {
+    return JsonText.numbers(pose.x(), pose.y(), pose.z(), pose.rx(), pose.ry(), pose.rz());
+  }
+}
