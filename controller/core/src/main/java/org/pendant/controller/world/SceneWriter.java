@@ -2,9 +2,11 @@ package org.pendant.controller.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.pendant.models.dynamics.Payload;
-import org.pendant.models.json.JsonText;
+import org.pendant.models.json.JsonValues;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
@@ -13,10 +15,22 @@ import org.pendant.models.pose.Wrench;
  * What a file may leave out is left out.
  */
 public final class SceneWriter {
+  /** The keys of what a scene is made of. */
+  public static final Set<String> KEYS = Set.of("objects", "load", "tool", "push");
+
   private SceneWriter() {}
 
   /** The file; lines end with a line feed. */
   public static String write(Scene scene) {
+    return write(scene, Map.of());
+  }
+
+  /**
+   * The file, with members that a scene knows nothing of.
+   *
+   * @param others by key, as JSON
+   */
+  public static String write(Scene scene, Map<String, String> others) {
     List<String> parts = new ArrayList<>();
     if (!scene.objects().isEmpty()) {
       parts.add(list("objects", scene.objects().stream().map(SceneWriter::object).toList()));
@@ -28,6 +42,7 @@ public final class SceneWriter {
     if (!scene.pushAtTcpInBase().equals(Wrench.ZERO)) {
       parts.add("  \"push\": " + push(scene.pushAtTcpInBase()));
     }
+    others.forEach((key, json) -> parts.add("  " + JsonValues.text(key) + ": " + json));
     return parts.isEmpty() ? "{}\n" : "{\n" + String.join(",\n", parts) + "\n}\n";
   }
 
@@ -38,7 +53,7 @@ public final class SceneWriter {
   }
 
   private static String object(SceneObject object) {
-    String name = "\"name\": " + JsonText.text(object.name()) + ", ";
+    String name = "\"name\": " + JsonValues.text(object.name()) + ", ";
     return switch (object) {
           case SceneObject.Plane plane ->
               "{\"type\": \"plane\", "
@@ -60,7 +75,7 @@ public final class SceneWriter {
                   + "\"centre\": "
                   + vector(sphere.centreInBaseM())
                   + ", \"radius\": "
-                  + JsonText.number(sphere.radiusM());
+                  + JsonValues.number(sphere.radiusM());
         }
         + material(object.material())
         + "}";
@@ -71,44 +86,43 @@ public final class SceneWriter {
       return "";
     }
     return ", \"material\": {\"stiffness\": "
-        + JsonText.number(material.stiffnessNPerM())
+        + JsonValues.number(material.stiffnessNPerM())
         + ", \"damping\": "
-        + JsonText.number(material.dampingSPerM())
+        + JsonValues.number(material.dampingSPerM())
         + ", \"friction\": "
-        + JsonText.number(material.friction())
+        + JsonValues.number(material.friction())
         + "}";
   }
 
   private static String load(Payload load) {
     return "{\"mass\": "
-        + JsonText.number(load.massKg())
+        + JsonValues.number(load.massKg())
         + ", \"cog\": "
-        + JsonText.numbers(load.cogXM(), load.cogYM(), load.cogZM())
+        + JsonValues.numbers(load.cogXM(), load.cogYM(), load.cogZM())
         + ", \"inertia\": "
-        + JsonText.numbers(
-            load.ixx(), load.iyy(), load.izz(), load.ixy(), load.ixz(), load.iyz())
+        + JsonValues.numbers(load.ixx(), load.iyy(), load.izz(), load.ixy(), load.ixz(), load.iyz())
         + "}";
   }
 
   private static String toolPoint(ToolPoint point) {
     String radius =
-        point.radiusM() == 0 ? "" : ", \"radius\": " + JsonText.number(point.radiusM());
+        point.radiusM() == 0 ? "" : ", \"radius\": " + JsonValues.number(point.radiusM());
     return "{\"point\": " + vector(point.pointInFlangeM()) + radius + "}";
   }
 
   private static String push(Wrench push) {
     return "{\"force\": "
-        + JsonText.numbers(push.fx(), push.fy(), push.fz())
+        + JsonValues.numbers(push.fx(), push.fy(), push.fz())
         + ", \"torque\": "
-        + JsonText.numbers(push.mx(), push.my(), push.mz())
+        + JsonValues.numbers(push.mx(), push.my(), push.mz())
         + "}";
   }
 
   private static String vector(Vector3 vector) {
-    return JsonText.numbers(vector.x(), vector.y(), vector.z());
+    return JsonValues.numbers(vector.x(), vector.y(), vector.z());
   }
 
   private static String pose(Pose pose) {
-    return JsonText.numbers(pose.x(), pose.y(), pose.z(), pose.rx(), pose.ry(), pose.rz());
+    return JsonValues.numbers(pose.x(), pose.y(), pose.z(), pose.rx(), pose.ry(), pose.rz());
   }
 }

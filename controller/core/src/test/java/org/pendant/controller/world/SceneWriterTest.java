@@ -75,7 +75,8 @@ final class SceneWriterTest {
             case 0 -> new SceneObject.Plane(name, vector(random), new Vector3(0, -1, 0), material);
             case 1 -> new SceneObject.Box(name, pose(random), size(random), material);
             default ->
-                new SceneObject.Sphere(name, vector(random), random.nextDouble(0.001, 10), material);
+                new SceneObject.Sphere(
+                    name, vector(random), random.nextDouble(0.001, 10), material);
           });
     }
     Optional<Payload> load =

@@ -18,17 +18,18 @@ import org.pendant.models.json.JsonException;
  *
  * @param name for people; empty for no scene
  * @param onDisk the file; empty for a text that has none
+ * @param text the file's text
  * @param scene what it says of objects and load
  * @param equipment what it says of devices and rules
  */
 public record SceneFile(
-    String name, Optional<SavedProgram> onDisk, Scene scene, CellEquipment equipment) {
+    String name, Optional<SavedProgram> onDisk, String text, Scene scene, CellEquipment equipment) {
   /** How names of scenes end. */
   public static final String ENDING = ".scene.json";
 
   /** Empty space. */
   public static final SceneFile NONE =
-      new SceneFile("", Optional.empty(), Scene.EMPTY, CellEquipment.NONE);
+      new SceneFile("", Optional.empty(), "{}\n", Scene.EMPTY, CellEquipment.NONE);
 
   /** Whether a file is called as scenes are. */
   public static boolean hasEnding(Path file) {
@@ -47,6 +48,7 @@ public record SceneFile(
     return new SceneFile(
         String.valueOf(whole.getFileName()),
         Optional.of(read),
+        read.text(),
         scene(whole.toString(), read.text()),
         equipment(whole.toString(), read.text()));
   }
@@ -57,7 +59,12 @@ public record SceneFile(
    * @throws IOException if it is no scene; its message has the place and the reason
    */
   public static SceneFile of(String name, String text) throws IOException {
-    return new SceneFile(name, Optional.empty(), scene(name, text), equipment(name, text));
+    return new SceneFile(name, Optional.empty(), text, scene(name, text), equipment(name, text));
+  }
+
+  /** The same, known by another file. */
+  public SceneFile at(String newName, Optional<SavedProgram> file) {
+    return new SceneFile(newName, file, text, scene, equipment);
   }
 
   private static Scene scene(String name, String text) throws IOException {

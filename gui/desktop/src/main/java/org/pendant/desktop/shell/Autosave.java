@@ -15,6 +15,8 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.fault.Faults;
@@ -27,6 +29,7 @@ final class Autosave {
 
   private final Programs programs;
   private final ActiveInstallation installation;
+  private final SceneDraft scene;
   private final RecoveryFolder recovery;
   private final Notices notices;
   private final Consumer<String> tell;
@@ -51,11 +54,13 @@ final class Autosave {
   Autosave(
       Programs programs,
       ActiveInstallation installation,
+      SceneDraft scene,
       RecoveryFolder recovery,
       Notices notices,
       Consumer<String> tell) {
     this.programs = programs;
     this.installation = installation;
+    this.scene = scene;
     this.recovery = recovery;
     this.notices = notices;
     this.tell = tell;
@@ -125,8 +130,12 @@ final class Autosave {
 
   /** What is open already of a file. */
   private Optional<ProgramDocument> open(Path file) {
-    return installation.document().file().equals(Optional.of(file))
-        ? Optional.of(installation.document())
+    Optional<Path> wanted = Optional.of(file);
+    if (installation.document().file().equals(wanted)) {
+      return Optional.of(installation.document());
+    }
+    return scene.document().file().equals(wanted)
+        ? Optional.of(scene.document())
         : programs.of(file);
   }
 
@@ -134,6 +143,8 @@ final class Autosave {
     if (document.name().endsWith(InstallationText.ENDING)) {
       document.setText(left.text());
       installation.open(document);
+    } else if (SceneFile.hasEnding(Path.of(document.name()))) {
+      restoreScene(left, document);
     } else {
       programs.select(document);
       document.setText(left.text());
@@ -143,6 +154,20 @@ final class Autosave {
     keep(document, work);
     work.add(() -> recovery.forget(left));
     run(work, () -> {});
+  }
+
+  private void restoreScene(RecoveryFolder.LeftBehind left, ProgramDocument document) {
+    try {
+      if (document.text().isEmpty()) {
+        document.setText(SceneFile.NONE.text());
+      }
+      scene.restore(
+          document,
+          SceneFile.of(document.name(), document.text()).scene(),
+          SceneFile.of(document.name(), left.text()));
+    } catch (IOException e) {
+      notices.tell("not-restored", "Not restored: " + e.getMessage());
+    }
   }
 
   /** The program that a text belongs to, as it is on disk. */
@@ -180,6 +205,7 @@ final class Autosave {
   private List<ProgramDocument> all() {
     List<ProgramDocument> all = new ArrayList<>(programs.all());
     all.add(installation.document());
+    all.add(scene.document());
     return all;
   }
 

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.shell.Notices.Choice;
 
 /** Close dialog: asks about unsaved work before the window closes. */
@@ -18,6 +19,8 @@ final class CloseDialog {
   private final ProgramFiles files;
   private final ActiveInstallation installation;
   private final InstallationFiles installationFiles;
+  private final SceneDraft scene;
+  private final SceneFiles sceneFiles;
   private final SaveQueue saves;
   private final Notices notices;
   private final Runnable leave;
@@ -33,6 +36,8 @@ final class CloseDialog {
       ProgramFiles files,
       ActiveInstallation installation,
       InstallationFiles installationFiles,
+      SceneDraft scene,
+      SceneFiles sceneFiles,
       SaveQueue saves,
       Notices notices,
       Runnable leave) {
@@ -40,6 +45,8 @@ final class CloseDialog {
     this.files = files;
     this.installation = installation;
     this.installationFiles = installationFiles;
+    this.scene = scene;
+    this.sceneFiles = sceneFiles;
     this.saves = saves;
     this.notices = notices;
     this.leave = leave;
@@ -96,6 +103,7 @@ final class CloseDialog {
   private List<ProgramDocument> unsaved() {
     List<ProgramDocument> all = new ArrayList<>(programs.all());
     all.add(installation.document());
+    all.add(scene.document());
     all.removeIf(each -> !each.modified());
     return all;
   }
@@ -120,6 +128,8 @@ final class CloseDialog {
         };
     if (next == installation.document()) {
       installationFiles.save(then);
+    } else if (next == scene.document()) {
+      sceneFiles.save(then);
     } else {
       programs.select(next);
       files.save(next, then);

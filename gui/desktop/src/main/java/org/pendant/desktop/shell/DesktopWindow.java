@@ -119,7 +119,8 @@ final class DesktopWindow {
     programActions.addProgram();
     programActions.addRobot();
     views = new Views(workbench, programs, runner);
-    workbench.openFilesAre(() -> EditedFiles.of(programs, views.installation()));
+    workbench.openFilesAre(
+        () -> EditedFiles.of(programs, views.installation(), views.sceneDraft()));
     status.alsoTell(views::told);
     var _ =
         new InstallationLink(
@@ -165,13 +166,17 @@ final class DesktopWindow {
     scenes =
         new SceneFiles(
             views.installation(),
+            views.sceneDraft(),
+            saver,
             new SceneMemory(settings),
             notices,
             status::tell,
             workbench.usedFolder(),
             docks.component(),
             robot::surround);
-    autosave = new Autosave(programs, views.installation(), recovery, notices, this::warn);
+    autosave =
+        new Autosave(
+            programs, views.installation(), views.sceneDraft(), recovery, notices, this::warn);
     disk = new DiskWatch(programs, views.installation(), saves, notices, status::tell);
     others = new OtherWindows(programs, views.installation(), openFiles, notices, status::tell);
     closeDialog =
@@ -180,6 +185,8 @@ final class DesktopWindow {
             files,
             views.installation(),
             installationFiles,
+            views.sceneDraft(),
+            scenes,
             saves,
             notices,
             this::dispose);

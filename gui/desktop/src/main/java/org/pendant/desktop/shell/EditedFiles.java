@@ -7,14 +7,17 @@ import java.util.stream.Stream;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SceneDraft;
 
 /** Edited files: the files that people work on: nothing else is written onto them. */
 final class EditedFiles {
   private EditedFiles() {}
 
-  /** Those of all programs and of the installation. */
-  static List<Path> of(Programs programs, ActiveInstallation installation) {
-    return files(Stream.concat(programs.all().stream(), Stream.of(installation.document())));
+  /** Those of all programs, of the installation and of the scene. */
+  static List<Path> of(Programs programs, ActiveInstallation installation, SceneDraft scene) {
+    return files(
+        Stream.concat(
+            programs.all().stream(), Stream.of(installation.document(), scene.document())));
   }
 
   /** Those of all programs but one, whose own file is replaced on purpose. */

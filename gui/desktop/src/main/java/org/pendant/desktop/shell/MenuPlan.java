@@ -173,15 +173,22 @@ final class MenuPlan {
                 sub("Recent", "", list(files("Recent installations"))),
                 line(),
                 all("installation.save", "installation.save-as", "installation.reload"))),
-        all("scene-file.open", "file.open-recording", "file"),
+        sub(
+            "Scene",
+            "",
+            list(
+                all("scene-file.new", "scene-file.open"),
+                line(),
+                all("scene-file.save", "scene-file.save-as", "scene-file.apply"))),
+        all("file.open-recording", "file"),
         line(),
         all("file.quit"));
   }
 
   private static List<Entry> edit() {
     return list(
-        one("editor.undo", "tree.undo", "installation.undo"),
-        one("editor.redo", "tree.redo", "installation.redo"),
+        one("editor.undo", "tree.undo", "installation.undo", "cell.undo"),
+        one("editor.redo", "tree.redo", "installation.redo", "cell.redo"),
         line(),
         sub(
             "Find",

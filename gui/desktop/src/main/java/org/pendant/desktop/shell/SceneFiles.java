@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell;
 
 import java.awt.Component;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,12 +12,15 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.DiskChange;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.session.SceneMemory;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.background.Background;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
 
 /**
  * Scene files: puts scenes around the arm, remembers which belongs to which installation, and
@@ -27,6 +31,8 @@ final class SceneFiles {
   private static final String CHANGED = "scene-change";
 
   private final ActiveInstallation installation;
+  private final SceneDraft draft;
+  private final DocumentSaver saver;
   private final SceneMemory memory;
   private final Notices notices;
   private final Consumer<String> tell;
@@ -36,6 +42,10 @@ final class SceneFiles {
   private ProgramDocument known;
   private Optional<Path> knownFile;
   private SceneFile current = SceneFile.NONE;
+
+  /** The document of what is around the arm, which the draft may have left behind. */
+  private ProgramDocument ofCurrent;
+
   private Optional<Path> wanted = Optional.empty();
   private DiskChange change = new DiskChange();
   private boolean looking;
@@ -43,6 +53,7 @@ final class SceneFiles {
   /**
    * Nothing is around the arm yet.
    *
+   * @param draft what people change
    * @param surround puts a scene around the arm, perhaps after a question, and then runs what it is
    *     given
    * @param used where dialogs begin
@@ -50,6 +61,8 @@ final class SceneFiles {
    */
   SceneFiles(
       ActiveInstallation installation,
+      SceneDraft draft,
+      DocumentSaver saver,
       SceneMemory memory,
       Notices notices,
       Consumer<String> tell,
@@ -57,6 +70,8 @@ final class SceneFiles {
       Component parent,
       BiConsumer<SceneFile, Runnable> surround) {
     this.installation = installation;
+    this.draft = draft;
+    this.saver = saver;
     this.memory = memory;
     this.notices = notices;
     this.tell = tell;
@@ -66,6 +81,8 @@ final class SceneFiles {
     known = installation.document();
     knownFile = known.file();
     installation.addFileListener(this::followInstallation);
+    ofCurrent = draft.document();
+    draft.addListener(this::followDraft);
   }
 
   /** What can be done with them. */
@@ -87,6 +104,20 @@ final class SceneFiles {
             () -> !current.isNone() || wanted.isPresent(),
             this::close),
         () -> "No scene is open");
+    actions.add(Action.of("scene-file.new", "New scene", "", this::create));
+    actions.add(
+        new Action(
+            "scene-file.save",
+            "Save scene",
+            "",
+            () -> draft.document().modified() || draft.document().file().isEmpty(),
+            () -> save(saved -> {})),
+        () -> "Nothing has changed");
+    actions.add(
+        Action.of("scene-file.save-as", "Save scene as\u2026", "", () -> saveAs(saved -> {})));
+    actions.add(
+        new Action("scene-file.apply", "Apply the scene", "", this::canApply, this::apply),
+        () -> "This scene is around the arm already");
   }
 
   /** What is around the arm. */
@@ -97,10 +128,121 @@ final class SceneFiles {
   /** Takes over what the controller was switched on with. */
   void begin(StartScene start) {
     current = start.scene();
+    followCurrent();
     wanted = start.wanted();
     if (!start.trouble().isEmpty()) {
       trouble(start.trouble(), wanted);
     }
+  }
+
+  private void create() {
+    unlessUnsaved(() -> draft.open(SceneFile.NONE));
+  }
+
+  /** Whether what people change is not around the arm. */
+  boolean canApply() {
+    return draft.document() != ofCurrent || !draft.scene().equals(current.scene());
+  }
+
+  /** Puts what people change around the arm. */
+  private void apply() {
+    ProgramDocument document = draft.document();
+    SceneFile next;
+    try {
+      next = SceneFile.of(document.name(), document.text()).at(document.name(), document.onDisk());
+    } catch (IOException e) {
+      trouble(e.getMessage(), Optional.empty());
+      return;
+    }
+    surround.accept(
+        next,
+        () -> {
+          ofCurrent = document;
+          current = next;
+          remember(current.path());
+          tell.accept("Around the arm: " + current.words());
+        });
+  }
+
+  /** The file of what is around the arm may be another one, or newer, after a save. */
+  private void followDraft() {
+    if (draft.document() == ofCurrent && !current.isNone()) {
+      Optional<SavedProgram> onDisk = ofCurrent.onDisk();
+      if (!onDisk.equals(current.onDisk())) {
+        current = current.at(ofCurrent.name(), onDisk);
+        change = new DiskChange();
+        remember(current.path());
+      }
+    }
+  }
+
+  private void followCurrent() {
+    draft.open(current);
+    ofCurrent = draft.document();
+  }
+
+  /**
+   * Saves what people change where it is, or asks where.
+   *
+   * @param then hears whether it is on disk now
+   */
+  void save(Consumer<Boolean> then) {
+    if (draft.document().file().isEmpty()) {
+      saveAs(then);
+    } else {
+      saver.save(draft.document(), then);
+    }
+  }
+
+  private void saveAs(Consumer<Boolean> then) {
+    ProgramDocument document = draft.document();
+    Path here = document.file().orElse(Path.of(document.name()));
+    SaveDialog.ask(
+        parent,
+        new SaveRequest(
+            "Save " + document.name() + " as",
+            document.file().isPresent() ? here.toAbsolutePath() : used.get().resolve(here),
+            List.of("json"),
+            SceneFiles::fitting,
+            List.of()),
+        chosen ->
+            chosen.ifPresentOrElse(
+                path -> saver.saveAs(document, document.toSaveAs(path), then),
+                () -> then.accept(false)));
+  }
+
+  /** A scene is known by the ending of its file. */
+  private static Path fitting(Path path) {
+    if (SceneFile.hasEnding(path)) {
+      return path;
+    }
+    String name = String.valueOf(path.getFileName());
+    String bare =
+        name.endsWith(".json") ? name.substring(0, name.length() - ".json".length()) : name;
+    return path.resolveSibling(bare + SceneFile.ENDING);
+  }
+
+  private void unlessUnsaved(Runnable then) {
+    if (!draft.document().modified()) {
+      then.run();
+      return;
+    }
+    notices.ask(
+        "scene-unsaved",
+        "The scene " + draft.document().name() + " is not saved.",
+        List.of(
+            new Choice(
+                "Save",
+                () ->
+                    save(
+                        saved -> {
+                          if (saved) {
+                            then.run();
+                          }
+                        })),
+            new Choice("Continue without saving", then),
+            Choice.nothing("Cancel")));
+    notices.focus();
   }
 
   private void open() {
@@ -109,6 +251,10 @@ final class SceneFiles {
 
   /** Puts the scene of a file around the arm. */
   void open(Path file) {
+    unlessUnsaved(() -> read(file));
+  }
+
+  private void read(Path file) {
     Background.run(
         () -> SceneFile.read(file),
         this::take,
@@ -117,14 +263,16 @@ final class SceneFiles {
 
   /** Puts a scene around the arm that is no file of the user's. */
   void openCopy(String name, String text) {
-    Background.run(
-        () -> SceneFile.of(name, text),
-        this::take,
-        failed -> trouble(failed.getMessage(), Optional.empty()));
+    unlessUnsaved(
+        () ->
+            Background.run(
+                () -> SceneFile.of(name, text),
+                this::take,
+                failed -> trouble(failed.getMessage(), Optional.empty())));
   }
 
   private void close() {
-    take(SceneFile.NONE);
+    unlessUnsaved(() -> take(SceneFile.NONE));
   }
 
   private void take(SceneFile next) {
@@ -134,6 +282,7 @@ final class SceneFiles {
         next,
         () -> {
           current = next;
+          followCurrent();
           change = new DiskChange();
           remember(next.path());
           tell.accept(

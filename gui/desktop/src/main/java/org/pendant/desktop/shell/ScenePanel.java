@@ -103,9 +103,14 @@ final class ScenePanel implements View, GhostArm {
   private WaypointMarkers waypointMarkers = WaypointMarkers.NONE;
   private List<WaypointMarkers.Mark> features = List.of();
   private Optional<Surroundings> surroundings = Optional.empty();
+
+  /** What is around the arm, whatever is proposed. */
+  private Scene realScene = Scene.EMPTY;
+
   private Optional<Seen> seen = Optional.empty();
   private Optional<Near> margins = Optional.empty();
   private Supplier<ComparedWays> compared = () -> ComparedWays.NONE;
+  private Supplier<Optional<Scene>> proposed = Optional::empty;
   private long changedNs;
 
   /** An arm and what is around it: people may change both at any time. */
@@ -257,6 +262,11 @@ final class ScenePanel implements View, GhostArm {
     compared = ways;
   }
 
+  /** Where to ask for the scene that people change and have not applied yet. */
+  void setProposedScene(Supplier<Optional<Scene>> draft) {
+    proposed = draft;
+  }
+
   /** Shows the features of an installation that are finished. */
   void show(List<Feature> installed) {
     List<WaypointMarkers.Mark> marks = new ArrayList<>();
@@ -398,12 +408,18 @@ final class ScenePanel implements View, GhostArm {
   }
 
   private Surroundings surroundings(String id) {
-    Scene scene = workbench.session().options().scene();
-    if (surroundings.isEmpty()
-        || !surroundings.get().arm.id().equals(id)
-        || !surroundings.get().scene.equals(scene)) {
-      surroundings = Optional.of(new Surroundings(ArmLibrary.load(id), scene, new Touching(scene)));
+    Scene real = workbench.session().options().scene();
+    if (!real.equals(realScene)) {
+      realScene = real;
       trace.clear();
+    }
+    Scene scene = proposed.get().orElse(real);
+    boolean otherArm = surroundings.isEmpty() || !surroundings.get().arm.id().equals(id);
+    if (otherArm || !surroundings.get().scene.equals(scene)) {
+      if (otherArm) {
+        trace.clear();
+      }
+      surroundings = Optional.of(new Surroundings(ArmLibrary.load(id), scene, new Touching(scene)));
     }
     return surroundings.get();
   }

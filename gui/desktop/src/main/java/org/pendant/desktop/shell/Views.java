@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.cell.CellView;
 import org.pendant.desktop.debug.BreakpointsView;
 import org.pendant.desktop.debug.CallStackView;
 import org.pendant.desktop.debug.DebugActions;
@@ -44,6 +45,7 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
@@ -68,6 +70,7 @@ final class Views {
   private final ScriptEditor editor;
   private final ProgramView program;
   private final ActiveInstallation installation = new ActiveInstallation();
+  private final SceneDraft sceneDraft = new SceneDraft();
   private final ProgramRunner runner;
   private final LogView log;
   private final DebugPresenter debug;
@@ -186,6 +189,9 @@ final class Views {
     calls.setPast(past::past);
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
+    CellView cell = new CellView(workbench, sceneDraft);
+    scene.setProposedScene(
+        () -> showing(CellView.ID) ? Optional.of(sceneDraft.scene()) : Optional.empty());
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     tests = new TestsView(workbench, programs, editor, installation, runner::startsElsewhere);
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
@@ -209,6 +215,7 @@ final class Views {
             screen(past.held(new IoView(workbench, labels)), Glyph.SIGNALS),
             screen(log, Glyph.LOG),
             screen(plots, Glyph.PLOT),
+            screen(past.held(cell), Glyph.CELL),
             panel(scene, Side.RIGHT),
             panel(past.selectable(variables), Side.LOWER),
             panel(past.selectable(watches), Side.LOWER),
@@ -354,6 +361,11 @@ final class Views {
   /** What programs can refer to. */
   ActiveInstallation installation() {
     return installation;
+  }
+
+  /** What is to be around the arm. */
+  SceneDraft sceneDraft() {
+    return sceneDraft;
   }
 
   /** Shows a line of the program that was started last, whichever is in front. */

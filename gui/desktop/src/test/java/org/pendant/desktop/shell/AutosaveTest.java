@@ -26,6 +26,7 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
+import org.pendant.desktop.session.SceneDraft;
 import org.pendant.kit.fault.ReportedFaults;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
@@ -138,7 +139,12 @@ final class AutosaveTest {
 
   private Autosave keeper(Programs programs, Path kept) {
     return new Autosave(
-        programs, new ActiveInstallation(), new RecoveryFolder(kept), notices, told::add);
+        programs,
+        new ActiveInstallation(),
+        new SceneDraft(),
+        new RecoveryFolder(kept),
+        notices,
+        told::add);
   }
 
   /** Looks again and again, as the window does. */

@@ -23,6 +23,8 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.session.SceneMemory;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 @Tag("slow")
@@ -203,6 +205,7 @@ final class DocumentSaverTest {
   private CloseDialog leaving(List<String> left) {
     Programs programs = new Programs(document);
     ActiveInstallation installation = new ActiveInstallation();
+    SceneDraft scene = new SceneDraft();
     return new CloseDialog(
         programs,
         new ProgramFiles(
@@ -224,6 +227,17 @@ final class DocumentSaverTest {
             warned::add,
             new UsedFolder(),
             notices),
+        scene,
+        new SceneFiles(
+            installation,
+            scene,
+            saver,
+            new SceneMemory(new NoSettings()),
+            notices,
+            told::add,
+            new UsedFolder(),
+            notices,
+            (wanted, then) -> then.run()),
         queue,
         notices,
         () -> left.add(text()));

@@ -18,6 +18,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneDraft;
 import org.pendant.kit.background.Background;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ProgramNode;
@@ -57,6 +58,7 @@ final class EditingProcess {
         new Autosave(
             programs,
             installation,
+            new SceneDraft(),
             new RecoveryFolder(kept),
             new Notices(),
             text -> out.println("told " + text));

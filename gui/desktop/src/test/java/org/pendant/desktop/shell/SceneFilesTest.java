@@ -22,8 +22,11 @@ import org.pendant.controller.world.Scene;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneMemory;
+import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.settings.Settings;
+import org.pendant.models.dynamics.Payload;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 final class SceneFilesTest {
@@ -34,6 +37,7 @@ final class SceneFilesTest {
   @TempDir Path folder;
 
   private final ActiveInstallation installation = new ActiveInstallation();
+  private final SceneDraft draft = new SceneDraft();
   private final Notices notices = new Notices();
   private final List<String> told = new ArrayList<>();
   private final List<Scene> surroundings = new ArrayList<>();
@@ -64,6 +68,8 @@ final class SceneFilesTest {
             scenes =
                 new SceneFiles(
                     installation,
+                    draft,
+                    new DocumentSaver(new SaveQueue(), notices, told::add, told::add),
                     new SceneMemory(settings),
                     notices,
                     told::add,
@@ -171,5 +177,48 @@ final class SceneFilesTest {
 
     assertTrue(notices.shows("scene-trouble"));
     assertFalse(notices.shows("scene-change"));
+  }
+
+  @Test
+  void aSceneThatPeopleHaveChangedIsAroundTheArmWhenItIsApplied() throws Exception {
+    ActionTable actions = new ActionTable(settings);
+    DispatchThread.run(
+        () -> {
+          scenes.addActions(actions);
+          assertFalse(scenes.canApply());
+          draft.set(new Scene(List.of(), Optional.of(Payload.of(2, 0, 0, 0)), List.of()));
+          assertTrue(scenes.canApply());
+          actions.run("scene-file.apply");
+          assertEquals(List.of(draft.scene()), surroundings);
+          assertFalse(scenes.canApply());
+          assertEquals("Around the arm: untitled.scene.json, 0 objects and a load", told.getLast());
+        });
+  }
+
+  @Test
+  void whatIsNotSavedIsAskedAboutBeforeAnotherSceneIsRead() throws Exception {
+    DispatchThread.run(
+        () -> {
+          draft.set(new Scene(List.of(), Optional.of(Payload.of(2, 0, 0, 0)), List.of()));
+          scenes.open(file);
+          assertTrue(notices.shows("scene-unsaved"));
+          assertEquals(List.of(), surroundings);
+        });
+  }
+
+  @Test
+  void aSavedSceneIsNotTakenForOneThatOthersHaveChanged() throws Exception {
+    DispatchThread.run(() -> scenes.open(file));
+    DispatchThread.await(() -> !draft.scene().equals(Scene.EMPTY));
+    DispatchThread.run(
+        () -> {
+          draft.set(new Scene(List.of(), Optional.empty(), List.of()));
+          scenes.save(told -> {});
+        });
+    DispatchThread.await(() -> !draft.document().modified());
+    assertEquals("{}\n", Files.readString(file));
+    DispatchThread.run(scenes::look);
+    DispatchThread.await(() -> !scenes.looking());
+    DispatchThread.run(() -> assertFalse(notices.shows("scene-change")));
   }
 }

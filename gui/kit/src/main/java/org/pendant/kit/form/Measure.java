@@ -18,6 +18,8 @@ public enum Measure {
   SECOND("s", 1, 3),
   NEWTON("N", 1, 2),
   NEWTON_METRE("Nm", 1, 3),
+  NEWTON_PER_METRE("N/m", 1, 0),
+  SECOND_PER_METRE("s/m", 1, 3),
   KILOGRAM("kg", 1, 3),
   VOLT("V", 1, 3),
   MILLIAMPERE("mA", 1e-3, 3),

@@ -2,12 +2,14 @@ package org.pendant.kit.form;
 
 import java.awt.Component;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.DefaultListCellRenderer;
@@ -297,6 +299,28 @@ public final class PartsForm<T> {
     Remark remark = new Remark(id + "-remark", Palette::warning);
     followers.add(now -> remark.say(words.apply(now)));
     panel.add(remark, "span, wrap, " + Remark.LAYOUT);
+    return this;
+  }
+
+  /**
+   * Rows that are there for some values only.
+   *
+   * @param when for which
+   * @param rows adds them
+   */
+  public PartsForm<T> section(Predicate<T> when, Runnable rows) {
+    int from = panel.getComponentCount();
+    rows.run();
+    List<Component> own =
+        Arrays.asList(panel.getComponents()).subList(from, panel.getComponentCount());
+    followers.add(
+        now -> {
+          boolean on = when.test(now);
+          for (Component each : own) {
+            // remarks are there when they have something to say
+            each.setVisible(on && (!(each instanceof Remark) || each.isVisible()));
+          }
+        });
     return this;
   }
 

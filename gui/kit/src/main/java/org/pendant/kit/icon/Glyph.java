@@ -16,6 +16,7 @@ public enum Glyph {
   MOVE,
   SIGNALS,
   INSTALLATION,
+  CELL,
   LOG,
   PLOT,
   LEFT,

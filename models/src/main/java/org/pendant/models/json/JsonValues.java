@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 import tools.jackson.core.io.JsonStringEncoder;
 
-/** JSON text: values as a file says them, for people to read. */
-public final class JsonText {
-  private JsonText() {}
+/** JSON values: as a file says them, for people to read. */
+public final class JsonValues {
+  private JsonValues() {}
 
   /** A text in quotation marks, with what JSON wants escaped. */
   public static String text(String value) {
@@ -26,7 +26,7 @@ public final class JsonText {
   /** An array of numbers, on one line. */
   public static String numbers(double... values) {
     return Arrays.stream(values)
-        .mapToObj(JsonText::number)
+        .mapToObj(JsonValues::number)
         .collect(Collectors.joining(", ", "[", "]"));
   }
 }

@@ -1,0 +1,94 @@
+package org.pendant.desktop.cell;
+
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.form.PartsForm;
+import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Palette;
+
+/** Cell bar: which scene it is, what can be done with it, and whether it is around the arm. */
+final class CellBar {
+  private static final String APPLY = "scene-file.apply";
+
+  private final Workbench workbench;
+  private final SceneDraft draft;
+  private final JLabel name = new JLabel();
+  private final JButton save = new JButton("Save");
+  private final JButton apply = new JButton("Apply");
+  private final JButton undo = new JButton("Undo");
+  private final JButton redo = new JButton("Redo");
+  private final Remark waiting = new Remark("cell-waiting", Palette::warning);
+  private final JPanel panel =
+      new JPanel(new MigLayout("insets 8 12 4 12, gap 8 4, hidemode 3", "[grow, fill]"));
+
+  CellBar(Workbench workbench, SceneDraft draft) {
+    this.workbench = workbench;
+    this.draft = draft;
+    name.setName("cell-name");
+    name.putClientProperty("FlatLaf.styleClass", "semibold");
+    JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
+    row.add(name);
+    for (List<String> each :
+        List.of(
+            List.of("new", "New", "New scene"),
+            List.of("open", "Open\u2026", "Open a scene"),
+            List.of("save", "Save", "Save the scene"),
+            List.of("save-as", "Save as\u2026", "Save the scene in another file"),
+            List.of("apply", "Apply", "Put this scene around the arm"))) {
+      JButton button =
+          switch (each.getFirst()) {
+            case "save" -> save;
+            case "apply" -> apply;
+            default -> new JButton(each.get(1));
+          };
+      TitledCard.named(button, "cell-" + each.getFirst(), each.get(2));
+      TitledCard.compact(button);
+      button.addActionListener(event -> workbench.actions().run("scene-file." + each.getFirst()));
+      row.add(button);
+    }
+    TitledCard.named(undo, "cell-undo", "Undo the last change (Ctrl+Z)");
+    undo.addActionListener(event -> draft.undo());
+    TitledCard.named(redo, "cell-redo", "Make it again (Ctrl+Y)");
+    redo.addActionListener(event -> draft.redo());
+    TitledCard.compact(undo, redo);
+    row.add(undo);
+    row.add(redo);
+    panel.add(row, "growx, wmin 0, wrap");
+    panel.add(waiting, Remark.LAYOUT);
+  }
+
+  JComponent component() {
+    return panel;
+  }
+
+  /** Shows what the draft is. */
+  void show() {
+    ProgramDocument document = draft.document();
+    name.setText((document.modified() ? "\u2022 " : "") + document.name());
+    name.setToolTipText(
+        document.file().map(file -> file.toAbsolutePath().toString()).orElse("Not saved yet"));
+    name.getAccessibleContext()
+        .setAccessibleName("Scene " + document.name() + (document.modified() ? ", not saved" : ""));
+    save.setEnabled(document.modified() || document.file().isEmpty());
+    undo.setEnabled(draft.canUndo());
+    redo.setEnabled(draft.canRedo());
+  }
+
+  /** Shows whether the draft is around the arm. */
+  void refresh() {
+    boolean waits =
+        workbench.actions().all().stream()
+            .anyMatch(each -> each.id().equals(APPLY) && each.enabled().getAsBoolean());
+    apply.setEnabled(waits);
+    waiting.say(waits ? "The 3D view shows your changes; Apply puts them around the arm." : "");
+  }
+}

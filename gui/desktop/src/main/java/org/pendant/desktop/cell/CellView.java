@@ -1,0 +1,145 @@
+package org.pendant.desktop.cell;
+
+import java.awt.BorderLayout;
+import java.awt.event.ActionEvent;
+import java.util.Optional;
+import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.ScrollPaneConstants;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.unit.RotationChoice;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.layout.CardSheet;
+import org.pendant.kit.layout.SettledScroll;
+
+/** Cell view: the screen on which people put things around the arm. */
+public final class CellView implements View {
+  /** Its id among the views. */
+  public static final String ID = "cell";
+
+  private static final int GAP = 16;
+  private static final int WIDEST_CARD = 420;
+
+  private final Workbench workbench;
+  private final SceneDraft draft;
+  private final RotationChoice rotation;
+  private final JPanel content = new JPanel(new BorderLayout());
+
+  /** Made when people first look at them. */
+  private Optional<Cards> cards = Optional.empty();
+
+  /** What the screen is made of. */
+  private record Cards(CellBar bar, ObjectsCard objects, LoadCard load, ToolPointsCard tool) {
+    void show() {
+      bar.show();
+      objects.show();
+      load.show();
+      tool.show();
+    }
+  }
+
+  /**
+   * The screen for a scene.
+   *
+   * @param draft what is shown and changed
+   */
+  public CellView(Workbench workbench, SceneDraft draft) {
+    this.workbench = workbench;
+    this.draft = draft;
+    rotation = new RotationChoice(workbench.settings());
+    rotation.addListener(this::show);
+    draft.addListener(this::show);
+    content.setName("cell-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    key("control Z", draft::undo);
+    key("control Y", draft::redo);
+    key("control shift Z", draft::redo);
+    workbench
+        .actions()
+        .add(new Action("cell.undo", "Undo in the scene", "", draft::canUndo, draft::undo));
+    workbench
+        .actions()
+        .add(new Action("cell.redo", "Redo in the scene", "", draft::canRedo, draft::redo));
+  }
+
+  private void key(String keys, Runnable run) {
+    content
+        .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+        .put(KeyStroke.getKeyStroke(keys), keys);
+    content
+        .getActionMap()
+        .put(
+            keys,
+            new AbstractAction() {
+              @Override
+              public void actionPerformed(ActionEvent event) {
+                run.run();
+              }
+            });
+  }
+
+  private Cards cards() {
+    if (cards.isEmpty()) {
+      Cards made =
+          new Cards(
+              new CellBar(workbench, draft),
+              new ObjectsCard(draft, rotation, workbench.session()::state),
+              new LoadCard(draft),
+              new ToolPointsCard(draft));
+      JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
+      sheet.add(made.objects.component());
+      JPanel flange =
+          new JPanel(new MigLayout("insets 0, gap 0 " + GAP + ", wrap", "[grow, fill]"));
+      flange.setOpaque(false);
+      flange.add(made.load.component());
+      flange.add(made.tool.component());
+      sheet.add(flange);
+      JScrollPane scroll =
+          new SettledScroll(
+              sheet,
+              ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+              ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+      scroll.setBorder(BorderFactory.createEmptyBorder());
+      scroll.setName("cell-scroll");
+      content.add(made.bar.component(), BorderLayout.NORTH);
+      content.add(scroll, BorderLayout.CENTER);
+      cards = Optional.of(made);
+      made.show();
+    }
+    return cards.get();
+  }
+
+  private void show() {
+    cards.ifPresent(Cards::show);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Cell";
+  }
+
+  @Override
+  public JComponent component() {
+    var _ = cards();
+    return content;
+  }
+
+  @Override
+  public void refresh(ControllerState state) {
+    rotation.look();
+    cards().bar().refresh();
+  }
+}

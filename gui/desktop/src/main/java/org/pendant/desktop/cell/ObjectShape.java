@@ -1,0 +1,70 @@
+package org.pendant.desktop.cell;
+
+import org.pendant.controller.world.Material;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
+import org.pendant.models.pose.Pose;
+
+/** Object shape: what people read of the shape of an object, and its parts in other objects. */
+final class ObjectShape {
+  private ObjectShape() {}
+
+  /** Such as {@code box}. */
+  static String words(SceneObject object) {
+    return switch (object) {
+      case SceneObject.Plane _ -> "plane";
+      case SceneObject.Box _ -> "box";
+      case SceneObject.Sphere _ -> "ball";
+    };
+  }
+
+  static SceneObject named(SceneObject object, String name) {
+    return switch (object) {
+      case SceneObject.Plane plane ->
+          new SceneObject.Plane(name, plane.pointInBaseM(), plane.normalInBase(), plane.material());
+      case SceneObject.Box box ->
+          new SceneObject.Box(name, box.poseInBase(), box.sizeM(), box.material());
+      case SceneObject.Sphere ball ->
+          new SceneObject.Sphere(name, ball.centreInBaseM(), ball.radiusM(), ball.material());
+    };
+  }
+
+  static SceneObject of(SceneObject object, Material material) {
+    return switch (object) {
+      case SceneObject.Plane plane ->
+          new SceneObject.Plane(plane.name(), plane.pointInBaseM(), plane.normalInBase(), material);
+      case SceneObject.Box box ->
+          new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), material);
+      case SceneObject.Sphere ball ->
+          new SceneObject.Sphere(ball.name(), ball.centreInBaseM(), ball.radiusM(), material);
+    };
+  }
+
+  /** Where it is in the base: a point of a plane, the centre of anything else, m. */
+  static Vector3 placeM(SceneObject object) {
+    return switch (object) {
+      case SceneObject.Plane plane -> plane.pointInBaseM();
+      case SceneObject.Box box ->
+          new Vector3(box.poseInBase().x(), box.poseInBase().y(), box.poseInBase().z());
+      case SceneObject.Sphere ball -> ball.centreInBaseM();
+    };
+  }
+
+  /** The same one elsewhere in the base, m. */
+  static SceneObject at(SceneObject object, Vector3 placeM) {
+    return switch (object) {
+      case SceneObject.Plane plane ->
+          new SceneObject.Plane(plane.name(), placeM, plane.normalInBase(), plane.material());
+      case SceneObject.Box box -> {
+        Pose pose = box.poseInBase();
+        yield new SceneObject.Box(
+            box.name(),
+            new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
+            box.sizeM(),
+            box.material());
+      }
+      case SceneObject.Sphere ball ->
+          new SceneObject.Sphere(ball.name(), placeM, ball.radiusM(), ball.material());
+    };
+  }
+}

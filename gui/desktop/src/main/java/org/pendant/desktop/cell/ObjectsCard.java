@@ -1,0 +1,213 @@
+package org.pendant.desktop.cell;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.world.Material;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.unit.PoseRows;
+import org.pendant.desktop.unit.RotationChoice;
+import org.pendant.kit.form.Items;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
+import org.pendant.kit.layout.TitledCard;
+import org.pendant.models.pose.Pose;
+
+/** Objects card: the solids around the arm, and a form for the chosen one. */
+final class ObjectsCard {
+  /** A step in front of the base, where most arms reach. */
+  private static final double IN_FRONT_M = 0.4;
+
+  private static final double ABREAST_M = 0.15;
+  private static final int MAX_ABREAST = 5;
+  private static final Vector3 UP = new Vector3(0, 0, 1);
+
+  private final SceneDraft draft;
+  private final TitledCard card = new TitledCard("Objects", "[grow, fill]");
+  private final Items<SceneObject> items;
+
+  ObjectsCard(SceneDraft draft, RotationChoice rotation, Supplier<ControllerState> state) {
+    this.draft = draft;
+    items =
+        new Items<>(
+            "cell-object",
+            "Objects around the arm",
+            "Nothing is around the arm. Add a table, a box or a ball: the tool can touch them.",
+            new Drafted(),
+            each -> each.name() + "  (" + ObjectShape.words(each) + ")");
+    items.adder(
+        "Add plane",
+        () ->
+            new SceneObject.Plane(
+                items.freshName("Plane"), new Vector3(0, 0, 0), UP, Material.DEFAULT));
+    items.adder(
+        "Add box",
+        () ->
+            new SceneObject.Box(
+                items.freshName("Box"),
+                new Pose(IN_FRONT_M, besideM(), 0.05, 0, 0, 0),
+                new Vector3(0.1, 0.1, 0.1),
+                Material.DEFAULT));
+    items.adder(
+        "Add ball",
+        () ->
+            new SceneObject.Sphere(
+                items.freshName("Ball"),
+                new Vector3(IN_FRONT_M, besideM(), 0.05),
+                0.05,
+                Material.DEFAULT));
+    PartsForm<SceneObject> form = items.form();
+    form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
+    form.section(SceneObject.Box.class::isInstance, () -> addBox(form, rotation));
+    form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
+    form.section(SceneObject.Sphere.class::isInstance, () -> addBall(form));
+    JButton here = new JButton("Put at TCP");
+    TitledCard.compact(here);
+    TitledCard.named(here, "cell-object-here", "Put it where the TCP is now");
+    here.addActionListener(
+        event ->
+            items
+                .chosen()
+                .ifPresent(
+                    object -> {
+                      Pose tcp = state.get().arm().targetTcpInBase();
+                      items.replace(ObjectShape.at(object, new Vector3(tcp.x(), tcp.y(), tcp.z())));
+                    }));
+    form.buttons(here);
+    addMaterial(form);
+    card.add(items.component());
+  }
+
+  /** Beside the others: what is new can be seen. */
+  private double besideM() {
+    long others =
+        draft.scene().objects().stream()
+            .filter(each -> !(each instanceof SceneObject.Plane))
+            .count();
+    return others % MAX_ABREAST * ABREAST_M;
+  }
+
+  private static void addBox(PartsForm<SceneObject> form, RotationChoice rotation) {
+    form.heading("Centre and orientation, in the base");
+    PoseRows.addTo(
+        form,
+        "pose",
+        rotation,
+        object -> object instanceof SceneObject.Box box ? box.poseInBase() : Pose.ZERO,
+        (object, pose) ->
+            object instanceof SceneObject.Box box
+                ? new SceneObject.Box(box.name(), pose, box.sizeM(), box.material())
+                : object,
+        object -> true);
+    form.heading("Lengths along its own axes");
+    Axes.addTo(
+        form,
+        "Length",
+        Measure.MILLIMETRE,
+        object -> object instanceof SceneObject.Box box ? box.sizeM() : UP,
+        (object, sizeM) ->
+            object instanceof SceneObject.Box box
+                ? new SceneObject.Box(box.name(), box.poseInBase(), sizeM, box.material())
+                : object);
+  }
+
+  private static void addPlane(PartsForm<SceneObject> form) {
+    form.heading("A point of it, in the base");
+    Axes.addTo(form, "Point", Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
+    form.heading("Direction out of the solid");
+    Axes.addTo(
+        form,
+        "Normal",
+        Measure.PLAIN,
+        object -> object instanceof SceneObject.Plane plane ? plane.normalInBase() : UP,
+        (object, normal) ->
+            object instanceof SceneObject.Plane plane
+                ? new SceneObject.Plane(
+                    plane.name(), plane.pointInBaseM(), normal, plane.material())
+                : object);
+  }
+
+  private static void addBall(PartsForm<SceneObject> form) {
+    form.heading("Centre, in the base");
+    Axes.addTo(form, "Centre", Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
+    form.numberRow(
+        "Radius",
+        Measure.MILLIMETRE,
+        object -> object instanceof SceneObject.Sphere ball ? ball.radiusM() : 1,
+        (object, radiusM) ->
+            object instanceof SceneObject.Sphere ball
+                ? new SceneObject.Sphere(
+                    ball.name(), ball.centreInBaseM(), radiusM, ball.material())
+                : object);
+  }
+
+  private static void addMaterial(PartsForm<SceneObject> form) {
+    form.heading("Surface");
+    form.numberRow(
+        "Stiffness",
+        Measure.NEWTON_PER_METRE,
+        object -> object.material().stiffnessNPerM(),
+        (object, stiffness) -> {
+          Material now = object.material();
+          return ObjectShape.of(
+              object, new Material(stiffness, now.dampingSPerM(), now.friction()));
+        });
+    form.numberRow(
+        "Damping",
+        Measure.SECOND_PER_METRE,
+        object -> object.material().dampingSPerM(),
+        (object, damping) -> {
+          Material now = object.material();
+          return ObjectShape.of(
+              object, new Material(now.stiffnessNPerM(), damping, now.friction()));
+        });
+    form.numberRow(
+        "Friction",
+        Measure.PLAIN,
+        object -> object.material().friction(),
+        (object, friction) -> {
+          Material now = object.material();
+          return ObjectShape.of(
+              object, new Material(now.stiffnessNPerM(), now.dampingSPerM(), friction));
+        });
+  }
+
+  /** The objects of the draft. */
+  private final class Drafted implements Items.Model<SceneObject> {
+    @Override
+    public List<SceneObject> list() {
+      return draft.scene().objects();
+    }
+
+    @Override
+    public String refusal(List<SceneObject> next) {
+      return SceneRefusal.of(() -> with(next));
+    }
+
+    private Scene with(List<SceneObject> next) {
+      Scene now = draft.scene();
+      return new Scene(next, now.load(), now.toolPoints(), now.pushAtTcpInBase());
+    }
+
+    @Override
+    public void take(
+        List<SceneObject> next, Optional<SceneObject> before, Optional<SceneObject> after) {
+      draft.set(with(next));
+    }
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  /** Shows the draft. */
+  void show() {
+    items.show();
+  }
+}

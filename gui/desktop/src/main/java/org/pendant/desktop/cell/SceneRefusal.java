@@ -1,0 +1,27 @@
+package org.pendant.desktop.cell;
+
+import java.io.IOException;
+import java.util.function.Supplier;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneWriter;
+import org.pendant.desktop.session.SceneFile;
+
+/** Scene refusal: why there cannot be a scene. */
+final class SceneRefusal {
+  private static final String FILE = "scene";
+
+  private SceneRefusal() {}
+
+  /** What is wrong with what {@code wanted} makes, as a file or before; empty if nothing is. */
+  static String of(Supplier<Scene> wanted) {
+    try {
+      // what is shown here can be saved, and read again
+      var _ = SceneFile.of(FILE, SceneWriter.write(wanted.get()));
+      return "";
+    } catch (IllegalArgumentException e) {
+      return e.getMessage();
+    } catch (IOException e) {
+      return e.getMessage().replaceFirst("^" + FILE + ":\\d+:\\d+: ", "");
+    }
+  }
+}

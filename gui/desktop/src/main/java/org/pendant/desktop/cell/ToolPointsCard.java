@@ -1,0 +1,88 @@
+package org.pendant.desktop.cell;
+
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JComponent;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.ToolPoint;
+import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.kit.form.Items;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.PartsForm;
+import org.pendant.kit.layout.TitledCard;
+
+/** Tool points card: the points of the tool that touch things. */
+final class ToolPointsCard {
+  private final SceneDraft draft;
+  private final TitledCard card = new TitledCard("Points of the tool that touch", "[grow, fill]");
+  private final Items<ToolPoint> items;
+
+  ToolPointsCard(SceneDraft draft) {
+    this.draft = draft;
+    items =
+        new Items<>(
+            "cell-tool",
+            "Points of the tool",
+            "None: the active TCP touches things. Two points apart feel moments, as two fingertips"
+                + " do.",
+            new Drafted(),
+            ToolPointsCard::words);
+    items.adder("Add point", () -> new ToolPoint(new Vector3(0, 0, 0.1), 0));
+    PartsForm<ToolPoint> form = items.form();
+    form.heading("Where it is, in the flange");
+    Axes.addTo(
+        form,
+        "",
+        Measure.MILLIMETRE,
+        ToolPoint::pointInFlangeM,
+        (point, placeM) -> new ToolPoint(placeM, point.radiusM()));
+    form.numberRow(
+        "Radius",
+        Measure.MILLIMETRE,
+        ToolPoint::radiusM,
+        (point, radiusM) -> new ToolPoint(point.pointInFlangeM(), radiusM));
+    card.add(items.component());
+  }
+
+  private static String words(ToolPoint point) {
+    Vector3 at = point.pointInFlangeM();
+    return "%s, %s, %s mm"
+        .formatted(
+            Measure.MILLIMETRE.text(at.x()),
+            Measure.MILLIMETRE.text(at.y()),
+            Measure.MILLIMETRE.text(at.z()));
+  }
+
+  /** The points of the draft. */
+  private final class Drafted implements Items.Model<ToolPoint> {
+    @Override
+    public List<ToolPoint> list() {
+      return draft.scene().toolPoints();
+    }
+
+    @Override
+    public String refusal(List<ToolPoint> next) {
+      return SceneRefusal.of(() -> with(next));
+    }
+
+    private Scene with(List<ToolPoint> next) {
+      Scene now = draft.scene();
+      return new Scene(now.objects(), now.load(), next, now.pushAtTcpInBase());
+    }
+
+    @Override
+    public void take(List<ToolPoint> next, Optional<ToolPoint> before, Optional<ToolPoint> after) {
+      draft.set(with(next));
+    }
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  /** Shows the draft. */
+  void show() {
+    items.show();
+  }
+}

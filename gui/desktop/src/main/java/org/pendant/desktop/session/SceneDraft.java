@@ -1,0 +1,169 @@
+package org.pendant.desktop.session;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneWriter;
+import org.pendant.models.json.JsonMembers;
+
+/**
+ * Scene draft: a scene while people change it, with undo, and the document that it is written in.
+ * It is around the arm only when it has been applied. One thread uses it, the dispatch thread.
+ */
+public final class SceneDraft {
+  /** What a scene is called that was never saved. */
+  public static final String UNTITLED = "untitled" + SceneFile.ENDING;
+
+  private static final int MAX_UNDONE = 1000;
+
+  private final List<Runnable> listeners = new ArrayList<>();
+  private final Deque<Scene> done = new ArrayDeque<>();
+  private final Deque<Scene> undone = new ArrayDeque<>();
+  private final ProgramDocument.Listener follower = new Follower();
+  private ProgramDocument document =
+      ProgramDocument.untitled(UNTITLED, SceneWriter.write(Scene.EMPTY));
+
+  /** What else the file says, of devices and rules, which stays as it is. */
+  private Map<String, String> others = Map.of();
+
+  private Scene saved = Scene.EMPTY;
+  private Scene scene = Scene.EMPTY;
+
+  /** Empty space. */
+  public SceneDraft() {
+    document.addListener(follower);
+  }
+
+  /** Hears when the document has been saved. */
+  private final class Follower implements ProgramDocument.Listener {
+    @Override
+    public void fileChanged() {
+      if (!document.modified()) {
+        saved = scene;
+      }
+      tell();
+    }
+  }
+
+  /** The scene as people have it now. */
+  public Scene scene() {
+    return scene;
+  }
+
+  /** Where it is written: a file, or a text without one. */
+  public ProgramDocument document() {
+    return document;
+  }
+
+  /** Takes another scene in place of this one, which cannot be undone. */
+  public void open(SceneFile other) {
+    open(
+        other
+            .onDisk()
+            .map(ProgramDocument::of)
+            .orElseGet(
+                () ->
+                    ProgramDocument.untitled(
+                        other.isNone() ? UNTITLED : other.name(), other.text())),
+        other.scene());
+  }
+
+  /**
+   * As {@link #open(SceneFile)}.
+   *
+   * @param wanted what the document says, which is a scene
+   */
+  public void open(ProgramDocument other, Scene wanted) {
+    document.removeListener(follower);
+    document = other;
+    document.addListener(follower);
+    done.clear();
+    undone.clear();
+    others = others(other.text());
+    saved = wanted;
+    scene = wanted;
+    tell();
+  }
+
+  private static Map<String, String> others(String text) {
+    Map<String, String> members = new LinkedHashMap<>(JsonMembers.of(text));
+    members.keySet().removeAll(SceneWriter.KEYS);
+    return members;
+  }
+
+  /**
+   * Takes a scene that was not saved.
+   *
+   * @param other as it is on disk
+   * @param onDisk what that says
+   * @param left what was not saved
+   */
+  public void restore(ProgramDocument other, Scene onDisk, SceneFile left) {
+    open(other, onDisk);
+    others = others(left.text());
+    done.push(onDisk);
+    scene = left.scene();
+    document.setText(left.text());
+    tell();
+  }
+
+  /** Makes a change. */
+  public void set(Scene next) {
+    if (!next.equals(scene)) {
+      done.push(scene);
+      if (done.size() > MAX_UNDONE) {
+        done.removeLast();
+      }
+      undone.clear();
+      show(next);
+    }
+  }
+
+  public boolean canUndo() {
+    return !done.isEmpty();
+  }
+
+  public boolean canRedo() {
+    return !undone.isEmpty();
+  }
+
+  /** Takes the last change back. */
+  public void undo() {
+    turn(done, undone);
+  }
+
+  /** Makes again the change that was taken back last. */
+  public void redo() {
+    turn(undone, done);
+  }
+
+  private void turn(Deque<Scene> from, Deque<Scene> to) {
+    if (!from.isEmpty()) {
+      to.push(scene);
+      show(from.pop());
+    }
+  }
+
+  private void show(Scene next) {
+    scene = next;
+    // what is on disk may be written another way: who is back there has nothing to save
+    Optional<String> onDisk =
+        next.equals(saved) ? document.onDisk().map(SavedProgram::text) : Optional.empty();
+    document.setText(onDisk.orElseGet(() -> SceneWriter.write(next, others)));
+    tell();
+  }
+
+  /** Tells {@code listener} of every change, and of every save, from now on. */
+  public void addListener(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  private void tell() {
+    List.copyOf(listeners).forEach(Runnable::run);
+  }
+}
