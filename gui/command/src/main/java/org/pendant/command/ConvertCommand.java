@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.disk.AtomicFile;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.installation.file.LoadedInstallation;
@@ -19,6 +20,8 @@ import org.pendant.project.program.urp.UrpPrograms;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingExport;
 import org.pendant.recording.RecordingFile;
+import org.pendant.recording.compare.RunTrack;
+import org.pendant.recording.compare.TrackRecording;
 
 /**
  * Command {@code pendant convert FROM TO}: writes a file in another form; the endings say which.
@@ -26,11 +29,12 @@ import org.pendant.recording.RecordingFile;
 final class ConvertCommand implements Subcommand {
   private static final String SCRIPT = ".script";
   private static final String RECORDING = ".rec";
+  private static final String GOLDEN = ".golden";
   private static final String TABLE = ".csv";
   private static final String POSSIBLE =
       ".urp, .urpx and .pendant become .pendant, .urp or .script, .installation becomes "
           + InstallationText.ENDING
-          + ", .rec becomes .csv";
+          + ", .rec becomes .csv, .golden becomes .rec";
 
   /** What comes out, or why nothing does. */
   private record Result(ExitCode code, Optional<AtomicFile.Content> output) {
@@ -64,7 +68,7 @@ final class ConvertCommand implements Subcommand {
 
   @Override
   public List<Option> options() {
-    return List.of(OutputFile.FORCE, InstallationOption.OPTION);
+    return List.of(OutputFile.FORCE, InstallationOption.OPTION, RunOptions.ROBOT);
   }
 
   @Override
@@ -93,6 +97,11 @@ final class ConvertCommand implements Subcommand {
     }
     if (ends(from, RECORDING) && ends(to, TABLE)) {
       return recording(from, arguments.files(), console);
+    }
+    if (ends(from, GOLDEN) && ends(to, RECORDING)) {
+      RunTrack track = GoldenFileComparison.read(from, false, arguments.files());
+      ArmDescription arm = RobotName.model(arguments);
+      return new Result(ExitCode.DONE, Optional.of(out -> TrackRecording.write(track, arm, out)));
     }
     throw new UsageException(from + " cannot become " + to + ": " + POSSIBLE);
   }

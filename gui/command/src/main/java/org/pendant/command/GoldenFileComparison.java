@@ -111,8 +111,13 @@ final class GoldenFileComparison {
     return Double.toString(number).replaceAll("\\.0$", "");
   }
 
-  private static RunTrack read(String name, boolean withTcp, SourceFiles files)
-      throws UsageException {
+  /**
+   * Reads a run of a test.
+   *
+   * @param withTcp whether it has to have places of the TCP
+   * @throws UsageException when it cannot be read, or is none
+   */
+  static RunTrack read(String name, boolean withTcp, SourceFiles files) throws UsageException {
     Path path = files.path("the recording", name);
     if (Files.isDirectory(path)) {
       throw new UsageException(name + " is a directory, expected a recording");
