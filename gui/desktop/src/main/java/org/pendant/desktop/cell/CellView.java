@@ -3,6 +3,7 @@ package org.pendant.desktop.cell;
 import java.awt.BorderLayout;
 import java.awt.event.ActionEvent;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -12,6 +13,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.desktop.workbench.View;
@@ -68,6 +70,15 @@ public final class CellView implements View {
     workbench
         .actions()
         .add(new Action("cell.redo", "Redo in the scene", "", draft::canRedo, draft::redo));
+  }
+
+  /**
+   * A hand that moves objects in 3D.
+   *
+   * @param active whether it may now
+   */
+  public ObjectHand hand(BooleanSupplier active) {
+    return new PlacingHand(draft, active, name -> cards().objects().choose(name));
   }
 
   private void key(String keys, Runnable run) {

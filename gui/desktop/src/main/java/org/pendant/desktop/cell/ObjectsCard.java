@@ -206,6 +206,14 @@ final class ObjectsCard {
     return card;
   }
 
+  /** Shows the form of an object. */
+  void choose(String name) {
+    draft.scene().objects().stream()
+        .filter(each -> each.name().equals(name))
+        .findFirst()
+        .ifPresent(items::choose);
+  }
+
   /** Shows the draft. */
   void show() {
     items.show();

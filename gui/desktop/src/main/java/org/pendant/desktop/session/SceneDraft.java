@@ -31,6 +31,9 @@ public final class SceneDraft {
   /** What else the file says, of devices and rules, which stays as it is. */
   private Map<String, String> others = Map.of();
 
+  /** Where a row of changes began that is undone as one. */
+  private Optional<Scene> row = Optional.empty();
+
   private Scene saved = Scene.EMPTY;
   private Scene scene = Scene.EMPTY;
 
@@ -115,13 +118,25 @@ public final class SceneDraft {
   /** Makes a change. */
   public void set(Scene next) {
     if (!next.equals(scene)) {
-      done.push(scene);
+      if (row.isEmpty() || done.isEmpty() || !done.getFirst().equals(row.get())) {
+        done.push(scene);
+      }
       if (done.size() > MAX_UNDONE) {
         done.removeLast();
       }
       undone.clear();
       show(next);
     }
+  }
+
+  /** Has all changes until {@link #endRow} undone as one. */
+  public void beginRow() {
+    row = Optional.of(scene);
+  }
+
+  /** Has changes undone one by one. */
+  public void endRow() {
+    row = Optional.empty();
   }
 
   public boolean canUndo() {

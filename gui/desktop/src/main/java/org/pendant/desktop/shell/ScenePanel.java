@@ -45,6 +45,7 @@ import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.scene.Touching;
 import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.scene.view.SceneView;
 import org.pendant.desktop.session.StillArm;
 import org.pendant.desktop.unit.FormMemory;
@@ -260,6 +261,11 @@ final class ScenePanel implements View, GhostArm {
   /** Where to ask for the ways of the tool in variants of a run. */
   void setCompared(Supplier<ComparedWays> ways) {
     compared = ways;
+  }
+
+  /** Places objects of the scene from now on when they are dragged. */
+  void setObjectHand(ObjectHand hand) {
+    picture.setObjectHand(hand);
   }
 
   /** Where to ask for the scene that people change and have not applied yet. */

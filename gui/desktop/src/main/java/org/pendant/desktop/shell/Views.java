@@ -190,6 +190,7 @@ final class Views {
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
     CellView cell = new CellView(workbench, sceneDraft);
+    scene.setObjectHand(cell.hand(() -> showing(CellView.ID) && past.past().isEmpty()));
     scene.setProposedScene(
         () -> showing(CellView.ID) ? Optional.of(sceneDraft.scene()) : Optional.empty());
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));

@@ -252,6 +252,11 @@ public final class Items<T> {
     return why.isEmpty();
   }
 
+  /** Chooses one, as people do in the list. */
+  public void choose(T item) {
+    choose(model.list().indexOf(item));
+  }
+
   private void choose(int index) {
     if (index != chosen) {
       chosen = index;

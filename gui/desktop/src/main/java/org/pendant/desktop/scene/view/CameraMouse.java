@@ -15,16 +15,11 @@ final class CameraMouse extends MouseAdapter {
   private static final double STEP = 1.13;
 
   private final SceneView view;
-  private final ArmDrag drag;
   private int lastX;
   private int lastY;
 
-  /**
-   * @param drag has the pointer first
-   */
-  CameraMouse(SceneView view, ArmDrag drag) {
+  CameraMouse(SceneView view) {
     this.view = view;
-    this.drag = drag;
   }
 
   @Override
@@ -40,7 +35,7 @@ final class CameraMouse extends MouseAdapter {
     int down = event.getY() - lastY;
     lastX = event.getX();
     lastY = event.getY();
-    if (drag.takesPointer()) {
+    if (view.pointerTaken()) {
       return;
     }
     boolean turn = SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown();

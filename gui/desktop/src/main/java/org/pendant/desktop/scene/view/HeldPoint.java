@@ -21,9 +21,6 @@ import org.pendant.models.pose.Transforms;
  * @param towardsScene direction in which the camera looked then
  */
 record HeldPoint(int link, Vector3 inLinkM, Vector3 grabbedInBaseM, Vector3 towardsScene) {
-  /** Rays that run along the plane meet it nowhere near. */
-  private static final double MIN_COSINE = 0.05;
-
   /** What was picked, as something to hold; empty for what does not move. */
   static Optional<HeldPoint> of(Picked picked, SceneModel model, Camera camera) {
     OptionalInt found =
@@ -79,22 +76,6 @@ record HeldPoint(int link, Vector3 inLinkM, Vector3 grabbedInBaseM, Vector3 towa
 
   /** Where a ray meets the plane; empty if it does not in front of the eye, or at a flat angle. */
   Optional<Vector3> placeM(Ray ray) {
-    Vector3 d = ray.direction();
-    double along = dot(d, towardsScene);
-    if (Math.abs(along) < MIN_COSINE) {
-      return Optional.empty();
-    }
-    Vector3 from = ray.fromM();
-    Vector3 way =
-        new Vector3(
-            grabbedInBaseM.x() - from.x(),
-            grabbedInBaseM.y() - from.y(),
-            grabbedInBaseM.z() - from.z());
-    double distanceM = dot(way, towardsScene) / along;
-    return distanceM > 0 ? Optional.of(ray.pointM(distanceM)) : Optional.empty();
-  }
-
-  private static double dot(Vector3 a, Vector3 b) {
-    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+    return new DragPlane(grabbedInBaseM, towardsScene).meet(ray);
   }
 }

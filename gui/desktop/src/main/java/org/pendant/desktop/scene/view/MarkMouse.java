@@ -19,7 +19,6 @@ import org.pendant.models.pose.Pose;
  */
 final class MarkMouse extends MouseAdapter {
   private final SceneView view;
-  private final ArmDrag drag;
   private Function<Pose, String> words = pose -> "";
   private LongConsumer chosen = node -> {};
   private IntConsumer lineChosen = line -> {};
@@ -27,14 +26,9 @@ final class MarkMouse extends MouseAdapter {
   private List<LabelPlaces.Placed> labels = List.of();
   private Optional<MarkTarget> target = Optional.empty();
 
-  /**
-   * Nobody listens yet.
-   *
-   * @param drag has the pointer first
-   */
-  MarkMouse(SceneView view, ArmDrag drag) {
+  /** Nobody listens yet. */
+  MarkMouse(SceneView view) {
     this.view = view;
-    this.drag = drag;
   }
 
   void setWords(Function<Pose, String> ofPose) {
@@ -89,21 +83,21 @@ final class MarkMouse extends MouseAdapter {
 
   @Override
   public void mouseMoved(MouseEvent event) {
-    if (!drag.takesPointer()) {
+    if (!view.pointerTaken()) {
       look(Optional.of(event.getPoint()));
     }
   }
 
   @Override
   public void mouseDragged(MouseEvent event) {
-    if (target.isPresent() && !drag.takesPointer()) {
+    if (target.isPresent() && !view.pointerTaken()) {
       look(Optional.empty());
     }
   }
 
   @Override
   public void mouseExited(MouseEvent event) {
-    if (!drag.takesPointer()) {
+    if (!view.pointerTaken()) {
       look(Optional.empty());
     }
   }

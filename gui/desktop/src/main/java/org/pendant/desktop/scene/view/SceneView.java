@@ -64,7 +64,8 @@ public final class SceneView extends JPanel {
   private transient Optional<BufferedImage> picture = Optional.empty();
 
   private final transient ArmDrag drag = new ArmDrag(this);
-  private final transient MarkMouse marks = new MarkMouse(this, drag);
+  private final transient ObjectDrag placing = new ObjectDrag(this);
+  private final transient MarkMouse marks = new MarkMouse(this);
   private final transient HoverTracker hover =
       new HoverTracker(this::pick, EventQueue::invokeLater, this::repaint);
   private final Timer rest = Faults.timer(REST_MS, () -> loop.ifPresent(PictureLoop::settle));
@@ -86,7 +87,9 @@ public final class SceneView extends JPanel {
                 + " without perspective, N chooses the next place of the program");
     addMouseListener(drag);
     addMouseMotionListener(drag);
-    CameraMouse mouse = new CameraMouse(this, drag);
+    addMouseListener(placing);
+    addMouseMotionListener(placing);
+    CameraMouse mouse = new CameraMouse(this);
     addMouseListener(mouse);
     addMouseMotionListener(mouse);
     addMouseWheelListener(mouse);
@@ -205,6 +208,17 @@ public final class SceneView extends JPanel {
     drag.setHand(hand);
   }
 
+  /** Places objects of the scene from now on when they are dragged. */
+  public void setObjectHand(ObjectHand hand) {
+    assert EventQueue.isDispatchThread();
+    placing.setHand(hand);
+  }
+
+  /** Whether the pointer holds something, or will perhaps in a moment: the view does not turn. */
+  boolean pointerTaken() {
+    return drag.takesPointer() || placing.takesPointer();
+  }
+
   /** Tells the key of a node of the program whose place or way people click. */
   public void onNode(LongConsumer listener) {
     marks.setListener(listener);
@@ -258,6 +272,7 @@ public final class SceneView extends JPanel {
   public void removeNotify() {
     window++;
     drag.release();
+    placing.release();
     loop.ifPresent(PictureLoop::end);
     scene.ifPresent(SceneView::closeElsewhere);
     scene = Optional.empty();

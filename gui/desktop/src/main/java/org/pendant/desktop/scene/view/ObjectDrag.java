@@ -1,0 +1,148 @@
+package org.pendant.desktop.scene.view;
+
+import java.awt.Cursor;
+import java.awt.EventQueue;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.Optional;
+import javax.swing.SwingUtilities;
+import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.Picked;
+import org.pendant.desktop.scene.Ray;
+
+/**
+ * Object drag: the mouse that places an object of the scene: along the floor, up and down with
+ * Ctrl, without steps with Alt. What is under the pointer is known a moment after the press; until
+ * then, and while something is held, the view does not turn.
+ */
+final class ObjectDrag extends MouseAdapter {
+  private static final Vector3 NOWHERE = new Vector3(0, 0, 0);
+  private static final Vector3 UP = new Vector3(0, 0, 1);
+
+  private final SceneView view;
+  private ObjectHand hand = ObjectHand.NONE;
+  private Optional<Hold> held = Optional.empty();
+  private boolean asking;
+
+  /** Counts the presses, so that an answer to an earlier one is dropped. */
+  private int press;
+
+  /**
+   * What the pointer holds.
+   *
+   * @param fromM where it was when it began to go this way, in the base frame, m
+   * @param wayM how far it had gone before, m
+   * @param upright whether it goes up and down
+   */
+  private record Hold(Vector3 fromM, Vector3 wayM, boolean upright) {
+
+    /** How far it goes to a place, m. */
+    Vector3 wayM(Vector3 placeM) {
+      return upright
+          ? new Vector3(wayM.x(), wayM.y(), wayM.z() + placeM.z() - fromM.z())
+          : new Vector3(
+              wayM.x() + placeM.x() - fromM.x(), wayM.y() + placeM.y() - fromM.y(), wayM.z());
+    }
+
+    /** The plane in which it goes, seen along a ray. */
+    DragPlane plane(Ray ray) {
+      return new DragPlane(
+          fromM, upright ? new Vector3(ray.direction().x(), ray.direction().y(), 0) : UP);
+    }
+  }
+
+  ObjectDrag(SceneView view) {
+    this.view = view;
+  }
+
+  void setHand(ObjectHand hand) {
+    release();
+    this.hand = hand;
+  }
+
+  /** Whether the pointer holds something, or will perhaps in a moment. */
+  boolean takesPointer() {
+    return asking || held.isPresent();
+  }
+
+  @Override
+  public void mousePressed(MouseEvent event) {
+    release();
+    if (!SwingUtilities.isLeftMouseButton(event)
+        || event.isShiftDown()
+        || view.drawn().isEmpty()
+        || !hand.grabs()) {
+      return;
+    }
+    asking = true;
+    int asked = ++press;
+    boolean upright = upright(event);
+    var _ =
+        view.pick(event.getX(), event.getY())
+            .whenComplete(
+                (found, failure) ->
+                    EventQueue.invokeLater(
+                        () -> {
+                          if (failure != null) {
+                            throw new IllegalStateException(
+                                "what is under the pointer could not be found", failure);
+                          }
+                          answer(asked, found, upright);
+                        }));
+  }
+
+  private void answer(int asked, Optional<Picked> found, boolean upright) {
+    if (!asking || asked != press) {
+      return;
+    }
+    asking = false;
+    if (found.isPresent()
+        && found.get() instanceof Picked.OnObject(String name, Vector3 pointM, _)
+        && hand.begin(name)) {
+      held = Optional.of(new Hold(pointM, NOWHERE, upright));
+      view.setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
+    }
+  }
+
+  private static boolean upright(MouseEvent event) {
+    return event.isControlDown() || event.isMetaDown();
+  }
+
+  @Override
+  public void mouseDragged(MouseEvent event) {
+    Optional<Ray> ray =
+        view.camera()
+            .map(
+                camera ->
+                    camera.ray(
+                        event.getX() + 0.5, event.getY() + 0.5, view.getWidth(), view.getHeight()));
+    if (held.isEmpty() || ray.isEmpty()) {
+      return;
+    }
+    Hold now = held.get();
+    Optional<Vector3> place = now.plane(ray.get()).meet(ray.get());
+    if (place.isEmpty()) {
+      return;
+    }
+    Vector3 wayM = now.wayM(place.get());
+    if (now.upright() != upright(event)) {
+      held = Optional.of(new Hold(place.get(), wayM, upright(event)));
+    }
+    hand.move(wayM, event.isAltDown());
+  }
+
+  @Override
+  public void mouseReleased(MouseEvent event) {
+    release();
+  }
+
+  /** Lets go, if anything is held. */
+  void release() {
+    asking = false;
+    if (held.isPresent()) {
+      held = Optional.empty();
+      hand.end();
+      view.setCursor(Cursor.getDefaultCursor());
+    }
+  }
+}
