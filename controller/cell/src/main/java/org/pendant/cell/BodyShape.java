@@ -1,0 +1,84 @@
+package org.pendant.cell;
+
+import org.pendant.models.json.Range;
+
+/** Body shape: what a rigid body fills, around its own origin. */
+public sealed interface BodyShape {
+  /** From a thin sheet to a hall. */
+  Range SIZE = new Range(0.001, 10, "m");
+
+  /**
+   * A block.
+   *
+   * @param xM length along its own x, m, as the others 0.001 to 10
+   * @param yM length along its own y, m
+   * @param zM length along its own z, m
+   */
+  record Box(double xM, double yM, double zM) implements BodyShape {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Box {
+      SIZE.require("size[0]", xM);
+      SIZE.require("size[1]", yM);
+      SIZE.require("size[2]", zM);
+    }
+  }
+
+  /**
+   * A ball.
+   *
+   * @param radiusM its radius, m, 0.001 to 10
+   */
+  record Sphere(double radiusM) implements BodyShape {
+    /**
+     * Checks the number.
+     *
+     * @throws IllegalArgumentException if it is outside its range
+     */
+    public Sphere {
+      SIZE.require("radius", radiusM);
+    }
+  }
+
+  /**
+   * A round bar with flat ends, along its own z.
+   *
+   * @param radiusM its radius, m, 0.001 to 10
+   * @param lengthM its length, m, 0.001 to 10
+   */
+  record Cylinder(double radiusM, double lengthM) implements BodyShape {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Cylinder {
+      SIZE.require("radius", radiusM);
+      SIZE.require("length", lengthM);
+    }
+  }
+
+  /**
+   * A round bar with half a ball at each end, along its own z.
+   *
+   * @param radiusM its radius, m, 0.001 to 10
+   * @param lengthM its length without the ends, m, 0.001 to 10
+   */
+  record Capsule(double radiusM, double lengthM) implements BodyShape {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Capsule {
+      SIZE.require("radius", radiusM);
+      SIZE.require("length", lengthM);
+    }
+  }
+
+  /** Everything below its own z = 0: a floor, a wall. Cannot move. */
+  record HalfSpace() implements BodyShape {}
+}
