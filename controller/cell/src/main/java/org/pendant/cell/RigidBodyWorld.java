@@ -1,0 +1,222 @@
+package org.pendant.cell;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.ode4j.math.DVector3C;
+import org.ode4j.ode.DContactGeomBuffer;
+import org.ode4j.ode.DWorld;
+import org.ode4j.ode.OdeHelper;
+import org.pendant.models.json.Range;
+
+/**
+ * Rigid body world: bodies that fall, collide, slide, stack and press, in steps of fixed length.
+ *
+ * <p>The same descriptions and the same calls give the same bits in every run, whatever other
+ * worlds do meanwhile. Bodies at rest for half a second sleep and cost next to nothing; what
+ * touches them wakes them.
+ *
+ * <p>Belongs to one thread at a time.
+ */
+public final class RigidBodyWorld {
+  /** Most bodies. */
+  public static final int MAX_BODIES = 200;
+
+  /** What a step may take. */
+  private static final Range STEP = new Range(1e-5, 0.01, "s");
+
+  /** How gravity may be along each axis: that of any planet people work on, and none. */
+  private static final Range GRAVITY = new Range(-30, 30, "m/s^2");
+
+  /** Bodies may be this deep in one another at first, m. */
+  private static final double MOST_OVERLAP_M = 1e-3;
+
+  /** More places in one group than this are solved by iteration: exactly would take too long. */
+  private static final int MOST_EXACT = 100;
+
+  private static final double REST_SPEED_RAD_PER_S = 0.02;
+  private static final double REST_TIME_S = 0.5;
+  private static final int REST_SAMPLES = 10;
+
+  private final DWorld world = PhysicsLibrary.world();
+  private final List<RigidBody> bodies = new ArrayList<>();
+  private final BodyContacts contacts;
+  private final double[] gravity;
+
+  /**
+   * Sets bodies up.
+   *
+   * @param gravityX gravity in the base's frame, m/s^2, which may be mounted at any angle
+   * @param gravityY the same along y
+   * @param gravityZ the same along z; -9.82 where the base stands upright
+   * @throws IllegalArgumentException if there are more than {@link #MAX_BODIES}, two of one name,
+   *     or free ones that overlap others that are not guided by more than 1 mm
+   */
+  public RigidBodyWorld(
+      List<BodyDescription> descriptions, double gravityX, double gravityY, double gravityZ) {
+    if (descriptions.size() > MAX_BODIES) {
+      throw new IllegalArgumentException(
+          "bodies: are " + descriptions.size() + ", may be at most " + MAX_BODIES);
+    }
+    GRAVITY.require("gravity[0]", gravityX);
+    GRAVITY.require("gravity[1]", gravityY);
+    GRAVITY.require("gravity[2]", gravityZ);
+    gravity = new double[] {gravityX, gravityY, gravityZ};
+    world.setGravity(gravityX, gravityY, gravityZ);
+    world.setContactSurfaceLayer(ContactTuning.LAYER_M);
+    world.setQuickStepNumIterations(PhysicsLibrary.ITERATIONS);
+    world.setAutoDisableFlag(true);
+    world.setAutoDisableLinearThreshold(REST_SPEED_M_PER_S);
+    world.setAutoDisableAngularThreshold(REST_SPEED_RAD_PER_S);
+    world.setAutoDisableAverageSamplesCount(REST_SAMPLES);
+    world.setAutoDisableSteps(0);
+    world.setAutoDisableTime(REST_TIME_S);
+    Set<String> names = new HashSet<>();
+    for (BodyDescription description : descriptions) {
+      if (!names.add(description.name())) {
+        throw new IllegalArgumentException("bodies: " + description.name() + " is there twice");
+      }
+      bodies.add(new RigidBody(world, description, bodies.size()));
+    }
+    requireApart();
+    contacts = new BodyContacts(world, bodies);
+  }
+
+  /** How many bodies there are; they are numbered from 0 in the order of their descriptions. */
+  public int size() {
+    return bodies.size();
+  }
+
+  /** What a body was at first. */
+  public BodyDescription description(int body) {
+    return bodies.get(body).description;
+  }
+
+  /**
+   * Lets time go on.
+   *
+   * @param stepS how long, s, 0.00001 to 0.01
+   */
+  public void advance(double stepS) {
+    STEP.require("step", stepS);
+    contacts.find(stepS);
+    for (int i = 0; i < contacts.awakeCount(); i++) {
+      Arrays.fill(contacts.awake(i).wrench, 0);
+    }
+    if (contacts.awakeCount() == 0) {
+      return;
+    }
+    if (contacts.largestIsland() <= MOST_EXACT) {
+      world.step(stepS);
+    } else {
+      world.quickStep(stepS);
+    }
+    contacts.readForces();
+    for (int i = 0; i < contacts.awakeCount(); i++) {
+      RigidBody body = contacts.awake(i);
+      if (body.free()) {
+        body.body.setAutoDisableFlag(true);
+        if (!body.touched) {
+          followParabola(body, stepS);
+        }
+      }
+    }
+  }
+
+  /** Where a body is, as {@link org.pendant.models.pose.Transforms} has it, in the base frame. */
+  public void pose(int body, double[] transform) {
+    bodies.get(body).readPose(transform);
+  }
+
+  /** How a body moves: m/s of its origin and rad/s, along the base's axes, six numbers. */
+  public void velocity(int body, double[] twist) {
+    RigidBody of = bodies.get(body);
+    if (of.body == null) {
+      Arrays.fill(twist, 0, 6, 0);
+      return;
+    }
+    DVector3C v = of.body.getLinearVel();
+    DVector3C w = of.body.getAngularVel();
+    for (int i = 0; i < 3; i++) {
+      twist[i] = v.get(i);
+      twist[3 + i] = w.get(i);
+    }
+  }
+
+  /** Whether a body rests, and nothing is reckoned of it. */
+  public boolean sleeping(int body) {
+    return !bodies.get(body).awake();
+  }
+
+  /**
+   * Says where a guided body is and how it moves; it goes on so until told otherwise.
+   *
+   * @param transform its pose in the base frame at the beginning of the next step
+   * @param twist m/s of its origin and rad/s, along the base's axes
+   * @throws IllegalArgumentException if it is not guided
+   */
+  public void guide(int body, double[] transform, double[] twist) {
+    RigidBody of = bodies.get(body);
+    if (!of.guided()) {
+      throw new IllegalArgumentException(of.description.name() + ": is not guided");
+    }
+    of.place(transform);
+    of.body.setLinearVel(twist[0], twist[1], twist[2]);
+    of.body.setAngularVel(twist[3], twist[4], twist[5]);
+  }
+
+  /** Gives a free body a speed: m/s of its origin and rad/s, along the base's axes. */
+  public void throwBody(int body, double[] twist) {
+    RigidBody of = bodies.get(body);
+    if (!of.free()) {
+      throw new IllegalArgumentException(of.description.name() + ": is not free");
+    }
+    of.body.setLinearVel(twist[0], twist[1], twist[2]);
+    of.body.setAngularVel(twist[3], twist[4], twist[5]);
+    of.body.enable();
+  }
+
+  /**
+   * What contacts did to a guided body in the latest step.
+   *
+   * @param wrench overwritten with force, N, and torque about its origin, Nm, along the base's axes
+   */
+  public void wrench(int body, double[] wrench) {
+    System.arraycopy(bodies.get(body).wrench, 0, wrench, 0, 6);
+  }
+
+  /** Where bodies that are awake touched in the latest step. */
+  public List<BodyContact> contacts() {
+    return contacts.list();
+  }
+
+  /** The solver moves by the new speed; without contacts the mean of old and new one is exact. */
+  private void followParabola(RigidBody body, double stepS) {
+    DVector3C p = body.body.getPosition();
+    double half = 0.5 * stepS * stepS;
+    body.body.setPosition(
+        p.get0() - half * gravity[0], p.get1() - half * gravity[1], p.get2() - half * gravity[2]);
+  }
+
+  private void requireApart() {
+    DContactGeomBuffer found = new DContactGeomBuffer(1);
+    for (RigidBody one : bodies) {
+      for (RigidBody other : bodies) {
+        if (one.free()
+            && !other.guided()
+            && (!other.free() || other.index > one.index)
+            && OdeHelper.collide(one.geom, other.geom, 1, found) > 0
+            && found.get(0).depth > MOST_OVERLAP_M) {
+          throw new IllegalArgumentException(
+              "bodies: %s and %s overlap by %s mm"
+                  .formatted(
+                      one.description.name(),
+                      other.description.name(),
+                      Range.number(Math.rint(found.get(0).depth * 1e4) / 10)));
+        }
+      }
+    }
+  }
+}
