@@ -69,6 +69,8 @@ final class ArchitectureTest {
           .definedBy("org.pendant.script..")
           .layer("motion")
           .definedBy("org.pendant.motion..")
+          .layer("cell")
+          .definedBy("org.pendant.cell..")
           .layer("core")
           .definedBy("org.pendant.controller..")
           .layer("recording")
@@ -119,6 +121,17 @@ final class ArchitectureTest {
               "command",
               "kit",
               "desktop")
+          .whereLayer("cell")
+          .mayOnlyBeAccessedByLayers(
+              "core",
+              "recording",
+              "project",
+              "testing",
+              "junit",
+              "protocols",
+              "editors",
+              "command",
+              "desktop")
           .whereLayer("script")
           .mayOnlyBeAccessedByLayers(
               "core",
@@ -157,6 +170,7 @@ final class ArchitectureTest {
           .mayOnlyBeAccessedByLayers(
               "script",
               "motion",
+              "cell",
               "core",
               "recording",
               "project",
@@ -285,6 +299,7 @@ final class ArchitectureTest {
               "org.pendant.models..",
               "org.pendant.script..",
               "org.pendant.motion..",
+              "org.pendant.cell..",
               "org.pendant.controller..",
               "org.pendant.recording..",
               "org.pendant.project..",

@@ -36,6 +36,7 @@ public final class RigidBodyWorld {
   /** More places in one group than this are solved by iteration: exactly would take too long. */
   private static final int MOST_EXACT = 100;
 
+  private static final double REST_SPEED_M_PER_S = 0.003;
   private static final double REST_SPEED_RAD_PER_S = 0.02;
   private static final double REST_TIME_S = 0.5;
   private static final int REST_SAMPLES = 10;
