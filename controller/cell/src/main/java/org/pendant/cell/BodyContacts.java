@@ -2,18 +2,10 @@ package org.pendant.cell;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.ode4j.math.DVector3;
-import org.ode4j.math.DVector3C;
-import org.ode4j.ode.DContact;
-import org.ode4j.ode.DContactBuffer;
-import org.ode4j.ode.DContactJoint;
-import org.ode4j.ode.DJoint;
-import org.ode4j.ode.DJointGroup;
-import org.ode4j.ode.DWorld;
-import org.ode4j.ode.OdeHelper;
+import org.ode4j.ode.DContactGeomBuffer;
 
 /**
- * Body contacts: where bodies of a world touch in a step, and with what forces.
+ * Body contacts: where bodies of a world touch in a step, and with what impulses.
  *
  * <p>Looks only around bodies that are awake, and wakes those that they touch. All orders are those
  * of the descriptions, so that results are the same in every run.
@@ -22,52 +14,54 @@ final class BodyContacts {
   /** Places at which two bodies hold each other at most; a box on a table needs four. */
   private static final int MOST_PLACES = 4;
 
+  /** A place that is this near one of the step before is the same one, squared, m^2. */
+  private static final double SAME_PLACE_M2 = 1e-4;
+
+  private static final int MOST_ROUNDS = 40;
+
+  /** Change of speed below which another round is not worth it, m/s. */
+  private static final double ACCURACY_M_PER_S = 1e-7;
+
   private final List<RigidBody> bodies;
-  private final DWorld world;
-  private final DJointGroup joints = OdeHelper.createJointGroup();
-  private final DContactBuffer buffer = new DContactBuffer(MOST_PLACES);
-  private final ContactTuning tuning = new ContactTuning();
+  private final DContactGeomBuffer buffer = new DContactGeomBuffer(MOST_PLACES);
 
   /** Bodies that are awake, in the order in which they were looked at. */
   private final RigidBody[] awake;
 
+  private int awakeCount;
   private final boolean[] seen;
   private final int[] islandOf;
-  private final int[] placesOfIsland;
-  private final List<Place> places = new ArrayList<>();
-  private int awakeCount;
+
+  /** Places of this step; those of the step before, whose impulses this one begins with. */
+  private List<ContactPlace> places = new ArrayList<>();
+
   private int placeCount;
-  private int largestIsland;
+  private List<ContactPlace> before = new ArrayList<>();
+  private int beforeCount;
 
-  /** A place where two bodies touch; used again in later steps. */
-  private static final class Place {
-    private RigidBody first;
-    private RigidBody second;
-    private final DVector3 at = new DVector3();
-    private final DJoint.DJointFeedback forces = new DJoint.DJointFeedback();
-  }
+  /** For each two bodies: the first of their places in the step before and one, 0 for none. */
+  private final int[] beforeOf;
 
-  BodyContacts(DWorld world, List<RigidBody> bodies) {
-    this.world = world;
+  BodyContacts(List<RigidBody> bodies) {
     this.bodies = bodies;
-    awake = new RigidBody[bodies.size()];
-    seen = new boolean[bodies.size()];
-    islandOf = new int[bodies.size()];
-    placesOfIsland = new int[bodies.size()];
+    int size = bodies.size();
+    awake = new RigidBody[size];
+    seen = new boolean[size];
+    islandOf = new int[size];
+    beforeOf = new int[size * size];
   }
 
   /** Finds all contacts of bodies that are awake, for a step of {@code stepS}. */
   void find(double stepS) {
-    joints.empty();
-    placeCount = 0;
+    remember();
     awakeCount = 0;
     for (int i = 0; i < awake.length; i++) {
       RigidBody body = bodies.get(i);
       body.touched = false;
+      body.guidedTouched = false;
       seen[i] = false;
       islandOf[i] = i;
-      placesOfIsland[i] = 0;
-      if (body.awake()) {
+      if (body.awake) {
         awake[awakeCount++] = body;
       }
     }
@@ -79,11 +73,6 @@ final class BodyContacts {
           meet(one, bodies.get(other), stepS);
         }
       }
-    }
-    largestIsland = 0;
-    for (int i = 0; i < placeCount; i++) {
-      int island = island(places.get(i).first.index);
-      largestIsland = Math.max(largestIsland, ++placesOfIsland[island]);
     }
   }
 
@@ -97,31 +86,53 @@ final class BodyContacts {
     return awake[i];
   }
 
-  /** Places in the largest group of free bodies that hold one another. */
-  int largestIsland() {
-    return largestIsland;
+  /** Finds the impulses, and gives the bodies the speeds that they have after them. */
+  void solve(double stepS) {
+    for (int i = 0; i < placeCount; i++) {
+      beginWithBefore(places.get(i));
+    }
+    boolean again = placeCount > 0;
+    for (int round = 0; round < MOST_ROUNDS && again; round++) {
+      again = false;
+      for (int i = 0; i < placeCount; i++) {
+        ContactPlace place = places.get(round % 2 == 0 ? i : placeCount - 1 - i);
+        again |= place.solve() * place.first.inverseMass > ACCURACY_M_PER_S;
+      }
+    }
+    for (int i = 0; i < placeCount; i++) {
+      ContactPlace place = places.get(i);
+      if (place.second.guided()) {
+        place.addWrench(stepS);
+      }
+    }
   }
 
-  /** Adds the forces of the step that was made to the wrenches of bodies that are guided. */
-  void readForces() {
-    for (int i = 0; i < placeCount; i++) {
-      Place place = places.get(i);
-      if (place.second.guided()) {
-        addForce(place.second, place.at, place.forces.f1);
+  /** Puts groups of bodies to sleep that hold one another and have all rested for a while. */
+  void sleepAfter(double restS) {
+    for (int i = 0; i < awakeCount; i++) {
+      RigidBody body = awake[i];
+      if (body.free() && (body.restS < restS || body.guidedTouched)) {
+        seen[island(body.index)] = false;
+      }
+    }
+    for (int i = 0; i < awakeCount; i++) {
+      RigidBody body = awake[i];
+      if (body.free() && seen[island(body.index)]) {
+        body.sleep();
       }
     }
   }
 
   /** What touched in the latest step, with the force between each two bodies. */
-  List<BodyContact> list() {
+  List<BodyContact> list(double stepS) {
     List<BodyContact> list = new ArrayList<>();
     for (int i = 0; i < placeCount; i++) {
-      Place place = places.get(i);
+      ContactPlace place = places.get(i);
       list.add(
           new BodyContact(
               place.first.description.name(),
               place.second.description.name(),
-              place.forces.f1.length()));
+              place.impulse() / stepS));
     }
     return list;
   }
@@ -132,12 +143,17 @@ final class BodyContacts {
     if (!first.free() || first.geom.getAABB().isDisjoint(second.geom.getAABB())) {
       return;
     }
-    int count = OdeHelper.collide(first.geom, second.geom, MOST_PLACES, buffer.getGeomBuffer());
+    if (second.free() && second.index < first.index) {
+      RigidBody later = first;
+      first = second;
+      second = later;
+    }
+    int count = PhysicsLibrary.touch(first.geom, second.geom, MOST_PLACES, buffer);
     if (count == 0) {
       return;
     }
-    if (other.free() && !other.awake()) {
-      other.body.enable();
+    if (other.free() && !other.awake) {
+      other.wake();
       awake[awakeCount++] = other;
     }
     first.touched = true;
@@ -145,26 +161,48 @@ final class BodyContacts {
     if (second.free()) {
       islandOf[island(second.index)] = island(first.index);
     } else if (second.guided()) {
-      first.body.setAutoDisableFlag(false);
+      first.guidedTouched = true;
     }
     for (int i = 0; i < count; i++) {
-      add(buffer.get(i), first, second, count, stepS);
+      if (placeCount == places.size()) {
+        places.add(new ContactPlace());
+      }
+      places.get(placeCount++).set(first, second, buffer.get(i), count, stepS);
     }
   }
 
-  private void add(DContact contact, RigidBody first, RigidBody second, int count, double stepS) {
-    tuning.set(contact, first, second, count, stepS);
-    DContactJoint joint = OdeHelper.createContactJoint(world, joints, contact);
-    if (placeCount == places.size()) {
-      places.add(new Place());
+  private void remember() {
+    for (int i = 0; i < beforeCount; i++) {
+      beforeOf[pair(before.get(i))] = 0;
     }
-    Place place = places.get(placeCount++);
-    place.first = first;
-    place.second = second;
-    place.at.set(contact.geom.pos);
-    place.forces.f1.setZero();
-    joint.setFeedback(place.forces);
-    joint.attach(first.body, second.body);
+    List<ContactPlace> old = before;
+    before = places;
+    beforeCount = placeCount;
+    places = old;
+    placeCount = 0;
+    for (int i = beforeCount - 1; i >= 0; i--) {
+      beforeOf[pair(before.get(i))] = i + 1;
+    }
+  }
+
+  private void beginWithBefore(ContactPlace place) {
+    int pair = pair(place);
+    ContactPlace nearest = null;
+    double least = SAME_PLACE_M2;
+    for (int i = beforeOf[pair] - 1; i >= 0 && i < beforeCount && pair(before.get(i)) == pair; i++) {
+      double square = place.squareTo(before.get(i));
+      if (square < least) {
+        least = square;
+        nearest = before.get(i);
+      }
+    }
+    if (nearest != null) {
+      place.beginWith(nearest);
+    }
+  }
+
+  private int pair(ContactPlace place) {
+    return place.first.index * awake.length + place.second.index;
   }
 
   private int island(int body) {
@@ -174,23 +212,5 @@ final class BodyContacts {
     }
     islandOf[body] = root;
     return root;
-  }
-
-  /** Adds what answers the force {@code onOther}, N, which acts at {@code at}. */
-  private static void addForce(RigidBody body, DVector3C at, DVector3C onOther) {
-    DVector3C origin = body.body.getPosition();
-    double fx = -onOther.get0();
-    double fy = -onOther.get1();
-    double fz = -onOther.get2();
-    double x = at.get0() - origin.get0();
-    double y = at.get1() - origin.get1();
-    double z = at.get2() - origin.get2();
-    double[] wrench = body.wrench;
-    wrench[0] += fx;
-    wrench[1] += fy;
-    wrench[2] += fz;
-    wrench[3] += y * fz - z * fy;
-    wrench[4] += z * fx - x * fz;
-    wrench[5] += x * fy - y * fx;
   }
 }

@@ -1,55 +1,63 @@
 package org.pendant.cell;
 
+import java.util.Arrays;
 import org.ode4j.math.DMatrix3;
-import org.ode4j.math.DMatrix3C;
-import org.ode4j.math.DVector3C;
-import org.ode4j.ode.DBody;
 import org.ode4j.ode.DGeom;
-import org.ode4j.ode.DMass;
-import org.ode4j.ode.DWorld;
-import org.ode4j.ode.OdeHelper;
+import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
-/** Rigid body: one of a world, as the library knows it. */
+/** Rigid body: one of a world, with its motion. */
 final class RigidBody {
+  private static final double REST_SPEED_M_PER_S = 0.003;
+  private static final double REST_SPEED_RAD_PER_S = 0.02;
+
   final BodyDescription description;
   final int index;
   final DGeom geom;
 
-  /** Null where it is fixed. */
-  final DBody body;
+  /** Its pose in the base frame, as {@link Transforms} has it. */
+  final double[] pose = new double[Transforms.SIZE];
 
-  /** Whether something touched it in the latest step. */
-  boolean touched;
+  /** Speed of its origin, m/s, and rad/s, along the base's axes. */
+  final double[] twist = new double[6];
 
   /** Of contacts in the latest step: force, N, and torque about its origin, Nm, base's axes. */
   final double[] wrench = new double[6];
 
-  private final DMatrix3 rotation = new DMatrix3();
+  /** 0 unless it is free. */
+  final double inverseMass;
 
-  RigidBody(DWorld world, BodyDescription description, int index) {
+  /** Inverse of its inertia along the base's axes, rows; 0 unless it is free. */
+  final double[] inverseInertia = new double[9];
+
+  boolean awake;
+
+  /** Whether something touched it in the latest step. */
+  boolean touched;
+
+  /** Whether a guided body did. */
+  boolean guidedTouched;
+
+  /** How long it has been at rest. */
+  double restS;
+
+  /** Moments of inertia along its own axes, kg m^2. */
+  private final double[] inertia;
+
+  private final double[] speedBefore = new double[3];
+  private final DMatrix3 rotation = new DMatrix3();
+  private final double[] turn = new double[9];
+  private final double[] turned = new double[9];
+
+  RigidBody(BodyDescription description, int index) {
     this.description = description;
     this.index = index;
-    double[] at = new double[Transforms.SIZE];
-    Transforms.of(description.poseInBase(), at);
-    geom = geom(description.shape(), at);
-    if (description.motion() == BodyMotion.FIXED) {
-      body = null;
-      if (!(description.shape() instanceof BodyShape.HalfSpace)) {
-        geom.setPosition(at[9], at[10], at[11]);
-        geom.setRotation(rotation(at));
-      }
-      return;
-    }
-    body = OdeHelper.createBody(world);
-    geom.setBody(body);
-    place(at);
-    if (description.motion() == BodyMotion.GUIDED) {
-      body.setKinematic();
-      body.setAutoDisableFlag(false);
-    } else {
-      body.setMass(mass(description.shape(), description.massKg()));
-    }
+    Transforms.of(description.poseInBase(), pose);
+    geom = PhysicsLibrary.shape(description.shape(), pose);
+    inertia = BodyInertia.of(description.shape(), description.massKg());
+    inverseMass = free() ? 1 / description.massKg() : 0;
+    awake = description.motion() != BodyMotion.FIXED;
+    moved();
   }
 
   boolean free() {
@@ -60,56 +68,130 @@ final class RigidBody {
     return description.motion() == BodyMotion.GUIDED;
   }
 
-  /** Whether it may move in the next step. */
-  boolean awake() {
-    return body != null && body.isEnabled();
-  }
-
-  void place(double[] transform) {
-    body.setPosition(transform[9], transform[10], transform[11]);
-    body.setRotation(rotation(transform));
-  }
-
-  void readPose(double[] transform) {
-    DMatrix3C r = body == null ? geom.getRotation() : body.getRotation();
-    DVector3C p = body == null ? geom.getPosition() : body.getPosition();
-    for (int row = 0; row < 3; row++) {
-      for (int column = 0; column < 3; column++) {
-        transform[3 * row + column] = r.get(row, column);
+  /** Tells the shape, and the inertia, of a new pose. */
+  void moved() {
+    if (!(description.shape() instanceof BodyShape.HalfSpace)) {
+      geom.setPosition(pose[9], pose[10], pose[11]);
+      geom.setRotation(
+          rotation.set(
+              pose[0], pose[1], pose[2], pose[3], pose[4], pose[5], pose[6], pose[7], pose[8]));
+    }
+    if (free()) {
+      for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+          double sum = 0;
+          for (int k = 0; k < 3; k++) {
+            sum += pose[3 * i + k] * pose[3 * j + k] / inertia[k];
+          }
+          inverseInertia[3 * i + j] = sum;
+        }
       }
-      transform[9 + row] = p.get(row);
     }
   }
 
-  private DMatrix3 rotation(double[] t) {
-    return rotation.set(t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], t[8]);
+  void wake() {
+    awake = true;
+    restS = 0;
   }
 
-  private static DGeom geom(BodyShape shape, double[] at) {
-    return switch (shape) {
-      case BodyShape.Box(double x, double y, double z) -> OdeHelper.createBox(x, y, z);
-      case BodyShape.Sphere(double radius) -> OdeHelper.createSphere(radius);
-      case BodyShape.Cylinder(double radius, double length) ->
-          OdeHelper.createCylinder(radius, length);
-      case BodyShape.Capsule(double radius, double length) ->
-          OdeHelper.createCapsule(radius, length);
-      case BodyShape.HalfSpace() ->
-          OdeHelper.createPlane(
-              null, at[2], at[5], at[8], at[2] * at[9] + at[5] * at[10] + at[8] * at[11]);
-    };
+  void sleep() {
+    awake = false;
+    Arrays.fill(twist, 0);
   }
 
-  private static DMass mass(BodyShape shape, double massKg) {
-    DMass mass = OdeHelper.createMass();
-    switch (shape) {
-      case BodyShape.Box(double x, double y, double z) -> mass.setBoxTotal(massKg, x, y, z);
-      case BodyShape.Sphere(double radius) -> mass.setSphereTotal(massKg, radius);
-      case BodyShape.Cylinder(double radius, double length) ->
-          mass.setCylinderTotal(massKg, 3, radius, length);
-      case BodyShape.Capsule(double radius, double length) ->
-          mass.setCapsuleTotal(massKg, 3, radius, length);
-      case BodyShape.HalfSpace() -> throw new IllegalStateException("half spaces are fixed");
+  /** Adds the speed that gravity gives in a step. */
+  void fall(double[] gravity, double stepS) {
+    for (int i = 0; i < 3; i++) {
+      speedBefore[i] = twist[i];
+      twist[i] += gravity[i] * stepS;
     }
-    return mass;
+  }
+
+  /** Adds an impulse, Ns, that acts {@code (x, y, z)} m away from the origin. */
+  void hit(double x, double y, double z, double px, double py, double pz) {
+    twist[0] += inverseMass * px;
+    twist[1] += inverseMass * py;
+    twist[2] += inverseMass * pz;
+    double tx = y * pz - z * py;
+    double ty = z * px - x * pz;
+    double tz = x * py - y * px;
+    twist[3] += inverseInertia[0] * tx + inverseInertia[1] * ty + inverseInertia[2] * tz;
+    twist[4] += inverseInertia[3] * tx + inverseInertia[4] * ty + inverseInertia[5] * tz;
+    twist[5] += inverseInertia[6] * tx + inverseInertia[7] * ty + inverseInertia[8] * tz;
+  }
+
+  /**
+   * Moves as its speed says. What nothing touches follows its parabola exactly, and what turns
+   * keeps its angular momentum.
+   */
+  void move(double stepS) {
+    for (int i = 0; i < 3; i++) {
+      double speed = free() && !touched ? 0.5 * (speedBefore[i] + twist[i]) : twist[i];
+      pose[9 + i] += speed * stepS;
+    }
+    if (twist[3] != 0 || twist[4] != 0 || twist[5] != 0) {
+      double[] momentum = free() ? momentum() : null;
+      Rotations.vectorToMatrix(twist[3] * stepS, twist[4] * stepS, twist[5] * stepS, turn);
+      for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+          turned[3 * i + j] =
+              turn[3 * i] * pose[j] + turn[3 * i + 1] * pose[3 + j] + turn[3 * i + 2] * pose[6 + j];
+        }
+      }
+      straighten(turned);
+      System.arraycopy(turned, 0, pose, 0, 9);
+      moved();
+      if (momentum != null) {
+        for (int i = 0; i < 3; i++) {
+          twist[3 + i] =
+              inverseInertia[3 * i] * momentum[0]
+                  + inverseInertia[3 * i + 1] * momentum[1]
+                  + inverseInertia[3 * i + 2] * momentum[2];
+        }
+      }
+    } else {
+      moved();
+    }
+    boolean rests =
+        square(0) < REST_SPEED_M_PER_S * REST_SPEED_M_PER_S
+            && square(3) < REST_SPEED_RAD_PER_S * REST_SPEED_RAD_PER_S;
+    restS = rests && touched ? restS + stepS : 0;
+  }
+
+  private double square(int from) {
+    return twist[from] * twist[from]
+        + twist[from + 1] * twist[from + 1]
+        + twist[from + 2] * twist[from + 2];
+  }
+
+  private double[] momentum() {
+    double[] result = new double[3];
+    for (int k = 0; k < 3; k++) {
+      double along =
+          inertia[k] * (pose[k] * twist[3] + pose[3 + k] * twist[4] + pose[6 + k] * twist[5]);
+      for (int i = 0; i < 3; i++) {
+        result[i] += pose[3 * i + k] * along;
+      }
+    }
+    return result;
+  }
+
+  /** Makes rows of length 1 and at right angles again, which rounding has bent. */
+  private static void straighten(double[] m) {
+    double a = 1 / Math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+    for (int i = 0; i < 3; i++) {
+      m[i] *= a;
+    }
+    double dot = m[0] * m[3] + m[1] * m[4] + m[2] * m[5];
+    for (int i = 0; i < 3; i++) {
+      m[3 + i] -= dot * m[i];
+    }
+    double b = 1 / Math.sqrt(m[3] * m[3] + m[4] * m[4] + m[5] * m[5]);
+    for (int i = 0; i < 3; i++) {
+      m[3 + i] *= b;
+    }
+    m[6] = m[1] * m[5] - m[2] * m[4];
+    m[7] = m[2] * m[3] - m[0] * m[5];
+    m[8] = m[0] * m[4] - m[1] * m[3];
   }
 }

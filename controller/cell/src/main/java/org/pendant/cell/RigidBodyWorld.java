@@ -5,11 +5,9 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.ode4j.math.DVector3C;
 import org.ode4j.ode.DContactGeomBuffer;
-import org.ode4j.ode.DWorld;
-import org.ode4j.ode.OdeHelper;
 import org.pendant.models.json.Range;
+import org.pendant.models.pose.Transforms;
 
 /**
  * Rigid body world: bodies that fall, collide, slide, stack and press, in steps of fixed length.
@@ -33,18 +31,13 @@ public final class RigidBodyWorld {
   /** Bodies may be this deep in one another at first, m. */
   private static final double MOST_OVERLAP_M = 1e-3;
 
-  /** More places in one group than this are solved by iteration: exactly would take too long. */
-  private static final int MOST_EXACT = 100;
-
-  private static final double REST_SPEED_M_PER_S = 0.003;
-  private static final double REST_SPEED_RAD_PER_S = 0.02;
+  /** What has not moved for so long sleeps, s. */
   private static final double REST_TIME_S = 0.5;
-  private static final int REST_SAMPLES = 10;
 
-  private final DWorld world = PhysicsLibrary.world();
   private final List<RigidBody> bodies = new ArrayList<>();
   private final BodyContacts contacts;
   private final double[] gravity;
+  private double latestStepS = 1;
 
   /**
    * Sets bodies up.
@@ -65,24 +58,15 @@ public final class RigidBodyWorld {
     GRAVITY.require("gravity[1]", gravityY);
     GRAVITY.require("gravity[2]", gravityZ);
     gravity = new double[] {gravityX, gravityY, gravityZ};
-    world.setGravity(gravityX, gravityY, gravityZ);
-    world.setContactSurfaceLayer(ContactTuning.LAYER_M);
-    world.setQuickStepNumIterations(PhysicsLibrary.ITERATIONS);
-    world.setAutoDisableFlag(true);
-    world.setAutoDisableLinearThreshold(REST_SPEED_M_PER_S);
-    world.setAutoDisableAngularThreshold(REST_SPEED_RAD_PER_S);
-    world.setAutoDisableAverageSamplesCount(REST_SAMPLES);
-    world.setAutoDisableSteps(0);
-    world.setAutoDisableTime(REST_TIME_S);
     Set<String> names = new HashSet<>();
     for (BodyDescription description : descriptions) {
       if (!names.add(description.name())) {
         throw new IllegalArgumentException("bodies: " + description.name() + " is there twice");
       }
-      bodies.add(new RigidBody(world, description, bodies.size()));
+      bodies.add(new RigidBody(description, bodies.size()));
     }
     requireApart();
-    contacts = new BodyContacts(world, bodies);
+    contacts = new BodyContacts(bodies);
   }
 
   /** How many bodies there are; they are numbered from 0 in the order of their descriptions. */
@@ -102,53 +86,37 @@ public final class RigidBodyWorld {
    */
   public void advance(double stepS) {
     STEP.require("step", stepS);
+    latestStepS = stepS;
     contacts.find(stepS);
-    for (int i = 0; i < contacts.awakeCount(); i++) {
-      Arrays.fill(contacts.awake(i).wrench, 0);
-    }
-    if (contacts.awakeCount() == 0) {
-      return;
-    }
-    if (contacts.largestIsland() <= MOST_EXACT) {
-      world.step(stepS);
-    } else {
-      world.quickStep(stepS);
-    }
-    contacts.readForces();
-    for (int i = 0; i < contacts.awakeCount(); i++) {
+    int count = contacts.awakeCount();
+    for (int i = 0; i < count; i++) {
       RigidBody body = contacts.awake(i);
       if (body.free()) {
-        body.body.setAutoDisableFlag(true);
-        if (!body.touched) {
-          followParabola(body, stepS);
-        }
+        body.fall(gravity, stepS);
+      } else {
+        Arrays.fill(body.wrench, 0);
       }
     }
+    contacts.solve(stepS);
+    for (int i = 0; i < count; i++) {
+      contacts.awake(i).move(stepS);
+    }
+    contacts.sleepAfter(REST_TIME_S);
   }
 
-  /** Where a body is, as {@link org.pendant.models.pose.Transforms} has it, in the base frame. */
+  /** Where a body is, as {@link Transforms} has it, in the base frame. */
   public void pose(int body, double[] transform) {
-    bodies.get(body).readPose(transform);
+    System.arraycopy(bodies.get(body).pose, 0, transform, 0, Transforms.SIZE);
   }
 
   /** How a body moves: m/s of its origin and rad/s, along the base's axes, six numbers. */
   public void velocity(int body, double[] twist) {
-    RigidBody of = bodies.get(body);
-    if (of.body == null) {
-      Arrays.fill(twist, 0, 6, 0);
-      return;
-    }
-    DVector3C v = of.body.getLinearVel();
-    DVector3C w = of.body.getAngularVel();
-    for (int i = 0; i < 3; i++) {
-      twist[i] = v.get(i);
-      twist[3 + i] = w.get(i);
-    }
+    System.arraycopy(bodies.get(body).twist, 0, twist, 0, 6);
   }
 
   /** Whether a body rests, and nothing is reckoned of it. */
   public boolean sleeping(int body) {
-    return !bodies.get(body).awake();
+    return !bodies.get(body).awake;
   }
 
   /**
@@ -163,9 +131,9 @@ public final class RigidBodyWorld {
     if (!of.guided()) {
       throw new IllegalArgumentException(of.description.name() + ": is not guided");
     }
-    of.place(transform);
-    of.body.setLinearVel(twist[0], twist[1], twist[2]);
-    of.body.setAngularVel(twist[3], twist[4], twist[5]);
+    System.arraycopy(transform, 0, of.pose, 0, Transforms.SIZE);
+    System.arraycopy(twist, 0, of.twist, 0, 6);
+    of.moved();
   }
 
   /** Gives a free body a speed: m/s of its origin and rad/s, along the base's axes. */
@@ -174,9 +142,8 @@ public final class RigidBodyWorld {
     if (!of.free()) {
       throw new IllegalArgumentException(of.description.name() + ": is not free");
     }
-    of.body.setLinearVel(twist[0], twist[1], twist[2]);
-    of.body.setAngularVel(twist[3], twist[4], twist[5]);
-    of.body.enable();
+    System.arraycopy(twist, 0, of.twist, 0, 6);
+    of.wake();
   }
 
   /**
@@ -190,15 +157,7 @@ public final class RigidBodyWorld {
 
   /** Where bodies that are awake touched in the latest step. */
   public List<BodyContact> contacts() {
-    return contacts.list();
-  }
-
-  /** The solver moves by the new speed; without contacts the mean of old and new one is exact. */
-  private void followParabola(RigidBody body, double stepS) {
-    DVector3C p = body.body.getPosition();
-    double half = 0.5 * stepS * stepS;
-    body.body.setPosition(
-        p.get0() - half * gravity[0], p.get1() - half * gravity[1], p.get2() - half * gravity[2]);
+    return contacts.list(latestStepS);
   }
 
   private void requireApart() {
@@ -208,7 +167,7 @@ public final class RigidBodyWorld {
         if (one.free()
             && !other.guided()
             && (!other.free() || other.index > one.index)
-            && OdeHelper.collide(one.geom, other.geom, 1, found) > 0
+            && PhysicsLibrary.touch(one.geom, other.geom, 1, found) > 0
             && found.get(0).depth > MOST_OVERLAP_M) {
           throw new IllegalArgumentException(
               "bodies: %s and %s overlap by %s mm"

@@ -1,0 +1,251 @@
+package org.pendant.cell;
+
+import org.ode4j.ode.DContactGeom;
+
+/**
+ * Contact place: where two bodies touch, the first of them a free one, and the impulse there.
+ *
+ * <p>Impulses are found one place after the other, again and again: each pushes its two bodies
+ * apart as it must with the speeds that the others have left them. Friction is an impulse in the
+ * plane of contact that stays within Coulomb's cone, the same in all directions.
+ */
+final class ContactPlace {
+  /** Depth at which bodies rest in one another, so that contacts do not come and go, m. */
+  private static final double LAYER_M = 1e-4;
+
+  /** Share of the depth beyond this layer that one step takes back. */
+  private static final double RECOVERY = 0.2;
+
+  /** Most depth that is taken back with this haste, m: bodies never burst apart. */
+  private static final double DEEPEST_M = 2e-3;
+
+  /** Slower impacts do not bounce, m/s. */
+  private static final double LEAST_BOUNCE = 0.03;
+
+  /** Damping of contacts with guided bodies; 1 would be without any overshoot. */
+  private static final double DAMPING_RATIO = 0.7;
+
+  RigidBody first;
+  RigidBody second;
+
+  /** Of the impulse on the first body: its share along the normal, Ns. */
+  double normalImpulse;
+
+  private double tangentImpulse1;
+  private double tangentImpulse2;
+
+  /** Normal, out of the second body, and two directions at right angles to it. */
+  private final double[] normal = new double[3];
+
+  private final double[] tangent1 = new double[3];
+  private final double[] tangent2 = new double[3];
+
+  /** From the origins of the bodies to here. */
+  private final double[] arm1 = new double[3];
+
+  private final double[] arm2 = new double[3];
+
+  /** Where this is on the first body, along its own axes. */
+  private final double[] onFirst = new double[3];
+
+  private double normalMass;
+  private double tangentMass;
+  private double softness;
+  private double leavingSpeed;
+  private double friction;
+
+  private final double[] turned = new double[3];
+
+  /** Takes over what was found, one of {@code places} between these two. */
+  void set(RigidBody one, RigidBody other, DContactGeom found, int places, double stepS) {
+    first = one;
+    second = other;
+    normalImpulse = 0;
+    tangentImpulse1 = 0;
+    tangentImpulse2 = 0;
+    for (int i = 0; i < 3; i++) {
+      normal[i] = found.normal.get(i);
+      arm1[i] = found.pos.get(i) - one.pose[9 + i];
+      arm2[i] = found.pos.get(i) - other.pose[9 + i];
+    }
+    for (int i = 0; i < 3; i++) {
+      onFirst[i] =
+          one.pose[i] * arm1[0] + one.pose[3 + i] * arm1[1] + one.pose[6 + i] * arm1[2];
+    }
+    setTangents();
+    BodySurface a = one.description.surface();
+    BodySurface b = other.description.surface();
+    friction = Math.sqrt(a.friction() * b.friction());
+    double yielding = yielding(normal, normal);
+    softness = 0;
+    if (other.guided()) {
+      double stiffness = Math.min(a.stiffnessNPerM(), b.stiffnessNPerM()) / places;
+      double damping = 2 * DAMPING_RATIO * Math.sqrt(stiffness / (one.inverseMass * places));
+      softness = 1 / (stepS * (damping + stepS * stiffness));
+      leavingSpeed = found.depth * stepS * stiffness * softness;
+    } else {
+      double depth = Math.min(found.depth - LAYER_M, DEEPEST_M);
+      leavingSpeed = RECOVERY * Math.max(0, depth) / stepS;
+      double approaching = -speed(normal);
+      if (approaching > LEAST_BOUNCE) {
+        leavingSpeed =
+            Math.max(leavingSpeed, Math.max(a.restitution(), b.restitution()) * approaching);
+      }
+    }
+    normalMass = 1 / (yielding + softness);
+    double k11 = yielding(tangent1, tangent1);
+    double k22 = yielding(tangent2, tangent2);
+    double k12 = yielding(tangent1, tangent2);
+    // the largest eigenvalue: with one mass for both directions friction ends up along the sliding
+    tangentMass = 1 / (0.5 * (k11 + k22) + Math.hypot(0.5 * (k11 - k22), k12));
+  }
+
+  /** How far this place on the first body is from another one on it, squared, m^2. */
+  double squareTo(ContactPlace other) {
+    double x = onFirst[0] - other.onFirst[0];
+    double y = onFirst[1] - other.onFirst[1];
+    double z = onFirst[2] - other.onFirst[2];
+    return x * x + y * y + z * z;
+  }
+
+  /** Begins with the impulse that held here in the step before. */
+  void beginWith(ContactPlace before) {
+    normalImpulse = before.normalImpulse;
+    double x = before.tangentImpulse(0);
+    double y = before.tangentImpulse(1);
+    double z = before.tangentImpulse(2);
+    tangentImpulse1 = x * tangent1[0] + y * tangent1[1] + z * tangent1[2];
+    tangentImpulse2 = x * tangent2[0] + y * tangent2[1] + z * tangent2[2];
+    double along = normalImpulse;
+    hit(
+        along * normal[0] + tangentImpulse(0),
+        along * normal[1] + tangentImpulse(1),
+        along * normal[2] + tangentImpulse(2));
+  }
+
+  /** Corrects the impulse; answers by how much, Ns. */
+  double solve() {
+    double t1 = tangentImpulse1 - tangentMass * speed(tangent1);
+    double t2 = tangentImpulse2 - tangentMass * speed(tangent2);
+    double most = friction * normalImpulse;
+    double size = Math.sqrt(t1 * t1 + t2 * t2);
+    if (size > most) {
+      t1 *= most / size;
+      t2 *= most / size;
+    }
+    double d1 = t1 - tangentImpulse1;
+    double d2 = t2 - tangentImpulse2;
+    tangentImpulse1 = t1;
+    tangentImpulse2 = t2;
+    hit(
+        d1 * tangent1[0] + d2 * tangent2[0],
+        d1 * tangent1[1] + d2 * tangent2[1],
+        d1 * tangent1[2] + d2 * tangent2[2]);
+    double n =
+        Math.max(
+            0,
+            normalImpulse
+                + normalMass * (leavingSpeed - speed(normal) - softness * normalImpulse));
+    double dn = n - normalImpulse;
+    normalImpulse = n;
+    hit(dn * normal[0], dn * normal[1], dn * normal[2]);
+    return Math.abs(dn) + Math.abs(d1) + Math.abs(d2);
+  }
+
+  /** Adds what this does to the second body, as force and torque, to its wrench. */
+  void addWrench(double stepS) {
+    double fx = -impulse(0) / stepS;
+    double fy = -impulse(1) / stepS;
+    double fz = -impulse(2) / stepS;
+    double[] wrench = second.wrench;
+    wrench[0] += fx;
+    wrench[1] += fy;
+    wrench[2] += fz;
+    wrench[3] += arm2[1] * fz - arm2[2] * fy;
+    wrench[4] += arm2[2] * fx - arm2[0] * fz;
+    wrench[5] += arm2[0] * fy - arm2[1] * fx;
+  }
+
+  /** The impulse on the first body, Ns. */
+  double impulse() {
+    return Math.sqrt(
+        impulse(0) * impulse(0) + impulse(1) * impulse(1) + impulse(2) * impulse(2));
+  }
+
+  private double impulse(int axis) {
+    return normalImpulse * normal[axis] + tangentImpulse(axis);
+  }
+
+  private double tangentImpulse(int axis) {
+    return tangentImpulse1 * tangent1[axis] + tangentImpulse2 * tangent2[axis];
+  }
+
+  private void hit(double px, double py, double pz) {
+    first.hit(arm1[0], arm1[1], arm1[2], px, py, pz);
+    if (second.inverseMass > 0) {
+      second.hit(arm2[0], arm2[1], arm2[2], -px, -py, -pz);
+    }
+  }
+
+  /** How fast the first body leaves the second one here, along a direction, m/s. */
+  private double speed(double[] along) {
+    double speed = speed(first.twist, arm1, along);
+    return second.description.motion() == BodyMotion.FIXED
+        ? speed
+        : speed - speed(second.twist, arm2, along);
+  }
+
+  private static double speed(double[] twist, double[] arm, double[] along) {
+    return along[0] * (twist[0] + twist[4] * arm[2] - twist[5] * arm[1])
+        + along[1] * (twist[1] + twist[5] * arm[0] - twist[3] * arm[2])
+        + along[2] * (twist[2] + twist[3] * arm[1] - twist[4] * arm[0]);
+  }
+
+  /** Speed along {@code one} that an impulse of 1 Ns along {@code other} gives, m/s. */
+  private double yielding(double[] one, double[] other) {
+    double dot = one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
+    return dot * (first.inverseMass + second.inverseMass)
+        + turning(first, arm1, one, other)
+        + turning(second, arm2, one, other);
+  }
+
+  private double turning(RigidBody body, double[] arm, double[] one, double[] other) {
+    if (body.inverseMass == 0) {
+      return 0;
+    }
+    double[] inverse = body.inverseInertia;
+    double x = arm[1] * other[2] - arm[2] * other[1];
+    double y = arm[2] * other[0] - arm[0] * other[2];
+    double z = arm[0] * other[1] - arm[1] * other[0];
+    for (int i = 0; i < 3; i++) {
+      turned[i] = inverse[3 * i] * x + inverse[3 * i + 1] * y + inverse[3 * i + 2] * z;
+    }
+    return (arm[1] * one[2] - arm[2] * one[1]) * turned[0]
+        + (arm[2] * one[0] - arm[0] * one[2]) * turned[1]
+        + (arm[0] * one[1] - arm[1] * one[0]) * turned[2];
+  }
+
+  private void setTangents() {
+    double x = normal[0];
+    double y = normal[1];
+    double z = normal[2];
+    if (Math.abs(z) > 0.7) {
+      double length = Math.sqrt(y * y + z * z);
+      set(tangent1, 0, -z / length, y / length);
+    } else {
+      double length = Math.sqrt(x * x + y * y);
+      set(tangent1, -y / length, x / length, 0);
+    }
+    set(
+        tangent2,
+        y * tangent1[2] - z * tangent1[1],
+        z * tangent1[0] - x * tangent1[2],
+        x * tangent1[1] - y * tangent1[0]);
+  }
+
+  private static void set(double[] vector, double x, double y, double z) {
+    vector[0] = x;
+    vector[1] = y;
+    vector[2] = z;
+  }
+}
