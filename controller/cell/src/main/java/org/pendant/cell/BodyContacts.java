@@ -12,21 +12,21 @@ import org.ode4j.ode.DContactGeomBuffer;
  */
 final class BodyContacts {
   /** Places at which two bodies hold each other at most; a box on a table needs four. */
-  private static final int MOST_PLACES = 4;
+  private static final int MAX_PLACES = 4;
 
   /** A place that is this near one of the step before is the same one, squared, m^2. */
   private static final double SAME_PLACE_M2 = 1e-4;
 
-  private static final int MOST_ROUNDS = 40;
+  private static final int MAX_ROUNDS = 40;
 
   /** Change of speed below which another round is not worth it, m/s. */
   private static final double ACCURACY_M_PER_S = 1e-7;
 
-  private final List<RigidBody> bodies;
-  private final DContactGeomBuffer buffer = new DContactGeomBuffer(MOST_PLACES);
+  private final List<CellBody> bodies;
+  private final DContactGeomBuffer buffer = new DContactGeomBuffer(MAX_PLACES);
 
   /** Bodies that are awake, in the order in which they were looked at. */
-  private final RigidBody[] awake;
+  private final CellBody[] awake;
 
   private int awakeCount;
   private final boolean[] seen;
@@ -42,10 +42,10 @@ final class BodyContacts {
   /** For each two bodies: the first of their places in the step before and one, 0 for none. */
   private final int[] beforeOf;
 
-  BodyContacts(List<RigidBody> bodies) {
+  BodyContacts(List<CellBody> bodies) {
     this.bodies = bodies;
     int size = bodies.size();
-    awake = new RigidBody[size];
+    awake = new CellBody[size];
     seen = new boolean[size];
     islandOf = new int[size];
     beforeOf = new int[size * size];
@@ -56,7 +56,7 @@ final class BodyContacts {
     remember();
     awakeCount = 0;
     for (int i = 0; i < awake.length; i++) {
-      RigidBody body = bodies.get(i);
+      CellBody body = bodies.get(i);
       body.touched = false;
       body.guidedTouched = false;
       seen[i] = false;
@@ -66,7 +66,7 @@ final class BodyContacts {
       }
     }
     for (int i = 0; i < awakeCount; i++) {
-      RigidBody one = awake[i];
+      CellBody one = awake[i];
       seen[one.index] = true;
       for (int other = 0; other < awake.length; other++) {
         if (!seen[other]) {
@@ -82,7 +82,7 @@ final class BodyContacts {
   }
 
   /** One of these. */
-  RigidBody awake(int i) {
+  CellBody awake(int i) {
     return awake[i];
   }
 
@@ -92,7 +92,7 @@ final class BodyContacts {
       beginWithBefore(places.get(i));
     }
     boolean again = placeCount > 0;
-    for (int round = 0; round < MOST_ROUNDS && again; round++) {
+    for (int round = 0; round < MAX_ROUNDS && again; round++) {
       again = false;
       for (int i = 0; i < placeCount; i++) {
         ContactPlace place = places.get(round % 2 == 0 ? i : placeCount - 1 - i);
@@ -110,13 +110,13 @@ final class BodyContacts {
   /** Puts groups of bodies to sleep that hold one another and have all rested for a while. */
   void sleepAfter(double restS) {
     for (int i = 0; i < awakeCount; i++) {
-      RigidBody body = awake[i];
+      CellBody body = awake[i];
       if (body.free() && (body.restS < restS || body.guidedTouched)) {
         seen[island(body.index)] = false;
       }
     }
     for (int i = 0; i < awakeCount; i++) {
-      RigidBody body = awake[i];
+      CellBody body = awake[i];
       if (body.free() && seen[island(body.index)]) {
         body.sleep();
       }
@@ -137,18 +137,18 @@ final class BodyContacts {
     return list;
   }
 
-  private void meet(RigidBody one, RigidBody other, double stepS) {
-    RigidBody first = one.free() ? one : other;
-    RigidBody second = one.free() ? other : one;
+  private void meet(CellBody one, CellBody other, double stepS) {
+    CellBody first = one.free() ? one : other;
+    CellBody second = one.free() ? other : one;
     if (!first.free() || first.geom.getAABB().isDisjoint(second.geom.getAABB())) {
       return;
     }
     if (second.free() && second.index < first.index) {
-      RigidBody later = first;
+      CellBody later = first;
       first = second;
       second = later;
     }
-    int count = PhysicsLibrary.touch(first.geom, second.geom, MOST_PLACES, buffer);
+    int count = PhysicsLibrary.touch(first.geom, second.geom, MAX_PLACES, buffer);
     if (count == 0) {
       return;
     }
@@ -189,7 +189,9 @@ final class BodyContacts {
     int pair = pair(place);
     ContactPlace nearest = null;
     double least = SAME_PLACE_M2;
-    for (int i = beforeOf[pair] - 1; i >= 0 && i < beforeCount && pair(before.get(i)) == pair; i++) {
+    for (int i = beforeOf[pair] - 1;
+        i >= 0 && i < beforeCount && pair(before.get(i)) == pair;
+        i++) {
       double square = place.squareTo(before.get(i));
       if (square < least) {
         least = square;

@@ -9,7 +9,9 @@ final class BodyInertia {
     return switch (shape) {
       case BodyShape.Box(double x, double y, double z) ->
           new double[] {
-            massKg * (y * y + z * z) / 12, massKg * (z * z + x * x) / 12, massKg * (x * x + y * y) / 12
+            massKg * (y * y + z * z) / 12,
+            massKg * (z * z + x * x) / 12,
+            massKg * (x * x + y * y) / 12
           };
       case BodyShape.Sphere(double r) -> round(0.4 * massKg * r * r, 0.4 * massKg * r * r);
       case BodyShape.Cylinder(double r, double length) ->

@@ -17,16 +17,16 @@ final class ContactPlace {
   private static final double RECOVERY = 0.2;
 
   /** Most depth that is taken back with this haste, m: bodies never burst apart. */
-  private static final double DEEPEST_M = 2e-3;
+  private static final double MAX_DEPTH_M = 2e-3;
 
   /** Slower impacts do not bounce, m/s. */
-  private static final double LEAST_BOUNCE = 0.03;
+  private static final double MIN_BOUNCE = 0.03;
 
   /** Damping of contacts with guided bodies; 1 would be without any overshoot. */
   private static final double DAMPING_RATIO = 0.7;
 
-  RigidBody first;
-  RigidBody second;
+  CellBody first;
+  CellBody second;
 
   /** Of the impulse on the first body: its share along the normal, Ns. */
   double normalImpulse;
@@ -57,7 +57,7 @@ final class ContactPlace {
   private final double[] turned = new double[3];
 
   /** Takes over what was found, one of {@code places} between these two. */
-  void set(RigidBody one, RigidBody other, DContactGeom found, int places, double stepS) {
+  void set(CellBody one, CellBody other, DContactGeom found, int places, double stepS) {
     first = one;
     second = other;
     normalImpulse = 0;
@@ -69,8 +69,7 @@ final class ContactPlace {
       arm2[i] = found.pos.get(i) - other.pose[9 + i];
     }
     for (int i = 0; i < 3; i++) {
-      onFirst[i] =
-          one.pose[i] * arm1[0] + one.pose[3 + i] * arm1[1] + one.pose[6 + i] * arm1[2];
+      onFirst[i] = one.pose[i] * arm1[0] + one.pose[3 + i] * arm1[1] + one.pose[6 + i] * arm1[2];
     }
     setTangents();
     BodySurface a = one.description.surface();
@@ -84,10 +83,10 @@ final class ContactPlace {
       softness = 1 / (stepS * (damping + stepS * stiffness));
       leavingSpeed = found.depth * stepS * stiffness * softness;
     } else {
-      double depth = Math.min(found.depth - LAYER_M, DEEPEST_M);
+      double depth = Math.min(found.depth - LAYER_M, MAX_DEPTH_M);
       leavingSpeed = RECOVERY * Math.max(0, depth) / stepS;
       double approaching = -speed(normal);
-      if (approaching > LEAST_BOUNCE) {
+      if (approaching > MIN_BOUNCE) {
         leavingSpeed =
             Math.max(leavingSpeed, Math.max(a.restitution(), b.restitution()) * approaching);
       }
@@ -144,8 +143,7 @@ final class ContactPlace {
     double n =
         Math.max(
             0,
-            normalImpulse
-                + normalMass * (leavingSpeed - speed(normal) - softness * normalImpulse));
+            normalImpulse + normalMass * (leavingSpeed - speed(normal) - softness * normalImpulse));
     double dn = n - normalImpulse;
     normalImpulse = n;
     hit(dn * normal[0], dn * normal[1], dn * normal[2]);
@@ -168,8 +166,7 @@ final class ContactPlace {
 
   /** The impulse on the first body, Ns. */
   double impulse() {
-    return Math.sqrt(
-        impulse(0) * impulse(0) + impulse(1) * impulse(1) + impulse(2) * impulse(2));
+    return Math.sqrt(impulse(0) * impulse(0) + impulse(1) * impulse(1) + impulse(2) * impulse(2));
   }
 
   private double impulse(int axis) {
@@ -209,7 +206,7 @@ final class ContactPlace {
         + turning(second, arm2, one, other);
   }
 
-  private double turning(RigidBody body, double[] arm, double[] one, double[] other) {
+  private double turning(CellBody body, double[] arm, double[] one, double[] other) {
     if (body.inverseMass == 0) {
       return 0;
     }

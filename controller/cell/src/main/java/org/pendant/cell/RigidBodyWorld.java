@@ -29,12 +29,12 @@ public final class RigidBodyWorld {
   private static final Range GRAVITY = new Range(-30, 30, "m/s^2");
 
   /** Bodies may be this deep in one another at first, m. */
-  private static final double MOST_OVERLAP_M = 1e-3;
+  private static final double MAX_OVERLAP_M = 1e-3;
 
   /** What has not moved for so long sleeps, s. */
   private static final double REST_TIME_S = 0.5;
 
-  private final List<RigidBody> bodies = new ArrayList<>();
+  private final List<CellBody> bodies = new ArrayList<>();
   private final BodyContacts contacts;
   private final double[] gravity;
   private double latestStepS = 1;
@@ -63,7 +63,7 @@ public final class RigidBodyWorld {
       if (!names.add(description.name())) {
         throw new IllegalArgumentException("bodies: " + description.name() + " is there twice");
       }
-      bodies.add(new RigidBody(description, bodies.size()));
+      bodies.add(new CellBody(description, bodies.size()));
     }
     requireApart();
     contacts = new BodyContacts(bodies);
@@ -90,7 +90,7 @@ public final class RigidBodyWorld {
     contacts.find(stepS);
     int count = contacts.awakeCount();
     for (int i = 0; i < count; i++) {
-      RigidBody body = contacts.awake(i);
+      CellBody body = contacts.awake(i);
       if (body.free()) {
         body.fall(gravity, stepS);
       } else {
@@ -127,7 +127,7 @@ public final class RigidBodyWorld {
    * @throws IllegalArgumentException if it is not guided
    */
   public void guide(int body, double[] transform, double[] twist) {
-    RigidBody of = bodies.get(body);
+    CellBody of = bodies.get(body);
     if (!of.guided()) {
       throw new IllegalArgumentException(of.description.name() + ": is not guided");
     }
@@ -138,7 +138,7 @@ public final class RigidBodyWorld {
 
   /** Gives a free body a speed: m/s of its origin and rad/s, along the base's axes. */
   public void throwBody(int body, double[] twist) {
-    RigidBody of = bodies.get(body);
+    CellBody of = bodies.get(body);
     if (!of.free()) {
       throw new IllegalArgumentException(of.description.name() + ": is not free");
     }
@@ -162,13 +162,13 @@ public final class RigidBodyWorld {
 
   private void requireApart() {
     DContactGeomBuffer found = new DContactGeomBuffer(1);
-    for (RigidBody one : bodies) {
-      for (RigidBody other : bodies) {
+    for (CellBody one : bodies) {
+      for (CellBody other : bodies) {
         if (one.free()
             && !other.guided()
             && (!other.free() || other.index > one.index)
             && PhysicsLibrary.touch(one.geom, other.geom, 1, found) > 0
-            && found.get(0).depth > MOST_OVERLAP_M) {
+            && found.get(0).depth > MAX_OVERLAP_M) {
           throw new IllegalArgumentException(
               "bodies: %s and %s overlap by %s mm"
                   .formatted(

@@ -63,7 +63,9 @@ final class Bodies {
             case 2 -> new BodyShape.Cylinder(0.04, 0.08);
             default -> new BodyShape.Capsule(0.03, 0.06);
           };
-      Pose pose = new Pose(0.15 * (i % 3) - 0.15, 0.01 * i, 0.2 + 0.12 * (i / 3), 0.3 * i, 0.2, 0);
+      Pose pose =
+          new Pose(
+              0.15 * (i % 3) - 0.15, 0.01 * i, 0.2 + 0.12 * Math.floorDiv(i, 3), 0.3 * i, 0.2, 0);
       bodies.add(BodyDescription.free("part " + i, shape, pose, 0.5 + i, BodySurface.DEFAULT));
     }
     return upright(bodies);

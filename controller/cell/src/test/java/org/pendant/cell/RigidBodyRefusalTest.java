@@ -12,17 +12,12 @@ class RigidBodyRefusalTest {
   @Test
   void numbersOutsideTheirRangeAreRefused() {
     refused("radius is NaN m, must be 0.001 to 10 m", () -> new BodyShape.Sphere(Double.NaN));
-    refused(
-        "friction is -0.1, must be 0 to 2", () -> new BodySurface(-0.1, 0, 1000));
+    refused("friction is -0.1, must be 0 to 2", () -> new BodySurface(-0.1, 0, 1000));
     refused(
         "mass is 0 kg, must be 0.001 to 1000 kg",
         () ->
             BodyDescription.free(
-                "ball",
-                new BodyShape.Sphere(0.1),
-                Bodies.at(0, 0, 0),
-                0,
-                BodySurface.DEFAULT));
+                "ball", new BodyShape.Sphere(0.1), Bodies.at(0, 0, 0), 0, BodySurface.DEFAULT));
     refused(
         "pose[2] is Infinity m, must be -10 to 10 m",
         () -> Bodies.cube("box", 0.1, Bodies.at(0, 0, Double.POSITIVE_INFINITY), 0.3));

@@ -39,8 +39,7 @@ class RigidBodyWorldTest {
     RigidBodyWorld world =
         Bodies.upright(
             List.of(Bodies.floor(0.3, 0), Bodies.cube("box", 0.1, Bodies.at(0, 0, 0.0499), 0.3)));
-    world.throwBody(
-        1, new double[] {2 * Math.cos(direction), 2 * Math.sin(direction), 0, 0, 0, 0});
+    world.throwBody(1, new double[] {2 * Math.cos(direction), 2 * Math.sin(direction), 0, 0, 0, 0});
     Bodies.run(world, 1.5);
     double[] pose = Bodies.pose(world, 1);
     double expected = 2 * 2 / (2 * 0.3 * G);
@@ -116,9 +115,7 @@ class RigidBodyWorldTest {
                     BodySurface.DEFAULT),
                 Bodies.cube("box", 0.1, Bodies.at(0, 0, 0.25), 0.3)));
     world.guide(
-        0,
-        new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.19},
-        new double[] {0.1, 0, 0, 0, 0, 0});
+        0, new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.19}, new double[] {0.1, 0, 0, 0, 0, 0});
     Bodies.run(world, 2);
     assertEquals(0.1, Bodies.velocity(world, 1)[0], 0.001);
   }

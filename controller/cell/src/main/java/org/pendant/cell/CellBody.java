@@ -6,8 +6,8 @@ import org.ode4j.ode.DGeom;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
-/** Rigid body: one of a world, with its motion. */
-final class RigidBody {
+/** Cell body: a rigid one of a world, with its motion. */
+final class CellBody {
   private static final double REST_SPEED_M_PER_S = 0.003;
   private static final double REST_SPEED_RAD_PER_S = 0.02;
 
@@ -48,8 +48,9 @@ final class RigidBody {
   private final DMatrix3 rotation = new DMatrix3();
   private final double[] turn = new double[9];
   private final double[] turned = new double[9];
+  private final double[] momentum = new double[3];
 
-  RigidBody(BodyDescription description, int index) {
+  CellBody(BodyDescription description, int index) {
     this.description = description;
     this.index = index;
     Transforms.of(description.poseInBase(), pose);
@@ -130,7 +131,7 @@ final class RigidBody {
       pose[9 + i] += speed * stepS;
     }
     if (twist[3] != 0 || twist[4] != 0 || twist[5] != 0) {
-      double[] momentum = free() ? momentum() : null;
+      readMomentum();
       Rotations.vectorToMatrix(twist[3] * stepS, twist[4] * stepS, twist[5] * stepS, turn);
       for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
@@ -141,7 +142,7 @@ final class RigidBody {
       straighten(turned);
       System.arraycopy(turned, 0, pose, 0, 9);
       moved();
-      if (momentum != null) {
+      if (free()) {
         for (int i = 0; i < 3; i++) {
           twist[3 + i] =
               inverseInertia[3 * i] * momentum[0]
@@ -164,16 +165,15 @@ final class RigidBody {
         + twist[from + 2] * twist[from + 2];
   }
 
-  private double[] momentum() {
-    double[] result = new double[3];
+  private void readMomentum() {
+    Arrays.fill(momentum, 0);
     for (int k = 0; k < 3; k++) {
       double along =
           inertia[k] * (pose[k] * twist[3] + pose[3 + k] * twist[4] + pose[6 + k] * twist[5]);
       for (int i = 0; i < 3; i++) {
-        result[i] += pose[3 * i + k] * along;
+        momentum[i] += pose[3 * i + k] * along;
       }
     }
-    return result;
   }
 
   /** Makes rows of length 1 and at right angles again, which rounding has bent. */
