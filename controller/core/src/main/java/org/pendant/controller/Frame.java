@@ -495,6 +495,7 @@ final class Frame {
         box.signals().digital().levels(),
         box.signals().state(),
         box.links().modbus().state(),
+        box.links().devices().states(),
         box.links().assemblies().image(),
         box.offsets().encoders().counts(),
         box.modes().freedrive().state(box.drive().actualPositionRad()),

@@ -67,6 +67,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         (DigitalLevels) at.part(SnapshotPart.IO),
         (SignalState) at.part(SnapshotPart.SIGNALS),
         (List<ModbusSignalState>) at.part(SnapshotPart.MODBUS),
+        List.of(),
         (AssemblyImage) at.part(SnapshotPart.ASSEMBLIES),
         (Encoders.Counts) at.part(SnapshotPart.ENCODERS),
         (FreedriveState) at.part(SnapshotPart.FREEDRIVE),

@@ -141,6 +141,7 @@ final class RandomStates {
             some(last.map(ControllerState::io), this::digital),
             some(last.map(ControllerState::signals), this::signals),
             some(last.map(ControllerState::modbus), () -> list(this::modbus)),
+            List.of(),
             some(last.map(ControllerState::assemblies), this::assemblies),
             some(
                 last.map(ControllerState::encoders),

@@ -271,6 +271,7 @@ final class RecordingRingTest {
         state.io(),
         state.signals(),
         state.modbus(),
+        state.devices(),
         state.assemblies(),
         state.encoders(),
         state.freedrive(),

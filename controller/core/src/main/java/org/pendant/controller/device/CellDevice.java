@@ -13,6 +13,22 @@ interface CellDevice {
   /** What it is called. */
   String name();
 
+  /** What it is, for people. */
+  String kind();
+
+  /** Whether it holds a part, or sees something. */
+  boolean on();
+
+  /** How wide a part may be that is put into it, m; 0 where it holds none. */
+  default double mostM() {
+    return fingers().map(Fingers::strokeM).orElse(0.0);
+  }
+
+  /** How wide the part is that is there for it to hold, m; 0 for none. */
+  default double partM() {
+    return fingers().map(Fingers::partM).orElse(0.0);
+  }
+
   /** What it is and where programs reach it, for people. */
   String described();
 

@@ -27,6 +27,7 @@ public final class CellDevices {
   private final List<CellDevice> devices = new ArrayList<>();
   private final List<DeviceSocket> sockets = new ArrayList<>();
   private final Signals signals;
+  private List<DeviceState> states = List.of();
   private final Supplier<Pose> tcpInBase;
   private final MessageLog log;
 
@@ -105,7 +106,7 @@ public final class CellDevices {
    */
   public void putPart(String gripper, double widthM) {
     Optional<CellDevice> device = find(gripper);
-    double mostM = device.flatMap(CellDevice::fingers).map(Fingers::strokeM).orElse(1.0);
+    double mostM = device.map(CellDevice::mostM).orElse(1.0);
     if (!(widthM >= 0 && widthM <= mostM)) {
       throw new IllegalArgumentException("width is " + widthM + " m, must be 0 to " + mostM + " m");
     }
@@ -128,6 +129,40 @@ public final class CellDevices {
   /** The fingers of a gripper; empty where there are none. */
   public Optional<Fingers> fingers(String name) {
     return find(name).flatMap(CellDevice::fingers);
+  }
+
+  /** What all devices are at; the same list as before while nothing changes. */
+  public List<DeviceState> states() {
+    boolean same = states.size() == devices.size();
+    for (int i = 0; same && i < devices.size(); i++) {
+      same = isAt(devices.get(i), states.get(i));
+    }
+    if (!same) {
+      states = List.copyOf(devices.stream().map(CellDevices::state).toList());
+    }
+    return states;
+  }
+
+  private static boolean isAt(CellDevice device, DeviceState state) {
+    Optional<Fingers> fingers = device.fingers();
+    return device.on() == state.on()
+        && device.partM() == state.partM()
+        && (fingers.isEmpty()
+            || (fingers.get().openingM() == state.openingM()
+                && fingers.get().pressN() == state.forceN()));
+  }
+
+  private static DeviceState state(CellDevice device) {
+    Optional<Fingers> fingers = device.fingers();
+    return new DeviceState(
+        device.name(),
+        device.kind(),
+        fingers.map(Fingers::strokeM).orElse(0.0),
+        fingers.map(Fingers::openingM).orElse(0.0),
+        fingers.map(Fingers::pressN).orElse(0.0),
+        device.on(),
+        device.mostM(),
+        device.partM());
   }
 
   /** Hears what programs have sent, answers, and moves everything through one frame. */

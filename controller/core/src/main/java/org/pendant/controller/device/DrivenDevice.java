@@ -35,6 +35,21 @@ final class DrivenDevice implements CellDevice {
   }
 
   @Override
+  public String kind() {
+    return setup.kind();
+  }
+
+  @Override
+  public boolean on() {
+    return fingers.gripped();
+  }
+
+  @Override
+  public double mostM() {
+    return setup.kind().equals("door") ? 0 : setup.strokeM();
+  }
+
+  @Override
   public String described() {
     return setup.kind() + " that " + setup.close() + " closes";
   }

@@ -32,6 +32,16 @@ final class RpcDevice implements CellDevice {
   }
 
   @Override
+  public String kind() {
+    return kind + " gripper";
+  }
+
+  @Override
+  public boolean on() {
+    return gripper.gripped();
+  }
+
+  @Override
   public String described() {
     return kind + " gripper by XML-RPC at http://localhost:" + GripProcedures.PORT;
   }

@@ -10,6 +10,7 @@ final class SensorDevice implements CellDevice {
   private final DeviceSetup.Sensor setup;
   private final Supplier<Pose> tcpInBase;
   private final SensorLine line;
+  private boolean sees;
 
   SensorDevice(DeviceSetup.Sensor setup, Supplier<Pose> tcpInBase, DigitalIo io) {
     this.setup = setup;
@@ -20,6 +21,16 @@ final class SensorDevice implements CellDevice {
   @Override
   public String name() {
     return setup.name();
+  }
+
+  @Override
+  public String kind() {
+    return "sensor";
+  }
+
+  @Override
+  public boolean on() {
+    return sees;
   }
 
   @Override
@@ -35,6 +46,7 @@ final class SensorDevice implements CellDevice {
   @Override
   public void step() {
     Pose tcp = tcpInBase.get();
-    line.tell(setup.zone().holds(tcp.x(), tcp.y(), tcp.z()) != setup.inverted());
+    sees = setup.zone().holds(tcp.x(), tcp.y(), tcp.z());
+    line.tell(sees != setup.inverted());
   }
 }

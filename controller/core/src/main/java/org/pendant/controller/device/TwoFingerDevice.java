@@ -38,6 +38,16 @@ final class TwoFingerDevice implements CellDevice {
   }
 
   @Override
+  public String kind() {
+    return "two-finger gripper";
+  }
+
+  @Override
+  public boolean on() {
+    return gripper.holds();
+  }
+
+  @Override
   public String described() {
     return "two-finger gripper "
         + (atTool

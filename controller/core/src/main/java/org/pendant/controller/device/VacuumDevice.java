@@ -30,6 +30,26 @@ final class VacuumDevice implements CellDevice {
   }
 
   @Override
+  public String kind() {
+    return "vacuum gripper";
+  }
+
+  @Override
+  public boolean on() {
+    return held;
+  }
+
+  @Override
+  public double mostM() {
+    return 1;
+  }
+
+  @Override
+  public double partM() {
+    return part ? 1 : 0;
+  }
+
+  @Override
   public String described() {
     return "vacuum gripper that " + setup.suck() + " works";
   }

@@ -1,6 +1,7 @@
 package org.pendant.controller.state;
 
 import java.util.List;
+import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.freedrive.FreedriveState;
@@ -37,6 +38,7 @@ import org.pendant.script.vm.ProgramEvent;
  *     of a held frame repeat its number
  * @param io levels of the digital signals
  * @param signals all other signals: analog ones, registers, the tool connector
+ * @param devices the devices of the cell; not part of recordings
  * @param assemblies data that are exchanged by EtherNet/IP, without those built in
  * @param modbus the signals at Modbus devices that programs have added
  * @param encoders what the encoders of conveyors count
@@ -66,6 +68,7 @@ public record ControllerState(
     DigitalLevels io,
     SignalState signals,
     List<ModbusSignalState> modbus,
+    List<DeviceState> devices,
     AssemblyImage assemblies,
     Encoders.Counts encoders,
     FreedriveState freedrive,
@@ -81,6 +84,7 @@ public record ControllerState(
   /** Copies the lists. */
   public ControllerState {
     modbus = List.copyOf(modbus);
+    devices = List.copyOf(devices);
     openPopups = List.copyOf(openPopups);
     openQuestions = List.copyOf(openQuestions);
     newPopups = List.copyOf(newPopups);
@@ -106,6 +110,7 @@ public record ControllerState(
         io,
         signals,
         modbus,
+        devices,
         assemblies,
         encoders,
         freedrive,

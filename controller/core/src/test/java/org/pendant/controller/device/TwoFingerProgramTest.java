@@ -2,6 +2,7 @@ package org.pendant.controller.device;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -279,6 +280,19 @@ class TwoFingerProgramTest {
     program.finish();
     assertEquals(List.of("2", "3"), program.said());
     assertTrue(program.reported().contains("gripper: part lost"));
+  }
+
+  @Test
+  void theSnapshotTellsWhatItIsAtAndIsTheSameWhileNothingChanges() {
+    RunningProgram program = with(true, 0.03);
+    said(program, OPEN + "  socket_set_var(\"POS\", 255, \"gripper_socket\")\n  sleep(1)\n");
+    List<DeviceState> devices = program.state().devices();
+    assertEquals(
+        List.of(
+            new DeviceState("gripper", "two-finger gripper", 0.085, 0.03, 235, true, 0.085, 0.03)),
+        devices);
+    program.advance(1);
+    assertSame(devices, program.state().devices());
   }
 
   @Test

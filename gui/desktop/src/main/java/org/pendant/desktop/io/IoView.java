@@ -51,6 +51,7 @@ public final class IoView implements View {
   private final JLabel forced = new JLabel("", ForcedMark.of(true), SwingConstants.LEADING);
   private final JButton release = new JButton("Release all");
   private final ModbusCard modbus = new ModbusCard();
+  private final DeviceCard devices;
   private final ReadingsCard readings = new ReadingsCard();
 
   /** A screen of low signals; {@link #refresh} brings the levels. */
@@ -72,6 +73,7 @@ public final class IoView implements View {
         new IoPresenter(
             workbench.session()::submit, pulses, EventQueue::invokeLater, workbench::notify);
     safety = new SafetyCard(presenter);
+    devices = new DeviceCard(workbench.session()::submit, workbench::notify);
     tool = new ToolCard(presenter.forcing());
     content.setName("io-view");
     content.getAccessibleContext().setAccessibleName(title());
@@ -200,6 +202,7 @@ public final class IoView implements View {
     }
     addMemory(cards, new Memory.Flags(), labels);
     cards.add(modbus.component());
+    cards.add(devices.component());
     cards.add(readings.component());
     return cards;
   }
@@ -266,6 +269,7 @@ public final class IoView implements View {
     memories.forEach(each -> each.refresh(state));
     showForced();
     modbus.refresh(state);
+    devices.refresh(state);
     readings.refresh(state);
   }
 }

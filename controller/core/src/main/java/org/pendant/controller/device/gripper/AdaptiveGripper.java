@@ -209,6 +209,11 @@ public final class AdaptiveGripper {
     return contact;
   }
 
+  /** Whether it holds a part. */
+  public boolean holds() {
+    return contact == Contact.MET_CLOSING || contact == Contact.MET_OPENING;
+  }
+
   /** Trouble. */
   public Fault fault() {
     return fault;
@@ -304,7 +309,7 @@ public final class AdaptiveGripper {
   }
 
   private void tellOf(Contact before) {
-    if (contact == Contact.MET_CLOSING || contact == Contact.MET_OPENING) {
+    if (holds()) {
       tell.accept(gripping(fingers));
     } else if (before == Contact.MET_CLOSING || before == Contact.MET_OPENING) {
       tell.accept("part lost");

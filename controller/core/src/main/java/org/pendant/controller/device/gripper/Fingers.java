@@ -57,6 +57,11 @@ public final class Fingers {
     return pressing() ? forceN : 0;
   }
 
+  /** How wide the part is that was put between them, m; 0 where there is none of a set width. */
+  public double partM() {
+    return space instanceof PartBetween part ? part.widthM() : 0;
+  }
+
   /** From now on this is in their way. */
   public void put(FingerSpace between) {
     space = between;

@@ -58,6 +58,11 @@ public final class GripProcedures {
     return fingers;
   }
 
+  /** Whether it holds a part. */
+  public boolean gripped() {
+    return gripped;
+  }
+
   /**
    * Answers a call; empty where it has no such procedure.
    *

@@ -1,0 +1,23 @@
+package org.pendant.controller.device;
+
+/**
+ * State of a device of the cell at one moment.
+ *
+ * @param name what it is called
+ * @param kind what it is, for people
+ * @param strokeM how far its fingers, or its door, open; 0 where it has none
+ * @param openingM how far they are open
+ * @param forceN how hard they press on a part; 0 where they hold none
+ * @param on whether it holds a part, or sees something
+ * @param mostM how wide a part may be that is put into it; 0 where it holds none
+ * @param partM how wide the part is that is there for it to hold; 0 for none
+ */
+public record DeviceState(
+    String name,
+    String kind,
+    double strokeM,
+    double openingM,
+    double forceN,
+    boolean on,
+    double mostM,
+    double partM) {}

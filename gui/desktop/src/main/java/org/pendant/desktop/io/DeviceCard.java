@@ -1,0 +1,125 @@
+package org.pendant.desktop.io;
+
+import java.awt.EventQueue;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.box.WorldCommand;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.device.DeviceState;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.theme.Palette;
+
+/** Device card: the devices of the cell, what they are at, and parts for them to hold. */
+final class DeviceCard {
+
+  /** Of the width that fits, the part that a part has. */
+  private static final double PART = 0.4;
+
+  private final TitledCard card = new TitledCard("Cell", "[grow,fill,0::]");
+  private final JPanel table =
+      new JPanel(new MigLayout("insets 0, gap 12 2, wrap 2", "[grow, 0:180:][right]"));
+  private final Function<Command, CompletableFuture<Reply>> submit;
+  private final Consumer<String> tell;
+  private final List<Line> lines = new ArrayList<>();
+  private List<DeviceState> shown = List.of();
+
+  /** What is shown of a device. */
+  private static final class Line {
+    private final JLabel name = new JLabel();
+    private final JLabel doing = new JLabel();
+    private final JCheckBox part = new JCheckBox("Part");
+  }
+
+  /**
+   * A card without devices.
+   *
+   * @param submit takes what people want
+   * @param tell tells why that was refused
+   */
+  DeviceCard(Function<Command, CompletableFuture<Reply>> submit, Consumer<String> tell) {
+    this.submit = submit;
+    this.tell = tell;
+    table.setOpaque(false);
+    card.add(table);
+    card.setVisible(false);
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  void refresh(ControllerState state) {
+    if (!state.devices().equals(shown)) {
+      boolean others = !names(state.devices()).equals(names(shown));
+      shown = state.devices();
+      if (others) {
+        rebuild();
+      }
+      for (int i = 0; i < lines.size(); i++) {
+        show(lines.get(i), DeviceRow.of(shown.get(i)));
+      }
+    }
+    for (Line line : lines) {
+      line.doing.setForeground(Palette.quiet());
+    }
+  }
+
+  private static List<String> names(List<DeviceState> devices) {
+    return devices.stream().map(DeviceState::name).toList();
+  }
+
+  private void rebuild() {
+    card.setVisible(!shown.isEmpty());
+    lines.clear();
+    table.removeAll();
+    for (DeviceState device : shown) {
+      Line line = new Line();
+      DeviceRow row = DeviceRow.of(device);
+      line.name.setText(row.name());
+      line.name.setToolTipText(row.kind());
+      line.name.setName("device-" + row.name());
+      line.doing.setName("device-" + row.name() + "-doing");
+      line.part.setOpaque(false);
+      TitledCard.named(
+          line.part, "device-" + row.name() + "-part", "Put a part where " + row.name() + " grips");
+      line.part.setVisible(row.takesPart());
+      line.part.addActionListener(
+          event -> put(device.name(), line.part.isSelected() ? PART * device.mostM() : 0));
+      table.add(line.name, "wmin 0");
+      table.add(line.part);
+      table.add(line.doing, "span 2, growx, w 0:100:, gapbottom 4");
+      lines.add(line);
+    }
+    card.revalidate();
+    card.repaint();
+  }
+
+  private void put(String device, double widthM) {
+    var _ =
+        submit
+            .apply(new WorldCommand.PutPart(device, widthM))
+            .thenAccept(
+                reply ->
+                    reply
+                        .complaint()
+                        .ifPresent(why -> EventQueue.invokeLater(() -> tell.accept(why))));
+  }
+
+  private static void show(Line line, DeviceRow row) {
+    line.part.setSelected(row.hasPart());
+    if (!row.doing().equals(line.doing.getText())) {
+      line.doing.setText(row.doing());
+      line.doing.setToolTipText(row.name() + ": " + row.doing());
+    }
+  }
+}

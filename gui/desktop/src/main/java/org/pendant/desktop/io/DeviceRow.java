@@ -1,0 +1,39 @@
+package org.pendant.desktop.io;
+
+import java.util.Locale;
+import org.pendant.controller.device.DeviceState;
+
+/**
+ * Device row: a device of the cell as it is shown.
+ *
+ * @param name what it is called
+ * @param kind what it is
+ * @param doing what it is at
+ * @param takesPart whether people can put a part into it
+ * @param hasPart whether there is one
+ */
+record DeviceRow(String name, String kind, String doing, boolean takesPart, boolean hasPart) {
+  private static final double MM = 1e-3;
+  private static final String DOOR = "door";
+
+  static DeviceRow of(DeviceState device) {
+    return new DeviceRow(
+        device.name(), device.kind(), doing(device), device.mostM() > 0, device.partM() > 0);
+  }
+
+  private static String doing(DeviceState device) {
+    if (device.strokeM() == 0) {
+      if (device.mostM() == 0) {
+        return device.on() ? "Sees the tool" : "Sees nothing";
+      }
+      return device.on() ? "Holds a part" : "Holds nothing";
+    }
+    if (device.kind().equals(DOOR)) {
+      return Math.round(100 * device.openingM() / device.strokeM()) + " % open";
+    }
+    String opening = String.format(Locale.ROOT, "%.1f mm", device.openingM() / MM);
+    return device.on()
+        ? opening + ", holds a part with " + Math.round(device.forceN()) + " N"
+        : opening + " open";
+  }
+}

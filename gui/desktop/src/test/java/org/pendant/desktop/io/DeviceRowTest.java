@@ -1,0 +1,33 @@
+package org.pendant.desktop.io;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.device.DeviceState;
+
+final class DeviceRowTest {
+  private static String doing(DeviceState device) {
+    return DeviceRow.of(device).doing();
+  }
+
+  @Test
+  void fingersTellHowFarTheyAreOpenAndWhatTheyHold() {
+    assertEquals(
+        "85.0 mm open", doing(new DeviceState("g", "gripper", 0.085, 0.085, 0, false, 0.085, 0)));
+    assertEquals(
+        "30.0 mm, holds a part with 235 N",
+        doing(new DeviceState("g", "gripper", 0.085, 0.03, 235, true, 0.085, 0.03)));
+  }
+
+  @Test
+  void aDoorTellsHowFarItIsOpen() {
+    assertEquals("25 % open", doing(new DeviceState("d", "door", 1, 0.25, 0, false, 0, 0)));
+  }
+
+  @Test
+  void whatHasNoFingersTellsWhatItSeesOrHolds() {
+    assertEquals(
+        "Holds a part", doing(new DeviceState("v", "vacuum gripper", 0, 0, 0, true, 1, 1)));
+    assertEquals("Sees nothing", doing(new DeviceState("s", "sensor", 0, 0, 0, false, 0, 0)));
+  }
+}
