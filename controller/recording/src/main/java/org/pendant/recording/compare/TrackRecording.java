@@ -19,8 +19,7 @@ import org.pendant.recording.ReceivedRecording;
  */
 public final class TrackRecording {
   private static final List<String> OTHERS =
-      List.of("actual_digital_output_bits", "robot_mode", "safety_mode", "runtime_state");
-  private static final double PLAYING = 2;
+      List.of("actual_digital_output_bits", "robot_mode", "safety_mode");
   private static final int CONFIGURABLE_BITS = 8;
   private static final int TOOL_BITS = 16;
 
@@ -71,7 +70,6 @@ public final class TrackRecording {
     row[at] = outputs;
     row[at + 1] = RobotMode.RUNNING.code();
     row[at + 2] = SafetyMode.NORMAL.code();
-    row[at + 3] = PLAYING;
     return row;
   }
 
