@@ -33,7 +33,8 @@ final class GoldenFileComparison {
     return operands.size() == 2 && operands.stream().anyMatch(GoldenFileComparison::isGolden);
   }
 
-  private static boolean isGolden(String name) {
+  /** Whether a file is a golden recording, by its name. */
+  static boolean isGolden(String name) {
     return ends(name, ".golden");
   }
 

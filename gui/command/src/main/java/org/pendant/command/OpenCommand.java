@@ -118,6 +118,13 @@ final class OpenCommand implements Subcommand {
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     List<Path> files = new ArrayList<>();
     for (String each : arguments.operands()) {
+      if (GoldenFileComparison.isGolden(each)) {
+        throw new UsageException(
+            each
+                + " is a golden recording of a test: pendant convert "
+                + each
+                + " FILE.rec makes a recording of it, which can be opened");
+      }
       try {
         files.add(Path.of(each).toAbsolutePath());
       } catch (InvalidPathException e) {

@@ -189,6 +189,14 @@ final class OpenCommandTest {
   }
 
   @Test
+  void aGoldenRecordingIsLedToWhatMakesItOneThatCanBeOpened() throws IOException {
+    String golden = write("pick.golden", "Pendant golden recording, version 1\n");
+
+    assertTrue(
+        refusal(golden).contains("pendant convert " + golden + " FILE.rec"), () -> refusal(golden));
+  }
+
+  @Test
   void refusesAFolderThatIsNotThere() {
     assertTrue(
         refusal("--ports", "--programs", "no/such/folder").endsWith("folder, must be a folder"));
