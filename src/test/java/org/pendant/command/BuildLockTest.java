@@ -89,23 +89,25 @@ final class BuildLockTest {
 
   @Test
   @DisabledOnOs({OS.WINDOWS, OS.MAC})
-  void aWindowHasAnAotCacheOfItsOwnWhereThereIsADisplay() throws Exception {
+  void windowsWhereThereIsADisplayAndEditorsHaveAotCachesOfTheirOwn() throws Exception {
     // what a JVM is started for is the class behind the class path
     program(
         "jdk/bin/java",
         "for word; do case $word in -XX:AOTCacheOutput=*) echo cache >\"${word#*=}\";;"
             + " org.pendant.*) echo ${word##*.} >>trained;; esac; done; echo ran");
     for (String display : new String[] {":0", ""}) {
-      for (String word : new String[] {"open", "check", "open"}) {
+      for (String word : new String[] {"open", "check", "lsp", "dap", "open"}) {
         Process process = start(display, word);
         assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS));
         assertEquals(0, process.exitValue());
       }
     }
-    assertEquals("WindowTraining\nTraining\n", Files.readString(folder.resolve("trained")));
+    assertEquals(
+        "WindowTraining\nTraining\nEditorTraining\n", Files.readString(folder.resolve("trained")));
     Path app = folder.resolve("gui/desktop/target/app");
     assertTrue(Files.exists(app.resolve("window-25.aot")));
     assertTrue(Files.exists(app.resolve("pendant-25.aot")));
+    assertTrue(Files.exists(app.resolve("editors-25.aot")));
   }
 
   @Test
