@@ -29,7 +29,7 @@ public final class ForceSensor {
   /** The reading at the flange's origin, along the flange's axes. */
   public Wrench reading(SimulatedArm arm, Payload declared) {
     felt = less(arm.loadOnFlange(), arm.sensors().flangeNoise6);
-    return less(less(felt, arm.weightOf(declared)), zero);
+    return less(felt, arm.weightOf(declared), zero);
   }
 
   /**
@@ -69,6 +69,16 @@ public final class ForceSensor {
         a.mx() - b.mx(),
         a.my() - b.my(),
         a.mz() - b.mz());
+  }
+
+  private static Wrench less(Wrench a, Wrench b, Wrench c) {
+    return new Wrench(
+        a.fx() - b.fx() - c.fx(),
+        a.fy() - b.fy() - c.fy(),
+        a.fz() - b.fz() - c.fz(),
+        a.mx() - b.mx() - c.mx(),
+        a.my() - b.my() - c.my(),
+        a.mz() - b.mz() - c.mz());
   }
 
   private static Wrench less(Wrench a, double[] b6) {

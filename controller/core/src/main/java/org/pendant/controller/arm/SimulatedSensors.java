@@ -72,6 +72,11 @@ public final class SimulatedSensors implements ArmSensors {
   }
 
   @Override
+  public double currentA(int joint) {
+    return currentA[joint];
+  }
+
+  @Override
   public Joints targetCurrentA() {
     return Joints.of(targetCurrentA);
   }

@@ -32,6 +32,9 @@ public interface ArmSensors {
   /** Motor currents, A. */
   Joints currentA();
 
+  /** Motor current of joint {@code joint}, A. */
+  double currentA(int joint);
+
   /** Motor currents that {@link #targetTorqueNm} needs, A. */
   Joints targetCurrentA();
 

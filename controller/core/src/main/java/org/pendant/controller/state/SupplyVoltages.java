@@ -2,6 +2,7 @@ package org.pendant.controller.state;
 
 import org.pendant.controller.arm.SupplyMeter;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -18,16 +19,16 @@ public record SupplyVoltages(double boxV, double robotV, Joints jointV) {
     if (!RobotBits.powerOn(box.safety().robotMode())) {
       return new SupplyVoltages(meter.boxV(), 0, Joints.ZERO);
     }
-    Joints currentA = box.arm().simulated().sensors().currentA();
+    ArmSensors sensors = box.arm().simulated().sensors();
     return new SupplyVoltages(
         meter.boxV(),
         meter.robotV(),
         new Joints(
-            meter.jointV(0, currentA.q0()),
-            meter.jointV(1, currentA.q1()),
-            meter.jointV(2, currentA.q2()),
-            meter.jointV(3, currentA.q3()),
-            meter.jointV(4, currentA.q4()),
-            meter.jointV(5, currentA.q5())));
+            meter.jointV(0, sensors.currentA(0)),
+            meter.jointV(1, sensors.currentA(1)),
+            meter.jointV(2, sensors.currentA(2)),
+            meter.jointV(3, sensors.currentA(3)),
+            meter.jointV(4, sensors.currentA(4)),
+            meter.jointV(5, sensors.currentA(5))));
   }
 }

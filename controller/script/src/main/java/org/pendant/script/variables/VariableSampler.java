@@ -62,9 +62,10 @@ public final class VariableSampler {
     boolean fresh = sampled.isEmpty() || sampled.get() != slots.get();
     boolean stopped = machine.state() == ProgramState.STOPPED;
     boolean otherStop = stopNumber != 0 && stopNumber != stop;
-    boolean otherLine = machine.line() != line && MAX_IN_ALL - left <= PARTS_FOR_LINES;
+    int reached = machine.line();
+    boolean otherLine = reached != line && MAX_IN_ALL - left <= PARTS_FOR_LINES;
     stop = stopNumber;
-    line = machine.line();
+    line = reached;
     boolean moved = otherStop || otherLine;
     if (fresh || stopped != ended || (!stopped && (--wait <= 0 || moved))) {
       if (fresh) {

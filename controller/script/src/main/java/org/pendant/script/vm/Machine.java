@@ -362,7 +362,7 @@ public final class Machine {
 
   /** The 1-based line that the main thread has reached, 0 when no program runs. */
   public int line() {
-    return state == ProgramState.STOPPED ? 0 : run.map(r -> r.main().line()).orElse(0);
+    return state == ProgramState.STOPPED || run.isEmpty() ? 0 : run.get().main().line();
   }
 
   /** How the last primary program ended; empty while one runs and before the first. */
