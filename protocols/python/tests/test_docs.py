@@ -10,11 +10,14 @@ import pendant
 from conftest import HOME
 
 BLOCK = re.compile(r"^```(python|text|urscript)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+FILE = re.compile(r"`(\S+\.json)`:\n\n```json\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 NAMED = re.compile(r"# (\S+\.(?:script|py))\n")
 
 
 def test_examples_do_what_they_say(pytester, plugin_arguments, capsys, monkeypatch, process):
     page = (HOME / "docs" / "python.md").read_text(encoding="utf-8")
+    for name, text in FILE.findall(page):
+        (pytester.path / name).write_text(text, encoding="utf-8")
     names = {"__name__": "docs"}
     examples = 0
     tests = []

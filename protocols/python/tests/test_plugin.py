@@ -43,3 +43,28 @@ def test_fixtures_give_robots_and_failures_tell_of_them(pytester, plugin_argumen
             "*info*said",
         ]
     )
+
+
+def test_cell_is_a_robot_among_what_a_file_says(pytester, plugin_arguments):
+    (pytester.path / "grip.scene.json").write_text(
+        '{"devices": [{"type": "two-finger", "name": "hand", "part": 0.03}]}', encoding="utf-8"
+    )
+    pytester.makepyfile(
+        """
+        import pytest
+
+        @pytest.mark.cell("grip.scene.json")
+        @pytest.mark.robot(arm="ideal")
+        def test_grips(cell):
+            assert cell.devices["hand"].part_m == 0.03
+            cell.put_part("hand", 0.05)
+            cell.advance(frames=1)
+            assert cell.devices["hand"].part_m == 0.05
+
+        def test_needs_a_file(cell):
+            pass
+        """
+    )
+    result = pytester.runpytest_inprocess("--strict-markers", *plugin_arguments)
+    result.assert_outcomes(passed=1, errors=1)
+    result.stdout.fnmatch_lines(["*the fixture cell needs the marker cell, with a file*"])

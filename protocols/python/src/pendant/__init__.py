@@ -28,6 +28,7 @@ from .errors import (
     RpcError,
 )
 from .state import (
+    Device,
     Diagnostic,
     Ending,
     LogEntry,
@@ -42,6 +43,7 @@ from .state import (
 __all__ = [
     "CompileError",
     "ConnectionLost",
+    "Device",
     "Diagnostic",
     "Ending",
     "Inputs",

@@ -19,7 +19,7 @@ from . import calls
 from .calls import Condition, InputValue
 from .errors import ConnectionLost
 from .launcher import Launcher, command
-from .state import Diagnostic, LogEntry, State
+from .state import Device, Diagnostic, LogEntry, State
 
 T = TypeVar("T")
 
@@ -247,6 +247,14 @@ class Robot:
     async def variables(self, *names: str) -> Dict[str, Any]:
         """Global variables of the running or last program, all of them if none is named."""
         return await self.call(calls.variables(names or None))
+
+    async def devices(self) -> Dict[str, Device]:
+        """Grippers, doors and sensors of the cell, by name, as they are now."""
+        return await self.call(calls.devices())
+
+    async def put_part(self, device: str, width_m: float) -> None:
+        """Puts a part of this width between the fingers of a gripper; 0 takes it away."""
+        await self.call(calls.do("device.put_part", device=device, width=width_m))
 
     async def read(self, name: str) -> Any:
         """A quantity: ``actual_q``, ``actual_tcp_z``, ``digital_out[0]``, ..."""

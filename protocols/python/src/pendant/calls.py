@@ -10,7 +10,7 @@ import os
 from typing import Any, Callable, Dict, Generic, List, Mapping, Optional, Sequence, TypeVar, Union
 
 from . import errors
-from .state import Diagnostic, LogEntry, State, diagnostic_of, state_of
+from .state import Device, Diagnostic, LogEntry, State, device_of, diagnostic_of, state_of
 
 T = TypeVar("T")
 
@@ -171,6 +171,10 @@ def read(names: Sequence[str]) -> Call[Dict[str, Any]]:
 
 def variables(names: Optional[Sequence[str]]) -> Call[Dict[str, Any]]:
     return Call("variables", {"names": None if names is None else list(names)}, dict)
+
+
+def devices() -> Call[Dict[str, Device]]:
+    return Call("devices", {}, lambda answer: {each["name"]: device_of(each) for each in answer})
 
 
 def log(since: int) -> Call[List[LogEntry]]:

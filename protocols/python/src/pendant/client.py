@@ -26,7 +26,7 @@ from . import calls
 from .calls import Condition, InputValue
 from .errors import ConnectionLost, InvalidParams
 from .launcher import Launcher, command
-from .state import Diagnostic, LogEntry, State
+from .state import Device, Diagnostic, LogEntry, State
 
 T = TypeVar("T")
 
@@ -335,6 +335,15 @@ class Robot:
     def variables(self) -> Variables:
         """Global variables of the running or last program."""
         return Variables(self)
+
+    @property
+    def devices(self) -> Dict[str, Device]:
+        """Grippers, doors and sensors of the cell, by name, as they are now."""
+        return self.call(calls.devices())
+
+    def put_part(self, device: str, width_m: float) -> None:
+        """Puts a part of this width between the fingers of a gripper; 0 takes it away."""
+        self.call(calls.do("device.put_part", device=device, width=width_m))
 
     def read(self, name: str) -> Any:
         """A quantity: ``actual_q``, ``actual_tcp_z``, ``digital_out[0]``, ..."""

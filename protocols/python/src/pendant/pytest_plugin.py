@@ -1,5 +1,6 @@
 """
-Fixtures for pytest: ``robot``, a fresh robot for each test, and ``robot_factory`` for several. One
+Fixtures for pytest: ``robot``, a fresh robot for each test, ``cell``, one in the cell of a file, and
+``robot_factory`` for several. One
 process of Pendant serves all tests. What a failed test's robots logged is in its report.
 """
 
@@ -51,6 +52,9 @@ def pytest_configure(config: pytest.Config) -> None:
         "robot(model=..., arm=..., seed=..., ...): what the fixture robot begins with, "
         "the arguments of pendant.Robot",
     )
+    config.addinivalue_line(
+        "markers", "cell(file): the scene that the fixture cell stands in, from the test's folder"
+    )
 
 
 @pytest.fixture(scope="session")
@@ -81,6 +85,23 @@ def robot_factory(
 @pytest.fixture
 def robot(request: pytest.FixtureRequest, robot_factory: Callable[..., Robot]) -> Robot:
     """A fresh robot, with the arguments of the marker ``robot``: the nearest one counts."""
+    return robot_factory(**_options(request))
+
+
+@pytest.fixture
+def cell(request: pytest.FixtureRequest, robot_factory: Callable[..., Robot]) -> Robot:
+    """As ``robot``, in the cell that the marker ``cell`` names."""
+    marker = request.node.get_closest_marker("cell")
+    if marker is None or len(marker.args) != 1 or marker.kwargs:
+        raise pytest.UsageError("the fixture cell needs the marker cell, with a file")
+    options = _options(request)
+    scene = str(request.path.parent / marker.args[0])
+    options["options"] = {**options.get("options", {}), "scene": scene}
+    return robot_factory(**options)
+
+
+def _options(request: pytest.FixtureRequest) -> dict[str, Any]:
+    """The arguments that the markers of a test give its robot."""
     options: dict[str, Any] = {}
     for marker in reversed(list(request.node.iter_markers("robot"))):
         if len(marker.args) > 1:
@@ -88,7 +109,7 @@ def robot(request: pytest.FixtureRequest, robot_factory: Callable[..., Robot]) -
         if marker.args:
             options["model"] = marker.args[0]
         options.update(marker.kwargs)
-    return robot_factory(**options)
+    return options
 
 
 @pytest.hookimpl(hookwrapper=True)

@@ -24,6 +24,25 @@ class Diagnostic:
 
 
 @dataclass(frozen=True)
+class Device:
+    """A device of the cell: a gripper, a door, a sensor."""
+
+    name: str
+    #: What it is, for people.
+    kind: str
+    #: How far its fingers, or its door, open, m; 0 where it has none.
+    stroke_m: float
+    #: How far they are open, m.
+    opening_m: float
+    #: How hard they press on a part, N; 0 where they hold none.
+    force_n: float
+    #: Whether it holds a part, or sees something.
+    on: bool
+    #: How wide the part is that is there for it to hold, m; 0 for none.
+    part_m: float
+
+
+@dataclass(frozen=True)
 class Ending:
     """How a program has ended: ``finished``, ``halted``, ``stopped`` or ``failed``."""
 
@@ -207,4 +226,17 @@ def diagnostic_of(raw: Mapping[str, Any]) -> Diagnostic:
     """The diagnostic that an answer tells."""
     return Diagnostic(
         raw["file"], raw["line"], raw["column"], raw["severity"], raw["code"], raw["message"]
+    )
+
+
+def device_of(raw: Mapping[str, Any]) -> Device:
+    """The device that an answer tells."""
+    return Device(
+        raw["name"],
+        raw["kind"],
+        raw["stroke_m"],
+        raw["opening_m"],
+        raw["force_n"],
+        raw["on"],
+        raw["part_m"],
     )

@@ -79,6 +79,7 @@ public final class RpcServer {
     TimeMethods.declareIn(table);
     ReadingMethods.declareIn(table);
     ControlMethods.declareIn(table);
+    CellMethods.declareIn(table);
     RecordingMethods.declareIn(table);
     return table;
   }

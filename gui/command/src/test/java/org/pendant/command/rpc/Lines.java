@@ -10,7 +10,10 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.box.CellEquipment;
+import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.io.InputWaveforms;
+import org.pendant.models.json.JsonException;
 import org.pendant.protocols.egress.AllowedHosts;
 
 /** Lines that a server is sent, and those that it answers. */
@@ -61,16 +64,29 @@ final class Lines implements RpcServer.Output {
   }
 
   private static RobotSource.NewRobot ideal(List<String> words) throws RpcFailure {
-    if (!words.isEmpty()) {
+    boolean gripper = words.equals(List.of("--device=two-finger"));
+    if (!words.isEmpty() && !gripper) {
       throw RpcFailure.params("unknown option " + words.getFirst());
     }
+    ControllerOptions options = ControllerOptions.headless().withArm(ArmChoice.IDEAL);
     return new RobotSource.NewRobot(
-        ControllerOptions.headless().withArm(ArmChoice.IDEAL),
+        gripper ? options.withEquipment(gripper()) : options,
         InputWaveforms.NONE,
         AllowedHosts.parse("none"),
         file -> {
           throw new RpcFailure(RpcFailure.UNREADABLE, file + ": there is no such file");
         });
+  }
+
+  private static CellEquipment gripper() throws RpcFailure {
+    try {
+      return EquipmentReader.read(
+          "cell",
+          new ByteArrayInputStream(
+              "{\"devices\": [{\"type\": \"two-finger\"}]}".getBytes(StandardCharsets.UTF_8)));
+    } catch (JsonException e) {
+      throw RpcFailure.params(e.getMessage());
+    }
   }
 
   @Override

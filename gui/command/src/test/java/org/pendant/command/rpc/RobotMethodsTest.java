@@ -134,6 +134,21 @@ final class RobotMethodsTest {
   }
 
   @Test
+  void devicesOfTheCellTellWhereTheyAreAndTakeParts() {
+    String create = Lines.request(Lines.CREATE, "'device':'two-finger'");
+    List<String> answers =
+        Lines.answers(
+            create,
+            Lines.request("device.put_part", "'device':'two-finger'", "'width':0.03"),
+            Lines.request("advance", "'frames':1"),
+            Lines.request("devices"),
+            Lines.request("device.put_part", "'device':'none'", "'width':0.03"));
+    assertTrue(answers.get(3).contains("\"name\":\"two-finger\""), answers.get(3));
+    assertTrue(answers.get(3).contains("\"part_m\":0.03"), answers.get(3));
+    assertTrue(answers.get(4).contains("\"code\":-32000"), answers.get(4));
+  }
+
+  @Test
   void refusalOfTheControllerHasItsCode() {
     String refused = Lines.last(CREATE, Lines.load(WAIT), START, START);
     assertTrue(
