@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import java.util.function.DoubleFunction;
+
 /**
  * Range of the numbers that a field may have, in SI.
  *
@@ -34,11 +36,17 @@ public record NumberRange(double min, double max, boolean open) {
 
   /** What is legal, such as {@code must be above 0 and at most 250 mm/s}. */
   public String words(FieldUnit unit) {
+    return words(unit::number, unit.symbol());
+  }
+
+  /** As {@link #words(FieldUnit)}, in any unit. */
+  public String words(DoubleFunction<String> number, String symbol) {
     if (equals(ANY)) {
       return "must be a number";
     }
+    String most = symbol.isEmpty() ? number.apply(max) : number.apply(max) + " " + symbol;
     return open
-        ? "must be above " + unit.number(min) + " and at most " + unit.words(max)
-        : "must be " + unit.number(min) + " to " + unit.words(max);
+        ? "must be above " + number.apply(min) + " and at most " + most
+        : "must be " + number.apply(min) + " to " + most;
   }
 }

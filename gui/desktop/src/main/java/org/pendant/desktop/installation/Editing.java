@@ -13,6 +13,7 @@ import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.kit.form.Measures;
 import org.pendant.models.arm.ArmDescription;
 
 /**
@@ -24,6 +25,7 @@ final class Editing {
 
   private final ActiveInstallation active;
   private final Supplier<ArmDescription> arm;
+  private final Measures measures;
   private final Deque<Installation> done = new ArrayDeque<>();
   private final Deque<Installation> undone = new ArrayDeque<>();
   private Installation known;
@@ -36,8 +38,14 @@ final class Editing {
    * @param arm that the installation has to fit
    */
   Editing(ActiveInstallation active, Supplier<ArmDescription> arm) {
+    this(active, arm, Measures.USUAL);
+  }
+
+  /** As above, with numbers shown in {@code measures}. */
+  Editing(ActiveInstallation active, Supplier<ArmDescription> arm, Measures measures) {
     this.active = active;
     this.arm = arm;
+    this.measures = measures;
     known = active.current();
     document = active.document();
     active.addListener(this::follow);
@@ -58,6 +66,11 @@ final class Editing {
       }
     }
     known = active.current();
+  }
+
+  /** In what numbers are shown and typed. */
+  Measures measures() {
+    return measures;
   }
 
   /** What is set up. */

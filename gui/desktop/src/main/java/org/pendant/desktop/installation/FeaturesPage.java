@@ -68,7 +68,7 @@ final class FeaturesPage implements Page {
                   false,
                   true));
     }
-    PartsForm<Feature> form = items.form();
+    PartsForm<Feature> form = items.form().in(editing.measures());
     form.text("Name", Feature::name, (f, name) -> with(f, name.strip(), f.points()))
         .check(
             "Variable",

@@ -25,6 +25,7 @@ final class HomePage implements Page {
   HomePage(Editing editing, Supplier<ControllerState> state) {
     this.editing = editing;
     form = new PartsForm<>("home", editing::whole, editing::takeWhole);
+    form.in(editing.measures());
     for (int i = 0; i < Joints.COUNT; i++) {
       int joint = i;
       form.numberRow(

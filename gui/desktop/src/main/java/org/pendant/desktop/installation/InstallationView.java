@@ -25,6 +25,7 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.unit.RotationChoice;
+import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -66,7 +67,7 @@ public final class InstallationView implements View {
   public InstallationView(Workbench workbench, ActiveInstallation active) {
     this.workbench = workbench;
     arm = workbench.session().options().arm();
-    editing = new Editing(active, this::arm);
+    editing = new Editing(active, this::arm, ShownMeasure.by(workbench.settings()));
     safety = new SafetyDraft(editing);
     rotation = new RotationChoice(workbench.settings());
     rotation.addListener(this::show);

@@ -14,7 +14,9 @@ import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.kit.form.EntryField;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.PartsForm;
+import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
 
 /** Joint limits page: speeds and ranges of the joints, normal and reduced. */
@@ -33,12 +35,22 @@ final class JointLimitsPage implements Page {
     this.draft = draft;
     bar = new SafetyBar(draft, "joints");
     form = new PartsForm<>("joints", draft::refusal, draft::edit);
+    form.in(draft.measures());
     form.heading("Normal");
     addSet("normal", SafetyConfiguration::normal, LimitsPage::withNormal);
     form.heading("Reduced");
     addSet(
         "reduced", SafetyConfiguration::reduced, (c, limits) -> c.withLimits(c.normal(), limits));
-    form.note("In deg/s and deg; none: no limit but that of the arm.");
+    Remark units = new Remark("joints-note", Palette::quiet);
+    form.follow(
+        now ->
+            units.say(
+                "In "
+                    + draft.measures().of(Measure.DEGREE_PER_S).symbol()
+                    + " and "
+                    + degrees().symbol()
+                    + "; none: no limit but that of the arm."));
+    form.wide(units);
     card.add(bar.component());
     card.add(form.component());
     form.whenNothing(draft::nothingTyped);
@@ -81,7 +93,7 @@ final class JointLimitsPage implements Page {
           form.entry(
               set + "-from-" + i,
               NAMES.get(i) + " from",
-              now -> words(get.apply(now).jointMinRad().get(joint)),
+              now -> words(get.apply(now).jointMinRad().get(joint), degrees()),
               (c, text) -> {
                 SafetyLimits l = get.apply(c);
                 Joints min = l.jointMinRad().with(joint, angle(text, Double.NEGATIVE_INFINITY));
@@ -91,7 +103,7 @@ final class JointLimitsPage implements Page {
           form.entry(
               set + "-to-" + i,
               NAMES.get(i) + " to",
-              now -> words(get.apply(now).jointMaxRad().get(joint)),
+              now -> words(get.apply(now).jointMaxRad().get(joint), degrees()),
               (c, text) -> {
                 SafetyLimits l = get.apply(c);
                 Joints max = l.jointMaxRad().with(joint, angle(text, Double.POSITIVE_INFINITY));
@@ -115,13 +127,17 @@ final class JointLimitsPage implements Page {
     return LimitKind.limits(LimitKind.values(l), speed, min, max);
   }
 
-  private static double angle(String text, double none) {
-    return text.strip().equals(NONE) ? none : Measure.DEGREE.parse(text);
+  private double angle(String text, double none) {
+    return text.strip().equals(NONE) ? none : degrees().parse(text);
   }
 
-  /** A limit of a range in deg. */
-  static String words(double rad) {
-    return Double.isInfinite(rad) ? NONE : Measure.DEGREE.text(rad);
+  private Measure degrees() {
+    return draft.measures().of(Measure.DEGREE);
+  }
+
+  /** A limit of a range. */
+  static String words(double rad, Measure measure) {
+    return Double.isInfinite(rad) ? NONE : measure.text(rad);
   }
 
   @Override

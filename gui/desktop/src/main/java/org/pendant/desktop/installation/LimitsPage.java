@@ -30,6 +30,7 @@ final class LimitsPage implements Page {
     this.draft = draft;
     bar = new SafetyBar(draft, "limits");
     form = new PartsForm<>("limits", draft::refusal, draft::edit);
+    form.in(draft.measures());
     JPanel grid =
         new JPanel(
             new MigLayout(
@@ -62,7 +63,7 @@ final class LimitsPage implements Page {
       grid.add(label);
       grid.add(normal, "wmin 60, wmax 140");
       grid.add(reduced, "wmin 60, wmax 140");
-      grid.add(new JLabel(kind.unit().symbol()));
+      grid.add(form.unit(kind.unit()));
       fields.add(normal);
       fields.add(reduced);
     }

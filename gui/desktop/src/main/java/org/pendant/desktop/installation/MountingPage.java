@@ -22,6 +22,7 @@ final class MountingPage implements Page {
   MountingPage(Editing editing) {
     this.editing = editing;
     form = new PartsForm<>("mounting", editing::whole, editing::takeWhole);
+    form.in(editing.measures());
     form.wide(picture);
     form.numberRow(
         "Tilt",

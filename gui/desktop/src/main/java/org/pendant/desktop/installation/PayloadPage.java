@@ -46,7 +46,7 @@ final class PayloadPage implements Page {
     items.adder(
         "Add payload",
         () -> new NamedPayload(items.freshName("Payload"), 0, new Vector3(0, 0, 0), Inertia.NONE));
-    PartsForm<NamedPayload> form = items.form();
+    PartsForm<NamedPayload> form = items.form().in(editing.measures());
     form.text(
         "Name",
         NamedPayload::name,

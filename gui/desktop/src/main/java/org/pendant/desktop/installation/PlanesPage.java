@@ -52,7 +52,7 @@ final class PlanesPage implements Page {
         () ->
             new SafetyPlane(
                 items.freshName("Plane"), 0, 0, 0, new Axis(0, 0, 1), Applies.BOTH, false));
-    PartsForm<SafetyPlane> form = items.form();
+    PartsForm<SafetyPlane> form = items.form().in(editing.measures());
     form.text(
             "Name",
             SafetyPlane::name,

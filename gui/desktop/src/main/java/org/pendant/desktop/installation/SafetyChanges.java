@@ -8,6 +8,7 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.Measures;
 import org.pendant.models.arm.Joints;
 
 /** Safety changes: what differs between two safety configurations, in words. */
@@ -15,10 +16,10 @@ final class SafetyChanges {
   private SafetyChanges() {}
 
   /** A line for each difference. */
-  static List<String> of(SafetyConfiguration before, SafetyConfiguration after) {
+  static List<String> of(SafetyConfiguration before, SafetyConfiguration after, Measures measures) {
     List<String> lines = new ArrayList<>();
-    limits("Normal", before.normal(), after.normal(), lines);
-    limits("Reduced", before.reduced(), after.reduced(), lines);
+    limits("Normal", before.normal(), after.normal(), measures, lines);
+    limits("Reduced", before.reduced(), after.reduced(), measures, lines);
     planes(before.planes(), after.planes(), lines);
     if (!before.toolDirection().equals(after.toolDirection())) {
       lines.add(
@@ -32,7 +33,7 @@ final class SafetyChanges {
   }
 
   private static void limits(
-      String set, SafetyLimits before, SafetyLimits after, List<String> lines) {
+      String set, SafetyLimits before, SafetyLimits after, Measures measures, List<String> lines) {
     for (LimitKind kind : LimitKind.values()) {
       if (kind.of(before) != kind.of(after)) {
         lines.add(
@@ -40,34 +41,37 @@ final class SafetyChanges {
                 + " "
                 + kind.title().toLowerCase(Locale.ROOT)
                 + ": "
-                + kind.unit().text(kind.of(before))
+                + measures.of(kind.unit()).text(kind.of(before))
                 + " to "
-                + kind.unit().words(kind.of(after)));
+                + measures.of(kind.unit()).words(kind.of(after)));
       }
     }
+    Measure speed = measures.of(Measure.DEGREE_PER_S);
+    Measure angle = measures.of(Measure.DEGREE);
     for (int i = 0; i < Joints.COUNT; i++) {
       String joint = set + " joint " + i;
       if (before.jointSpeedRadPerS().get(i) != after.jointSpeedRadPerS().get(i)) {
         lines.add(
             joint
                 + " speed: "
-                + Measure.DEGREE_PER_S.text(before.jointSpeedRadPerS().get(i))
+                + speed.text(before.jointSpeedRadPerS().get(i))
                 + " to "
-                + Measure.DEGREE_PER_S.words(after.jointSpeedRadPerS().get(i)));
+                + speed.words(after.jointSpeedRadPerS().get(i)));
       }
       if (before.jointMinRad().get(i) != after.jointMinRad().get(i)
           || before.jointMaxRad().get(i) != after.jointMaxRad().get(i)) {
-        lines.add(joint + " range: " + range(before, i) + " to " + range(after, i));
+        lines.add(joint + " range: " + range(before, i, angle) + " to " + range(after, i, angle));
       }
     }
   }
 
-  private static String range(SafetyLimits limits, int joint) {
+  private static String range(SafetyLimits limits, int joint, Measure angle) {
     return "["
-        + JointLimitsPage.words(limits.jointMinRad().get(joint))
+        + JointLimitsPage.words(limits.jointMinRad().get(joint), angle)
         + ", "
-        + JointLimitsPage.words(limits.jointMaxRad().get(joint))
-        + "] deg";
+        + JointLimitsPage.words(limits.jointMaxRad().get(joint), angle)
+        + "] "
+        + angle.symbol();
   }
 
   private static void planes(

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.kit.form.Measures;
 
 /**
  * Safety draft: the safety configuration while the user changes it. It is locked until people say
@@ -101,7 +102,7 @@ final class SafetyDraft {
 
   /** What differs from what holds, a line each. */
   List<String> changes() {
-    return SafetyChanges.of(applied(), shown());
+    return SafetyChanges.of(applied(), shown(), editing.measures());
   }
 
   SafetyChecksum checksum() {
@@ -125,5 +126,10 @@ final class SafetyDraft {
   private void tell() {
     typed = Optional.empty();
     List.copyOf(listeners).forEach(Runnable::run);
+  }
+
+  /** In what numbers are shown and typed. */
+  Measures measures() {
+    return editing.measures();
   }
 }

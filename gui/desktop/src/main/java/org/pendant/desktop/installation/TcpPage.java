@@ -33,7 +33,7 @@ final class TcpPage implements Page {
                 editing, Installation::tools, (parts, all) -> parts.tools = all, TcpPage::follow),
             tool -> tool.name() + (isActive(tool) ? "  (active)" : ""));
     items.adder("Add TCP", () -> new NamedTool(items.freshName("TCP"), Pose.ZERO));
-    PartsForm<NamedTool> form = items.form();
+    PartsForm<NamedTool> form = items.form().in(editing.measures());
     form.text(
         "Name", NamedTool::name, (before, name) -> new NamedTool(name.strip(), before.inFlange()));
     PoseRows.addTo(

@@ -28,6 +28,7 @@ final class ToolDirectionPage implements Page {
     this.draft = draft;
     bar = new SafetyBar(draft, "direction");
     form = new PartsForm<>("direction", draft::refusal, draft::edit);
+    form.in(draft.measures());
     form.check(
         "Restrict how far the tool may be tilted",
         c -> c.toolDirection().isPresent(),

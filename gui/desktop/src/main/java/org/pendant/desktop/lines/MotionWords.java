@@ -95,13 +95,17 @@ final class MotionWords {
   }
 
   private String acceleration(Cause cause, boolean joints) {
-    String rate = speed(cause.value(), joints) + "/s";
+    String rate = acceleration(cause.value(), joints);
     if (cause.asTheCommandSays()) {
       return rate + ", as the command says";
     }
     return Double.isNaN(cause.asked())
         ? rate
-        : rate + "; the command says " + speed(cause.asked(), joints) + "/s";
+        : rate + "; the command says " + acceleration(cause.asked(), joints);
+  }
+
+  private String acceleration(double value, boolean joints) {
+    return speed(value, joints) + "\u00b2";
   }
 
   private String speed(double value, boolean joints) {

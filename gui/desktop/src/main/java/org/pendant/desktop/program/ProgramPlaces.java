@@ -9,6 +9,8 @@ import java.util.Set;
 import org.pendant.controller.installation.FeaturePoses;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.kit.form.Measure;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
@@ -28,11 +30,13 @@ final class ProgramPlaces {
   private static final int MOST = 200;
 
   private final ProgramTree tree;
+  private final PoseForm form;
   private final Map<String, Integer> numbers = new LinkedHashMap<>();
   private final Map<String, Pose> poses = new LinkedHashMap<>();
 
-  private ProgramPlaces(ProgramTree tree, Installation installation) {
+  private ProgramPlaces(ProgramTree tree, Installation installation, PoseForm form) {
     this.tree = tree;
+    this.form = form;
     tree.waypoints()
         .forEach(
             (name, place) -> {
@@ -48,9 +52,11 @@ final class ProgramPlaces {
    * Places and the order in which they are gone to.
    *
    * @param selected keys of nodes; the places that they name are marked
+   * @param form in whose units speeds are said
    */
-  static WaypointMarkers of(ProgramTree tree, Installation installation, Set<Long> selected) {
-    return new ProgramPlaces(tree, installation).marks(selected);
+  static WaypointMarkers of(
+      ProgramTree tree, Installation installation, Set<Long> selected, PoseForm form) {
+    return new ProgramPlaces(tree, installation, form).marks(selected);
   }
 
   private WaypointMarkers marks(Set<Long> selected) {
@@ -97,8 +103,10 @@ final class ProgramPlaces {
   }
 
   /** Such as {@code MoveL at 250 mm/s}. */
-  private static String how(MotionStep.Move move, Timing timing) {
-    Measure speed = move.kind() == MoveKind.JOINT ? Measure.DEGREE_PER_S : Measure.MILLIMETRE_PER_S;
+  private String how(MotionStep.Move move, Timing timing) {
+    Measure speed =
+        ShownMeasure.of(
+            move.kind() == MoveKind.JOINT ? Measure.DEGREE_PER_S : Measure.MILLIMETRE_PER_S, form);
     return StepNames.label(move)
         + switch (timing) {
           case Timing.AsMove _ -> " at " + speed.words(move.speed());

@@ -214,7 +214,9 @@ public final class ProgramView implements View {
   private void showForm() {
     scene.accept(
         program
-            .map(each -> ProgramPlaces.of(each.tree(), each.installation(), list.selected()))
+            .map(
+                each ->
+                    ProgramPlaces.of(each.tree(), each.installation(), list.selected(), poseForm))
             .orElse(WaypointMarkers.NONE));
     tabs.command().show(program, list.selected().size(), shownNode(), list.lead());
   }

@@ -65,10 +65,10 @@ public final class PoseRows {
       angleLabels.add(angleLabel);
       grid.add(lengthLabel);
       grid.add(length, "wmin 50, wmax 160");
-      grid.add(new JLabel(Measure.MILLIMETRE.symbol()));
+      grid.add(form.unit(Measure.MILLIMETRE));
       grid.add(angleLabel);
       grid.add(angle, "wmin 50, wmax 160");
-      grid.add(new JLabel(Measure.DEGREE.symbol()), "wrap");
+      grid.add(form.unit(Measure.DEGREE), "wrap");
       fields.add(length);
       fields.add(angle);
     }

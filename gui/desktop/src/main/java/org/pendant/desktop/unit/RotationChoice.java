@@ -8,18 +8,19 @@ import org.pendant.kit.settings.Settings;
 public final class RotationChoice {
   private final Settings settings;
   private final List<Runnable> listeners = new ArrayList<>();
-  private RotationForm seen;
+  private PoseForm seen;
 
   /** As it was left. */
   public RotationChoice(Settings settings) {
     this.settings = settings;
-    seen = form();
+    seen = FormMemory.read(settings);
   }
 
-  /** Tells of another choice, which people make on other screens as well. */
+  /** Tells of another choice, of units as well, which people make on other screens too. */
   public void look() {
-    if (form() != seen) {
-      seen = form();
+    PoseForm now = FormMemory.read(settings);
+    if (!now.equals(seen)) {
+      seen = now;
       List.copyOf(listeners).forEach(Runnable::run);
     }
   }

@@ -31,6 +31,10 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.kit.form.EntryField;
 
 @Tag("slow")
@@ -112,6 +116,24 @@ final class InstallationViewTest {
     JTextField field = find(view, name, JTextField.class);
     field.setText(text);
     field.postActionEvent();
+  }
+
+  @Test
+  void lengthsAndAnglesAreInTheUnitsThatPeopleHaveChosen() throws Exception {
+    active.set(Installation.NONE.with(parts -> parts.homeRad = parts.homeRad.with(0, 1)));
+    show(
+        view -> {
+          choose(view, "home");
+          assertEquals("57.296", find(view, "home-base", JTextField.class).getText());
+          FormMemory.write(
+              workbench.settings(),
+              new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.VECTOR));
+          view.refresh(session.state());
+          assertEquals("1", find(view, "home-base", JTextField.class).getText());
+          choose(view, "limits");
+          assertEquals(
+              "59.0551", find(view, "limits-normal-tool-speed", JTextField.class).getText());
+        });
   }
 
   @Test

@@ -11,6 +11,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.project.program.ProgramTree;
 
 final class ProgramPlacesTest {
@@ -28,7 +29,8 @@ final class ProgramPlacesTest {
 
   @Test
   void eachPlaceIsMarkedOnceAndGoneToInOrder() {
-    WaypointMarkers marks = ProgramPlaces.of(tree, Installation.NONE, Set.of(4L));
+    WaypointMarkers marks =
+        ProgramPlaces.of(tree, Installation.NONE, Set.of(4L), PoseForm.STANDARD);
     assertEquals(
         List.of("A", "B"), marks.marks().stream().map(WaypointMarkers.Mark::name).toList());
     assertEquals(List.of(List.of(0, 1, 0)), numbers(marks));
@@ -44,13 +46,17 @@ final class ProgramPlacesTest {
   void suppressedNodesAreNotGoneTo() {
     ProgramTree less = tree.withNode(4, node -> node.withSuppressed(true));
     assertEquals(
-        List.of(List.of(0, 0)), numbers(ProgramPlaces.of(less, Installation.NONE, Set.of())));
+        List.of(List.of(0, 0)),
+        numbers(ProgramPlaces.of(less, Installation.NONE, Set.of(), PoseForm.STANDARD)));
   }
 
   @Test
   void aStopTellsHowItIsGoneTo() {
     WaypointMarkers.Stop stop =
-        ProgramPlaces.of(tree, Installation.NONE, Set.of()).ways().getFirst().getFirst();
+        ProgramPlaces.of(tree, Installation.NONE, Set.of(), PoseForm.STANDARD)
+            .ways()
+            .getFirst()
+            .getFirst();
     assertTrue(stop.how().matches("Move[JLP] at [0-9.]+ (deg|mm)/s"), stop.how());
   }
 }

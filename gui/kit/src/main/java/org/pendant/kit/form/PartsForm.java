@@ -48,6 +48,7 @@ public final class PartsForm<T> {
   private boolean showing;
   private boolean other;
   private Runnable nothing = () -> {};
+  private Measures measures = Measures.USUAL;
 
   /** Shows its part of a value. */
   private interface Follower<T> {
@@ -75,6 +76,19 @@ public final class PartsForm<T> {
 
   public JComponent component() {
     return panel;
+  }
+
+  /** Shows numbers in other measures than the usual ones. */
+  public PartsForm<T> in(Measures wanted) {
+    measures = wanted;
+    return this;
+  }
+
+  /** What stands behind a number that is usually in {@code usual}. */
+  public JLabel unit(Measure usual) {
+    JLabel label = new JLabel(measures.of(usual).symbol());
+    followers.add(now -> label.setText(measures.of(usual).symbol()));
+    return label;
   }
 
   /** Runs whenever nothing is typed that could be taken. */
@@ -132,7 +146,11 @@ public final class PartsForm<T> {
     return field;
   }
 
-  /** As {@link #entry}, for a number. */
+  /**
+   * As {@link #entry}, for a number.
+   *
+   * @param unit in which it usually is
+   */
   public EntryField number(
       String name,
       String tip,
@@ -143,8 +161,8 @@ public final class PartsForm<T> {
         entry(
             name,
             tip,
-            now -> unit.text(get.applyAsDouble(now)),
-            (before, text) -> with.apply(before, unit.parse(text)));
+            now -> measures.of(unit).text(get.applyAsDouble(now)),
+            (before, text) -> with.apply(before, measures.of(unit).parse(text)));
     field.setHorizontalAlignment(JLabel.TRAILING);
     return field;
   }
@@ -155,25 +173,25 @@ public final class PartsForm<T> {
 
   /** A row for a text. */
   public PartsForm<T> text(String label, Function<T, String> get, BiFunction<T, String, T> with) {
-    row(label, entry(nameOf(label), label, get, with::apply), "");
+    row(label, entry(nameOf(label), label, get, with::apply), new JLabel());
     return this;
   }
 
   /** A row for a number. */
   public PartsForm<T> numberRow(
       String label, Measure unit, ToDoubleFunction<T> get, BiFunction<T, Double, T> with) {
-    row(label, number(nameOf(label), label, unit, get, with), unit.symbol());
+    row(label, number(nameOf(label), label, unit, get, with), unit(unit));
     return this;
   }
 
-  private void row(String label, EntryField field, String unit) {
+  private void row(String label, EntryField field, JLabel unit) {
     Remark problem = new Remark(field.getName() + "-problem", Palette::error);
     field.whenRefused(() -> problem.say(field.refusal()));
     JLabel words = new JLabel(label);
     words.setLabelFor(field);
     panel.add(words);
     panel.add(field, FIELD);
-    panel.add(new JLabel(unit), "wrap");
+    panel.add(unit, "wrap");
     panel.add(problem, "skip 1, span 2, wrap, " + Remark.LAYOUT);
   }
 

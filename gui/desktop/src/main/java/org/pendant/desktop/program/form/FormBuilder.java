@@ -9,6 +9,8 @@ import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.function.UnaryOperator;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.desktop.unit.ShownMeasure;
+import org.pendant.kit.form.Measure;
 import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.NodeField;
 import org.pendant.project.program.NumberRange;
@@ -88,7 +90,12 @@ final class FormBuilder {
         OptionalDouble.of(value),
         usual,
         "",
+        measure(field),
         typed -> context.with(step.apply(typed.orElse(value))));
+  }
+
+  private Measure measure(NodeField field) {
+    return ShownMeasure.of(Item.Quantity.measureOf(field), context.host().poseForm());
   }
 
   /** A number that there may be. */
@@ -105,6 +112,7 @@ final class FormBuilder {
             value,
             field.range(),
             whenEmpty,
+            measure(field),
             typed -> context.with(step.apply(typed))));
   }
 

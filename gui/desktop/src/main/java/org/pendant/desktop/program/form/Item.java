@@ -41,23 +41,13 @@ sealed interface Item {
       Measure measure,
       Function<OptionalDouble, ProgramTree> edit)
       implements Item {
-    /** One that is shown in the unit of its field. */
-    Quantity(
-        NodeField field,
-        String label,
-        OptionalDouble value,
-        NumberRange usual,
-        String whenEmpty,
-        Function<OptionalDouble, ProgramTree> edit) {
-      this(field, label, value, usual, whenEmpty, measureOf(field), edit);
-    }
-
     @Override
     public String name() {
       return field.name();
     }
 
-    private static Measure measureOf(NodeField field) {
+    /** In what a field is usually shown. */
+    static Measure measureOf(NodeField field) {
       return switch (field.unit()) {
         case MILLIMETRE -> Measure.MILLIMETRE;
         case MILLIMETRE_PER_S -> Measure.MILLIMETRE_PER_S;
@@ -91,12 +81,14 @@ sealed interface Item {
 
     /** Which numbers can be taken. */
     String legal() {
-      return field.range().words(field.unit());
+      return measure() == measureOf(field)
+          ? field.range().words(field.unit())
+          : field.range().words(measure()::text, measure().symbol());
     }
 
     /** Why a number, in SI, cannot be taken; empty if it can. */
     String refusal(double number) {
-      return field.refusal(number).orElse("");
+      return field.range().contains(number) ? "" : legal();
     }
 
     /** The text of the value. */

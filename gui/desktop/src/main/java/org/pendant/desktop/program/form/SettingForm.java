@@ -5,6 +5,7 @@ import java.util.List;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.NamedTool;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.NodeFields;
@@ -12,7 +13,6 @@ import org.pendant.project.program.Setting;
 
 /** Setting form: that of a node that sets something. */
 final class SettingForm {
-  private static final List<String> POSE = List.of("X", "Y", "Z", "RX", "RY", "RZ");
   private static final String OTHER = "other";
   private static final String ANALOG = "analog_out[0]";
   private static final String NAMED = "tcp:";
@@ -241,15 +241,21 @@ final class SettingForm {
     if (!was.name().isEmpty()) {
       return;
     }
+    PoseForm shown = form.context().host().poseForm();
+    double[] pose = shown.numbers(was.inFlange());
     List<Item.Quantity> numbers = new ArrayList<>();
     for (int i = 0; i < Pose.SIZE; i++) {
       int changed = i;
       numbers.add(
           form.numberOf(
               NodeFields.tcp(i),
-              POSE.get(i),
-              was.inFlange().get(i),
-              value -> step(new Setting.Tcp("", was.inFlange().with(changed, value)))));
+              shown.labels().get(i),
+              pose[i],
+              value -> {
+                double[] typed = pose.clone();
+                typed[changed] = value;
+                return step(new Setting.Tcp("", shown.pose(typed)));
+              }));
     }
     form.add(new Item.Grid("setting.inFlange", "From the flange", 2, numbers));
   }

@@ -5,13 +5,11 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.program.form.Item.Option;
-import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.PoseForm;
-import org.pendant.kit.form.Measure;
+import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
-import org.pendant.project.program.FieldUnit;
 import org.pendant.project.program.Identifiers;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MotionStep.Waypoint;
@@ -258,19 +256,8 @@ final class WaypointForm {
         OptionalDouble.of(value),
         field.range(),
         "",
-        measure(field, context.host().poseForm()),
+        ShownMeasure.of(Item.Quantity.measureOf(field), context.host().poseForm()),
         typed -> context.tree().withWaypoint(waypoint, position.position(typed.orElse(value))));
-  }
-
-  private static Measure measure(NodeField field, PoseForm form) {
-    DisplayUnit unit = field.unit() == FieldUnit.MILLIMETRE ? form.length() : form.angle();
-    return switch (unit) {
-      case METRE -> Measure.METRE;
-      case INCH -> Measure.INCH;
-      case DEGREE -> Measure.DEGREE;
-      case RADIAN -> Measure.RADIAN;
-      case MILLIMETRE, KILOGRAM, GRAM, KILOGRAM_SQUARE_METRE -> Measure.MILLIMETRE;
-    };
   }
 
   private static void relative(

@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
 
@@ -18,6 +19,7 @@ final class FakeHost implements FormHost {
   private Installation installation = Installation.NONE;
   private ProgramTree tree;
   private Runnable changed = () -> {};
+  private PoseForm poseForm = PoseForm.STANDARD;
 
   FakeHost(ProgramTree tree, ControllerState state) {
     this.tree = tree;
@@ -26,6 +28,15 @@ final class FakeHost implements FormHost {
 
   void setInstallation(Installation other) {
     installation = other;
+  }
+
+  void setPoseForm(PoseForm other) {
+    poseForm = other;
+  }
+
+  @Override
+  public PoseForm poseForm() {
+    return poseForm;
   }
 
   /** Runs {@code action} after each change, as the screen around would show the tree again. */

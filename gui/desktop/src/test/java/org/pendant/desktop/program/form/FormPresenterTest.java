@@ -18,6 +18,10 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
+import org.pendant.models.pose.Pose;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.ForeignStep;
@@ -26,6 +30,7 @@ import org.pendant.project.program.MoveKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
+import org.pendant.project.program.Setting;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.Timing;
 import org.pendant.project.program.ToolChoice;
@@ -153,6 +158,32 @@ final class FormPresenterTest {
     assertEquals("", presenter.typeNumber("acceleration", "45,5 deg/s\u00b2"));
     assertEquals(Math.toRadians(45.5), ((MotionStep.Move) step()).acceleration(), CLOSE);
     assertEquals(List.of("Change joint speed", "Change acceleration"), host.told());
+  }
+
+  @Test
+  void speedsAndTheTcpAreInTheUnitsThatPeopleHaveChosen() {
+    open(move(MoveKind.LINEAR));
+    host.setPoseForm(
+        new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.ROLL_PITCH_YAW));
+    select(selected().orElseThrow());
+    assertEquals("", presenter.typeNumber("speed", "10"));
+    assertEquals(0.254, ((MotionStep.Move) step()).speed(), CLOSE);
+    assertEquals("must be above 0 and at most 196.8504 in/s", presenter.typeNumber("speed", "900"));
+
+    open(node(new ActionStep.SetAction(new Setting.Tcp("", Pose.ZERO))));
+    host.setPoseForm(
+        new PoseForm(DisplayUnit.METRE, DisplayUnit.RADIAN, RotationForm.ROLL_PITCH_YAW));
+    select(selected().orElseThrow());
+    Item.Grid pose = (Item.Grid) item("setting.inFlange");
+    assertEquals(
+        List.of("m", "m", "m", "rad", "rad", "rad"),
+        pose.numbers().stream().map(each -> each.measure().symbol()).toList());
+    assertEquals(
+        host.poseForm().labels(), pose.numbers().stream().map(each -> each.label()).toList());
+    assertEquals("", presenter.typeNumber(pose.numbers().get(2).name(), "0.12"));
+    assertEquals(
+        new Pose(0, 0, 0.12, 0, 0, 0),
+        ((Setting.Tcp) ((ActionStep.SetAction) step()).setting()).inFlange());
   }
 
   @Test
