@@ -39,8 +39,14 @@ public final class CellView implements View {
   private Optional<Cards> cards = Optional.empty();
 
   /** What the screen is made of. */
-  private record Cards(CellBar bar, ObjectsCard objects, LoadCard load, ToolPointsCard tool) {
+  private record Cards(
+      CellBar bar,
+      ObjectsCard objects,
+      EquipmentCard equipment,
+      LoadCard load,
+      ToolPointsCard tool) {
     void show() {
+      equipment.show();
       bar.show();
       objects.show();
       load.show();
@@ -103,16 +109,18 @@ public final class CellView implements View {
           new Cards(
               new CellBar(workbench, draft),
               new ObjectsCard(draft, rotation, workbench.session()::state),
+              new EquipmentCard(draft),
               new LoadCard(draft),
               new ToolPointsCard(draft));
       JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
       sheet.add(made.objects.component());
-      JPanel flange =
+      JPanel second =
           new JPanel(new MigLayout("insets 0, gap 0 " + GAP + ", wrap", "[grow, fill]"));
-      flange.setOpaque(false);
-      flange.add(made.load.component());
-      flange.add(made.tool.component());
-      sheet.add(flange);
+      second.setOpaque(false);
+      second.add(made.equipment.component());
+      second.add(made.load.component());
+      second.add(made.tool.component());
+      sheet.add(second);
       JScrollPane scroll =
           new SettledScroll(
               sheet,

@@ -2,6 +2,7 @@ package org.pendant.desktop.session;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,20 +23,36 @@ public final class SceneDraft {
   private static final int MAX_UNDONE = 1000;
 
   private final List<Runnable> listeners = new ArrayList<>();
-  private final Deque<Scene> done = new ArrayDeque<>();
-  private final Deque<Scene> undone = new ArrayDeque<>();
+  private final Deque<Content> done = new ArrayDeque<>();
+  private final Deque<Content> undone = new ArrayDeque<>();
   private final ProgramDocument.Listener follower = new Follower();
   private ProgramDocument document =
       ProgramDocument.untitled(UNTITLED, SceneWriter.write(Scene.EMPTY));
 
-  /** What else the file says, of devices and rules, which stays as it is. */
-  private Map<String, String> others = Map.of();
-
   /** Where a row of changes began that is undone as one. */
-  private Optional<Scene> row = Optional.empty();
+  private Optional<Content> row = Optional.empty();
 
-  private Scene saved = Scene.EMPTY;
-  private Scene scene = Scene.EMPTY;
+  private Content saved = Content.EMPTY;
+  private Content now = Content.EMPTY;
+
+  /**
+   * What the file says.
+   *
+   * @param equipment the members for devices and rules, by key, as JSON
+   */
+  private record Content(Scene scene, Map<String, String> equipment) {
+    static final Content EMPTY = new Content(Scene.EMPTY, Map.of());
+
+    static Content of(Scene scene, String text) {
+      Map<String, String> members = new LinkedHashMap<>(JsonMembers.of(text));
+      members.keySet().removeAll(SceneWriter.KEYS);
+      return new Content(scene, members);
+    }
+
+    String text() {
+      return SceneWriter.write(scene, equipment);
+    }
+  }
 
   /** Empty space. */
   public SceneDraft() {
@@ -47,7 +64,7 @@ public final class SceneDraft {
     @Override
     public void fileChanged() {
       if (!document.modified()) {
-        saved = scene;
+        saved = now;
       }
       tell();
     }
@@ -55,7 +72,12 @@ public final class SceneDraft {
 
   /** The scene as people have it now. */
   public Scene scene() {
-    return scene;
+    return now.scene();
+  }
+
+  /** The members for devices and rules, by key, as JSON. */
+  public Map<String, String> equipment() {
+    return Collections.unmodifiableMap(now.equipment());
   }
 
   /** Where it is written: a file, or a text without one. */
@@ -87,16 +109,9 @@ public final class SceneDraft {
     document.addListener(follower);
     done.clear();
     undone.clear();
-    others = others(other.text());
-    saved = wanted;
-    scene = wanted;
+    saved = Content.of(wanted, other.text());
+    now = saved;
     tell();
-  }
-
-  private static Map<String, String> others(String text) {
-    Map<String, String> members = new LinkedHashMap<>(JsonMembers.of(text));
-    members.keySet().removeAll(SceneWriter.KEYS);
-    return members;
   }
 
   /**
@@ -108,30 +123,43 @@ public final class SceneDraft {
    */
   public void restore(ProgramDocument other, Scene onDisk, SceneFile left) {
     open(other, onDisk);
-    others = others(left.text());
-    done.push(onDisk);
-    scene = left.scene();
+    done.push(now);
+    now = Content.of(left.scene(), left.text());
     document.setText(left.text());
     tell();
   }
 
   /** Makes a change. */
   public void set(Scene next) {
-    if (!next.equals(scene)) {
-      if (row.isEmpty() || done.isEmpty() || !done.getFirst().equals(row.get())) {
-        done.push(scene);
-      }
-      if (done.size() > MAX_UNDONE) {
-        done.removeLast();
-      }
-      undone.clear();
-      show(next);
+    change(new Content(next, now.equipment()));
+  }
+
+  /**
+   * Takes other devices and rules.
+   *
+   * @param members by key, as JSON that a scene may have
+   */
+  public void setEquipment(Map<String, String> members) {
+    change(new Content(now.scene(), new LinkedHashMap<>(members)));
+  }
+
+  private void change(Content next) {
+    if (next.equals(now)) {
+      return;
     }
+    if (row.isEmpty() || done.isEmpty() || !done.getFirst().equals(row.get())) {
+      done.push(now);
+    }
+    if (done.size() > MAX_UNDONE) {
+      done.removeLast();
+    }
+    undone.clear();
+    show(next);
   }
 
   /** Has all changes until {@link #endRow} undone as one. */
   public void beginRow() {
-    row = Optional.of(scene);
+    row = Optional.of(now);
   }
 
   /** Has changes undone one by one. */
@@ -157,19 +185,19 @@ public final class SceneDraft {
     turn(undone, done);
   }
 
-  private void turn(Deque<Scene> from, Deque<Scene> to) {
+  private void turn(Deque<Content> from, Deque<Content> to) {
     if (!from.isEmpty()) {
-      to.push(scene);
+      to.push(now);
       show(from.pop());
     }
   }
 
-  private void show(Scene next) {
-    scene = next;
+  private void show(Content next) {
+    now = next;
     // what is on disk may be written another way: who is back there has nothing to save
     Optional<String> onDisk =
         next.equals(saved) ? document.onDisk().map(SavedProgram::text) : Optional.empty();
-    document.setText(onDisk.orElseGet(() -> SceneWriter.write(next, others)));
+    document.setText(onDisk.orElseGet(next::text));
     tell();
   }
 

@@ -141,7 +141,7 @@ final class SceneFiles {
 
   /** Whether what people change is not around the arm. */
   boolean canApply() {
-    return draft.document() != ofCurrent || !draft.scene().equals(current.scene());
+    return draft.document() != ofCurrent || !draft.document().text().equals(current.text());
   }
 
   /** Puts what people change around the arm. */

@@ -17,6 +17,7 @@ import java.util.List;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -161,6 +162,23 @@ final class CellViewTest {
           JTextField mass = find(view, "cell-load-mass", JTextField.class);
           mass.setText("500");
           assertEquals("mass is 500 kg, must be 0 to 100 kg", ((EntryField) mass).refusal());
+        });
+  }
+
+  @Test
+  void devicesAreWrittenAsTextAndRefusedWithTheirPlace() throws Exception {
+    show(
+        view -> {
+          JTextArea area = find(view, "cell-equipment", JTextArea.class);
+          area.setText("{\n  \"devices\": [{\"type\": \"two-fingers\"}]\n}");
+          String refusal = find(view, "cell-equipment-problem", JTextArea.class).getText();
+          assertTrue(refusal.startsWith("line 2, column 24: type is \"two-fingers\""), refusal);
+          area.setText("{\n  \"devices\": [{\"type\": \"two-finger\"}]\n}");
+          area.getActionMap().get("take").actionPerformed(null);
+          assertEquals("[{\"type\": \"two-finger\"}]", draft.equipment().get("devices"));
+          press(view, "cell-undo");
+          assertTrue(draft.equipment().isEmpty());
+          assertEquals("{\n\n}\n", area.getText());
         });
   }
 }
