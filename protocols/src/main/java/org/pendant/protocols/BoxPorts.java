@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.pendant.protocols.dashboard.DashboardServer;
+import org.pendant.protocols.device.DeviceServer;
 import org.pendant.protocols.eip.EipServer;
 import org.pendant.protocols.interpreter.InterpreterServer;
 import org.pendant.protocols.modbus.ModbusServer;
@@ -63,6 +64,9 @@ public final class BoxPorts implements AutoCloseable {
       ports.open(
           RobotApiServer.STANDARD_PORT,
           () -> RobotApiServer.open(serverContext, numbers, remotePendant));
+    }
+    if (DeviceServer.wanted(serverContext)) {
+      ports.open(DeviceServer.TWO_FINGER_PORT, () -> DeviceServer.open(serverContext, numbers));
     }
     return ports;
   }

@@ -38,6 +38,11 @@ final class WorldCommandHandler implements CommandHandler<WorldCommand> {
           box.offsets().encoders().get(index).run(ticksPerS);
       case WorldCommand.PutPart(String gripper, double widthM) ->
           box.links().devices().putPart(gripper, widthM);
+      case WorldCommand.TellDevice(int port, long connection, String bytes) -> {
+        return new Reply.Told(box.links().devices().hear(port, connection, bytes));
+      }
+      case WorldCommand.LeaveDevice(int port, long connection) ->
+          box.links().devices().leave(port, connection);
     }
     return Reply.done();
   }

@@ -65,4 +65,17 @@ public sealed interface WorldCommand extends Command {
    * @param widthM 0 for no part
    */
   record PutPart(String gripper, double widthM) implements WorldCommand {}
+
+  /**
+   * Says something to a device of the cell by a connection from outside, and is answered by {@link
+   * org.pendant.controller.command.Reply.Told}.
+   *
+   * @param port at which programs reach the device
+   * @param connection a number of the connection
+   * @param bytes one {@code char} a byte; empty where nothing has followed what was said before
+   */
+  record TellDevice(int port, long connection, String bytes) implements WorldCommand {}
+
+  /** A connection of {@link TellDevice} has ended. */
+  record LeaveDevice(int port, long connection) implements WorldCommand {}
 }

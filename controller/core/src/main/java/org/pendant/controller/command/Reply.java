@@ -38,6 +38,13 @@ public sealed interface Reply {
   /** What interpreter mode says to a line. */
   record Interpreted(Interpreter.Response reply) implements Reply {}
 
+  /**
+   * What a device of the cell says.
+   *
+   * @param bytes one {@code char} a byte; empty for nothing
+   */
+  record Told(String bytes) implements Reply {}
+
   /** Carried out. */
   static Reply done() {
     return new Done();
@@ -54,7 +61,7 @@ public sealed interface Reply {
       case Refused refused -> Optional.of(refused.refusal().text());
       case Failed failed -> Optional.of(failed.failure().message());
       case Busy busy -> Optional.of(busy.text());
-      case Done _, InterpreterState _, Interpreted _ -> Optional.empty();
+      case Done _, InterpreterState _, Interpreted _, Told _ -> Optional.empty();
     };
   }
 }

@@ -1,13 +1,16 @@
 package org.pendant.controller.device;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.pendant.controller.device.gripper.Fingers;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.DeviceSocket;
+import org.pendant.controller.external.DeviceTalk;
 import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.RpcLink;
 import org.pendant.controller.io.Signals;
@@ -24,8 +27,15 @@ public final class CellDevices {
   /** Devices in a cell at most. */
   public static final int MAX = 64;
 
+  /** Connections from outside at once; a port takes fewer. */
+  private static final int MAX_CALLERS = 1024;
+
+  /** A connection from outside. */
+  private record Caller(int port, long connection) {}
+
   private final List<CellDevice> devices = new ArrayList<>();
   private final List<DeviceSocket> sockets = new ArrayList<>();
+  private final Map<Caller, DeviceTalk> callers = new HashMap<>();
   private final Signals signals;
   private List<DeviceState> states = List.of();
   private final Supplier<Pose> tcpInBase;
@@ -80,12 +90,11 @@ public final class CellDevices {
 
   private ExternalSocket open(String host, int port, Connectors others) throws ScriptError {
     if (OwnAddress.isHost(host)) {
-      for (CellDevice device : devices) {
-        if (device.port().orElse(0) == port) {
-          DeviceSocket socket = new DeviceSocket(device.connect());
-          sockets.add(socket);
-          return socket;
-        }
+      Optional<CellDevice> device = at(port);
+      if (device.isPresent()) {
+        DeviceSocket socket = new DeviceSocket(device.get().connect());
+        sockets.add(socket);
+        return socket;
       }
     }
     return others.sockets().open(host, port);
@@ -131,6 +140,47 @@ public final class CellDevices {
     return find(name).flatMap(CellDevice::fingers);
   }
 
+  /**
+   * Has a device hear what comes by a connection from outside, and says what it answers.
+   *
+   * @throws IllegalArgumentException if there is no device at this port, or too many talk to it
+   */
+  public String hear(int port, long connection, String bytes) {
+    Caller caller = new Caller(port, connection);
+    DeviceTalk talk = callers.get(caller);
+    if (talk == null) {
+      if (callers.size() >= MAX_CALLERS) {
+        throw new IllegalArgumentException("more than " + MAX_CALLERS + " talk to devices");
+      }
+      talk = at(port).orElseThrow(() -> noDevice(port)).connect();
+      callers.put(caller, talk);
+    }
+    return talk.hear(bytes);
+  }
+
+  /** A connection from outside has ended. */
+  public void leave(int port, long connection) {
+    callers.remove(new Caller(port, connection));
+  }
+
+  private static IllegalArgumentException noDevice(int port) {
+    return new IllegalArgumentException("port is " + port + ", must be one of a device");
+  }
+
+  private Optional<CellDevice> at(int port) {
+    for (CellDevice device : devices) {
+      if (device.port().orElse(0) == port) {
+        return Optional.of(device);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Whether programs reach a device at a port of this controller. */
+  public boolean listensAt(int port) {
+    return at(port).isPresent();
+  }
+
   /** What all devices are at; the same list as before while nothing changes. */
   public List<DeviceState> states() {
     boolean same = states.size() == devices.size();
@@ -162,7 +212,8 @@ public final class CellDevices {
         fingers.map(Fingers::pressN).orElse(0.0),
         device.on(),
         device.mostM(),
-        device.partM());
+        device.partM(),
+        device.port().orElse(0));
   }
 
   /** Hears what programs have sent, answers, and moves everything through one frame. */

@@ -11,6 +11,7 @@ package org.pendant.controller.device;
  * @param on whether it holds a part, or sees something
  * @param mostM how wide a part may be that is put into it; 0 where it holds none
  * @param partM how wide the part is that is there for it to hold; 0 for none
+ * @param port at which programs reach it by a socket; 0 for none
  */
 public record DeviceState(
     String name,
@@ -20,4 +21,5 @@ public record DeviceState(
     double forceN,
     boolean on,
     double mostM,
-    double partM) {}
+    double partM,
+    int port) {}

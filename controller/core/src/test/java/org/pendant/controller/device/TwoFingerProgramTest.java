@@ -289,7 +289,8 @@ class TwoFingerProgramTest {
     List<DeviceState> devices = program.state().devices();
     assertEquals(
         List.of(
-            new DeviceState("gripper", "two-finger gripper", 0.085, 0.03, 235, true, 0.085, 0.03)),
+            new DeviceState(
+                "gripper", "two-finger gripper", 0.085, 0.03, 235, true, 0.085, 0.03, 63352)),
         devices);
     program.advance(1);
     assertSame(devices, program.state().devices());

@@ -170,6 +170,7 @@ public final class IoView implements View {
 
   private JPanel cards() {
     JPanel cards = new CardSheet(GAP, WIDEST_CARD);
+    cards.add(devices.component());
     for (SignalBank bank :
         List.of(
             SignalBank.STANDARD_IN,
@@ -202,7 +203,6 @@ public final class IoView implements View {
     }
     addMemory(cards, new Memory.Flags(), labels);
     cards.add(modbus.component());
-    cards.add(devices.component());
     cards.add(readings.component());
     return cards;
   }

@@ -13,21 +13,22 @@ final class DeviceRowTest {
   @Test
   void fingersTellHowFarTheyAreOpenAndWhatTheyHold() {
     assertEquals(
-        "85.0 mm open", doing(new DeviceState("g", "gripper", 0.085, 0.085, 0, false, 0.085, 0)));
+        "85.0 mm open",
+        doing(new DeviceState("g", "gripper", 0.085, 0.085, 0, false, 0.085, 0, 0)));
     assertEquals(
         "30.0 mm, holds a part with 235 N",
-        doing(new DeviceState("g", "gripper", 0.085, 0.03, 235, true, 0.085, 0.03)));
+        doing(new DeviceState("g", "gripper", 0.085, 0.03, 235, true, 0.085, 0.03, 0)));
   }
 
   @Test
   void aDoorTellsHowFarItIsOpen() {
-    assertEquals("25 % open", doing(new DeviceState("d", "door", 1, 0.25, 0, false, 0, 0)));
+    assertEquals("25 % open", doing(new DeviceState("d", "door", 1, 0.25, 0, false, 0, 0, 0)));
   }
 
   @Test
   void whatHasNoFingersTellsWhatItSeesOrHolds() {
     assertEquals(
-        "Holds a part", doing(new DeviceState("v", "vacuum gripper", 0, 0, 0, true, 1, 1)));
-    assertEquals("Sees nothing", doing(new DeviceState("s", "sensor", 0, 0, 0, false, 0, 0)));
+        "Holds a part", doing(new DeviceState("v", "vacuum gripper", 0, 0, 0, true, 1, 1, 0)));
+    assertEquals("Sees nothing", doing(new DeviceState("s", "sensor", 0, 0, 0, false, 0, 0, 0)));
   }
 }
