@@ -79,6 +79,11 @@ public final class MatrixValue extends Container implements Value {
     return elements;
   }
 
+  /** Whether there is an element in {@code row} and {@code column}. */
+  public boolean has(double row, double column) {
+    return row >= 0 && row < rows && column >= 0 && column < columns;
+  }
+
   /** The element in a row and column that the caller knows to be there. */
   public double numberAt(int row, int column) {
     return elements[row * columns + column];

@@ -60,6 +60,11 @@ public final class NumberList extends Container implements ListValue {
     return new NumberList(elements, length, kind);
   }
 
+  /** Whether there is a number, and no boolean, at {@code index}. */
+  public boolean hasNumberAt(int index) {
+    return index >= 0 && index < length && tag <= Registers.FLOAT;
+  }
+
   /** The element at {@code index} as a number, unchecked beyond the array's own bounds. */
   public double numberAt(int index) {
     return elements[index];

@@ -222,15 +222,22 @@ final class JvmCode {
   }
 
   void storeTag(int operand, Runnable tag) {
+    int keeper = keeper(operand);
+    Label same = code.newLabel();
+    if (keeper > 0 && isVariable(operand)) {
+      // most variables keep their type, and a comparison costs less than a store with its checks
+      tag.run();
+      code.iload(keeper + 2).if_icmpeq(same);
+    }
     code.aload(TAGS);
     address(operand);
     tag.run();
     code.bastore();
-    int keeper = keeper(operand);
     if (keeper > 0) {
       tag.run();
       code.istore(keeper + 2);
     }
+    code.labelBinding(same);
   }
 
   void copyObject(int target, int source) {

@@ -32,24 +32,12 @@ abstract class TranslatedCode {
 
   /** The list that holds a number at {@code index}; null when {@code object} is no such list. */
   static NumberList numbersAt(Value object, double index) {
-    int i = (int) index;
-    return object instanceof NumberList list
-            && i >= 0
-            && i < list.length()
-            && list.tag() <= Registers.FLOAT
-        ? list
-        : null;
+    return object instanceof NumberList list && list.hasNumberAt((int) index) ? list : null;
   }
 
   /** The matrix that has an element in a row and column; null when {@code object} is none such. */
   static MatrixValue matrixAt(Value object, double row, double column) {
-    return object instanceof MatrixValue matrix
-            && row >= 0
-            && row < matrix.rows()
-            && column >= 0
-            && column < matrix.columns()
-        ? matrix
-        : null;
+    return object instanceof MatrixValue matrix && matrix.has(row, column) ? matrix : null;
   }
 
   /** Stores a number in a list of numbers; false when that is not all there is to do. */
