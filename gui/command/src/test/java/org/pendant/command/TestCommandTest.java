@@ -121,11 +121,12 @@ final class TestCommandTest {
   }
 
   @Test
-  void noTargetIsAskedForWhereNothingCanRunThere() {
+  void noTargetIsAskedForWhereNothingCanRunThere() throws IOException {
+    Files.writeString(folder.resolve("wire_test.script"), "def test_wired():\n  wire(0, 5)\nend\n");
+
     assertEquals(
-        0, test(folder.toString(), "--target", "127.0.0.1:1", "--filter", "height", "--verbose"));
-    assertTrue(
-        said().contains("test_height: --target: it starts no program, so that nothing"), said());
+        0, test(folder.toString(), "--target", "127.0.0.1:1", "--filter", "wired", "--verbose"));
+    assertTrue(said().contains("test_wired: --target: `wire` sets an input"), said());
   }
 
   @Test
