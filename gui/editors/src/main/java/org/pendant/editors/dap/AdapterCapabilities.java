@@ -21,6 +21,7 @@ final class AdapterCapabilities {
     all.setSupportsExceptionInfoRequest(true);
     all.setSupportsTerminateThreadsRequest(true);
     all.setSupportsGotoTargetsRequest(true);
+    all.setSupportsCancelRequest(true);
     all.setSupportsLoadedSourcesRequest(true);
     all.setSupportsCompletionsRequest(true);
     all.setCompletionTriggerCharacters(new String[] {"."});

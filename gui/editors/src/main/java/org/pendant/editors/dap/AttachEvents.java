@@ -60,6 +60,11 @@ final class AttachEvents implements RunListener {
   }
 
   @Override
+  public void wentOn() {
+    events.wentOn();
+  }
+
+  @Override
   public void note(String text) {
     events.note(text);
   }

@@ -6,6 +6,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import org.eclipse.lsp4j.debug.BreakpointLocationsArguments;
 import org.eclipse.lsp4j.debug.BreakpointLocationsResponse;
+import org.eclipse.lsp4j.debug.CancelArguments;
 import org.eclipse.lsp4j.debug.Capabilities;
 import org.eclipse.lsp4j.debug.CompletionsArguments;
 import org.eclipse.lsp4j.debug.CompletionsResponse;
@@ -75,6 +76,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final ValueRequests values;
   private final ThreadRequests threads;
   private final SourceRequests sources;
+  private final MomentRequests moments;
   private final CompletionRequests completions;
   private final Runnable left;
 
@@ -112,6 +114,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     values = new ValueRequests(session, data);
     threads = new ThreadRequests(session);
     sources = new SourceRequests(session, execution);
+    moments = new MomentRequests(session, execution);
     completions = new CompletionRequests(session, builtins);
   }
 
@@ -256,13 +259,18 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   }
 
   @Override
+  public CompletableFuture<Void> cancel(CancelArguments asked) {
+    return turns.request(execution::cancel);
+  }
+
+  @Override
   public CompletableFuture<GotoTargetsResponse> gotoTargets(GotoTargetsArguments asked) {
     return now(() -> sources.targets(asked));
   }
 
   @Override
   public CompletableFuture<Void> goto_(GotoArguments asked) {
-    return turns.request(() -> sources.runTo(asked));
+    return turns.request(() -> sources.goTo(asked));
   }
 
   @Override
@@ -320,6 +328,11 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   @Override
   public CompletableFuture<CompletionsResponse> completions(CompletionsArguments asked) {
     return now(() -> completions.complete(asked));
+  }
+
+  /** What the protocol has no word for: another service of the same connection. */
+  MomentRequests momentRequests() {
+    return moments;
   }
 
   // --- texts

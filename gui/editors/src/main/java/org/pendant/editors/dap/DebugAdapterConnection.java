@@ -2,6 +2,7 @@ package org.pendant.editors.dap;
 
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -46,8 +47,9 @@ public final class DebugAdapterConnection {
         new DebugAdapter(targets, robot, turns, client::join, () -> left.complete(true))) {
       Launcher<IDebugProtocolClient> launcher =
           new DebugLauncher.Builder<IDebugProtocolClient>()
-              .setLocalService(adapter)
+              .setLocalServices(List.of(adapter, adapter.momentRequests()))
               .setRemoteInterface(IDebugProtocolClient.class)
+              .setClassLoader(IDebugProtocolClient.class.getClassLoader())
               .setInput(new CheckedFrames(input, complaints))
               .setOutput(output)
               .setExecutorService(reader)

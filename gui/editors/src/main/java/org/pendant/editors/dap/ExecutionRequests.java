@@ -5,6 +5,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.eclipse.lsp4j.debug.ContinueResponse;
 import org.eclipse.lsp4j.debug.SteppingGranularity;
+import org.pendant.editors.dap.look.EndedView;
 import org.pendant.editors.dap.look.PastView;
 import org.pendant.script.debug.Debugger;
 
@@ -26,12 +27,42 @@ final class ExecutionRequests {
     if (past.past()) {
       return past.resume().thenApply(done -> response);
     }
+    if (ended()) {
+      leaveEnd();
+      return CompletableFuture.completedFuture(response);
+    }
     if (session.program().run().atSafetyStop()) {
       session.goOn();
       session.program().run().leaveSafetyStop();
       return CompletableFuture.completedFuture(response);
     }
     return go(Debugger::resume).thenApply(done -> response);
+  }
+
+  private boolean ended() {
+    return session.view().filter(EndedView.class::isInstance).isPresent();
+  }
+
+  /** Nothing follows the end; that is told behind the answer to the request. */
+  private void leaveEnd() {
+    session.thread().execute(session.program().events()::leaveEnd);
+  }
+
+  /** Back to where a line of output was written, or on to there. */
+  CompletableFuture<Void> toMoment(int id) {
+    return session
+        .program()
+        .events()
+        .written()
+        .of(id)
+        .map(past::to)
+        .orElseGet(() -> Refusals.answer("that line of output is not known any more"));
+  }
+
+  /** Gives up what searches the recording. */
+  CompletableFuture<Void> cancel() {
+    past.cancel();
+    return CompletableFuture.completedFuture(null);
   }
 
   CompletableFuture<Void> stepOver(int threadNumber, SteppingGranularity granularity) {
@@ -69,6 +100,10 @@ final class ExecutionRequests {
     boolean frame = granularity == SteppingGranularity.INSTRUCTION;
     if (past.past()) {
       return frame ? past.frameOn() : past.stepOn();
+    }
+    if (ended()) {
+      leaveEnd();
+      return CompletableFuture.completedFuture(null);
     }
     wishes.expectLine(false);
     if (frame) {

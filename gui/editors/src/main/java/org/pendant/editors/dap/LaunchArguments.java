@@ -11,9 +11,11 @@ import java.util.Optional;
  * @param program file of a script or a tree
  * @param options as {@code pendant run} has them
  * @param stopOnEntry whether it is held before its first statement
+ * @param stopAtEnd whether it is held once more when it has ended, to be looked back at
  * @param noDebug whether nothing is to stop it
  */
-record LaunchArguments(String program, List<String> options, boolean stopOnEntry, boolean noDebug) {
+record LaunchArguments(
+    String program, List<String> options, boolean stopOnEntry, boolean stopAtEnd, boolean noDebug) {
   LaunchArguments {
     options = List.copyOf(options);
   }
@@ -39,7 +41,11 @@ record LaunchArguments(String program, List<String> options, boolean stopOnEntry
     arguments.pairs("answers").forEach(pair -> add(options, "answer", pair));
     options.addAll(arguments.texts("args"));
     return new LaunchArguments(
-        program, options, arguments.flag("stopOnEntry"), arguments.flag("noDebug"));
+        program,
+        options,
+        arguments.flag("stopOnEntry"),
+        arguments.flag("stopAtEnd"),
+        arguments.flag("noDebug"));
   }
 
   private static void add(List<String> options, String name, String value) {

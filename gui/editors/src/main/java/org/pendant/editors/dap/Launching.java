@@ -74,6 +74,7 @@ final class Launching {
     return progress
         .of(
             "Reading " + arguments.program(),
+            false,
             CompletableFuture.supplyAsync(
                 () -> read(arguments), task -> Thread.ofVirtual().name("launch").start(task)))
         .whenCompleteAsync((read, fault) -> launching = false, session.thread())
@@ -202,7 +203,14 @@ final class Launching {
 
   /** Ends the program; the arm comes to rest, and the client is told. */
   CompletableFuture<Void> terminate() {
-    session.debuggee().ifPresent(each -> each.run().stop());
+    session
+        .debuggee()
+        .ifPresent(
+            each -> {
+              each.run().stop();
+              // behind the answer to this request
+              session.thread().execute(each.events()::endForGood);
+            });
     return CompletableFuture.completedFuture(null);
   }
 

@@ -9,7 +9,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import org.eclipse.lsp4j.debug.StoppedEventArguments;
 import org.eclipse.lsp4j.debug.StoppedEventArgumentsReason;
-import org.pendant.editors.dap.look.LiveView;
 import org.pendant.editors.dap.look.PastView;
 import org.pendant.editors.dap.look.StandingProgram;
 import org.pendant.models.time.FrameTime;
@@ -29,7 +28,8 @@ final class PastRequests {
   private final DebugSession session;
   private final BreakpointTable table;
   private final ProgressEvents progress;
-  private Optional<LiveView> live = Optional.empty();
+  private Optional<StandingProgram> live = Optional.empty();
+  private CompletableFuture<?> searching = CompletableFuture.completedFuture(null);
 
   PastRequests(DebugSession session, BreakpointTable table, ProgressEvents progress) {
     this.progress = progress;
@@ -79,6 +79,28 @@ final class PastRequests {
           return new Found(
               Optional.of(Moment.endOf(from.frame() - 1)), StoppedEventArgumentsReason.STEP, "");
         });
+  }
+
+  /** To the moment at which a line of output was written. */
+  CompletableFuture<Void> to(WrittenLines.Written written) {
+    return begin(
+        (recording, from, now) -> {
+          if (written.moment().frame() < recording.firstFrame()) {
+            throw Refusals.of("the recording does not go back to that line of output");
+          }
+          return until(
+              now,
+              Optional.of(
+                  new Found(
+                      Optional.of(written.moment()),
+                      StoppedEventArgumentsReason.GOTO,
+                      "here was written: " + written.text())));
+        });
+  }
+
+  /** Gives up the search that is under way. */
+  void cancel() {
+    var _ = searching.cancel(true);
   }
 
   /** To the next statement. */
@@ -173,10 +195,10 @@ final class PastRequests {
   /** Searches elsewhere: a long recording takes some time. */
   private CompletableFuture<Void> begin(Search search) {
     StandingProgram before = session.stopped();
-    if (before instanceof LiveView now) {
-      live = Optional.of(now);
+    if (!(before instanceof PastView)) {
+      live = Optional.of(before);
     }
-    LiveView now = live.orElseThrow();
+    StandingProgram now = live.orElseThrow();
     Debuggee debuggee = session.program();
     Supplier<Arrival> work =
         () -> {
@@ -184,11 +206,12 @@ final class PastRequests {
           Found found = search.in(recording, moment(before), Moment.of(now.state()));
           return arrival(debuggee, recording, found, now);
         };
+    CompletableFuture<Arrival> found =
+        CompletableFuture.supplyAsync(
+            work, task -> Thread.ofVirtual().name("past steps").start(task));
+    searching = found;
     return progress
-        .of(
-            "Searching the recording",
-            CompletableFuture.supplyAsync(
-                work, task -> Thread.ofVirtual().name("past steps").start(task)))
+        .of("Searching the recording", true, found)
         // so that a refusal takes its turn as well
         .whenCompleteAsync((arrival, fault) -> {}, session.thread())
         .thenAccept(arrival -> arrive(before, arrival));
@@ -211,7 +234,7 @@ final class PastRequests {
   private record Arrival(StandingProgram view, StoppedEventArguments told) {}
 
   private static Arrival arrival(
-      Debuggee debuggee, Recording recording, Found found, LiveView now) {
+      Debuggee debuggee, Recording recording, Found found, StandingProgram now) {
     StoppedEventArguments told = new StoppedEventArguments();
     told.setReason(found.reason());
     if (found.moment().isEmpty()) {

@@ -33,8 +33,12 @@ final class ProgressEvents {
     this.later = later;
   }
 
-  /** Tells of work until it is over, if that takes long. */
-  <T> CompletableFuture<T> of(String title, CompletableFuture<T> work) {
+  /**
+   * Tells of work until it is over, if that takes long.
+   *
+   * @param cancellable whether the client may give it up
+   */
+  <T> CompletableFuture<T> of(String title, boolean cancellable, CompletableFuture<T> work) {
     if (!session.form().progress()) {
       return work;
     }
@@ -42,17 +46,18 @@ final class ProgressEvents {
     later.execute(
         () -> {
           if (!work.isDone()) {
-            begin(id, title);
+            begin(id, title, cancellable);
             var _ = work.whenCompleteAsync((value, fault) -> end(id), session.thread());
           }
         });
     return work;
   }
 
-  private void begin(String id, String title) {
+  private void begin(String id, String title, boolean cancellable) {
     ProgressStartEventArguments told = new ProgressStartEventArguments();
     told.setProgressId(id);
     told.setTitle(title);
+    told.setCancellable(cancellable);
     session.client().progressStart(told);
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.eclipse.lsp4j.debug.ContinuedEventArguments;
 import org.eclipse.lsp4j.debug.ExitedEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArgumentsCategory;
@@ -12,6 +13,7 @@ import org.eclipse.lsp4j.debug.StoppedEventArgumentsReason;
 import org.eclipse.lsp4j.debug.TerminatedEventArguments;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.editors.dap.look.EndedView;
 import org.pendant.editors.dap.look.LiveView;
 import org.pendant.editors.dap.run.DataWatch;
 import org.pendant.editors.dap.run.DebuggedRobot;
@@ -24,10 +26,16 @@ import org.pendant.script.debug.PauseReason;
 
 /** Run events: tells the client what its program does, in the turns of the session. */
 final class RunEvents implements RunListener {
+  /** Why a program that has ended stands still. */
+  private static final String ENDED = "ended";
+
   private final DebugSession session;
   private final StopKinds stops;
   private final StopWishes wishes;
   private final Supplier<OutputEvents> output;
+  private final WrittenLines written = new WrittenLines();
+  private Optional<RunResult> atEnd = Optional.empty();
+  private boolean toEnd;
   private long toldStop;
   private long toldEntry;
 
@@ -45,6 +53,7 @@ final class RunEvents implements RunListener {
   @Override
   public void frame(ControllerState state) throws InterruptedException {
     List<OutputEventArguments> said = output.get().of(state, toldEntry);
+    written.add(state, toldEntry);
     toldEntry = Math.max(toldEntry, state.newestEntry());
     if (!said.isEmpty()) {
       session.thread().event(() -> said.forEach(session.client()::output));
@@ -54,6 +63,11 @@ final class RunEvents implements RunListener {
       toldStop = stop.get().number();
       session.thread().event(() -> stopped(state, stop.get()));
     }
+  }
+
+  /** What was written, and when. */
+  WrittenLines written() {
+    return written;
   }
 
   /** Nothing is told any more: the session has done with this run. */
@@ -144,13 +158,64 @@ final class RunEvents implements RunListener {
   }
 
   @Override
+  public void wentOn() {
+    session
+        .thread()
+        .execute(
+            () -> {
+              if (run().isPresent() && session.view().isPresent()) {
+                session.goOn();
+                ContinuedEventArguments told = new ContinuedEventArguments();
+                told.setThreadId(DebugSession.number(Debugger.MAIN));
+                told.setAllThreadsContinued(true);
+                session.client().continued(told);
+              }
+            });
+  }
+
+  @Override
   public void note(String text) {
     session.thread().execute(() -> session.client().output(output.get().note(text)));
   }
 
   @Override
   public void over(RunResult result) {
-    session.thread().execute(() -> ended(result));
+    session.thread().execute(() -> over(result, run()));
+  }
+
+  private void over(RunResult result, Optional<DebuggedRobot> run) {
+    boolean held =
+        session
+            .debuggee()
+            .map(Debuggee::arguments)
+            .filter(each -> each.stopAtEnd() && !each.noDebug())
+            .isPresent();
+    if (run.isEmpty() || !held || toEnd) {
+      ended(result);
+      return;
+    }
+    atEnd = Optional.of(result);
+    StoppedEventArguments told = new StoppedEventArguments();
+    told.setReason(ENDED);
+    told.setDescription("The program has ended");
+    told.setThreadId(DebugSession.number(Debugger.MAIN));
+    session.stop(
+        EndedView.of(
+            run.get().recording(), run.get().robot().state(), session.program().text().source()),
+        told);
+  }
+
+  /** The program is to end, and nobody wants to look back at it. */
+  void endForGood() {
+    toEnd = true;
+    leaveEnd();
+  }
+
+  /** Has done with a program that has ended. */
+  void leaveEnd() {
+    Optional<RunResult> result = atEnd;
+    atEnd = Optional.empty();
+    result.ifPresent(this::ended);
   }
 
   private void ended(RunResult result) {

@@ -1,5 +1,8 @@
 package org.pendant.editors.dap;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import org.eclipse.lsp4j.debug.GotoArguments;
@@ -14,6 +17,9 @@ import org.pendant.language.source.ByteText;
 
 /** Requests about the text of the program. */
 final class SourceRequests {
+  /** Moments of a line that are offered, the newest. */
+  private static final int MAX_MOMENTS = 20;
+
   private final DebugSession session;
   private final ExecutionRequests execution;
 
@@ -52,21 +58,47 @@ final class SourceRequests {
     if (!debuggee.text().isMeant(asked.getSource())) {
       throw Refusals.of("not in " + debuggee.text().source().name() + ", which is debugged");
     }
-    OptionalInt line =
-        debuggee.text().statementLine(debuggee.program(), session.form().fromLine(asked.getLine()));
+    int wanted = session.form().fromLine(asked.getLine());
+    OptionalInt line = debuggee.text().statementLine(debuggee.program(), wanted);
     if (line.isEmpty()) {
       throw Refusals.of("no statement begins here or after it");
     }
-    GotoTarget target = new GotoTarget();
-    target.setId(line.getAsInt());
-    target.setLabel("Run to line " + line.getAsInt() + ": what is between is carried out");
-    target.setLine(session.form().line(line.getAsInt()));
+    List<GotoTarget> targets = new ArrayList<>();
+    targets.add(
+        target(
+            line.getAsInt(),
+            line.getAsInt(),
+            "Run to line " + line.getAsInt() + ": what is between is carried out"));
+    List<WrittenLines.Written> written =
+        debuggee.events().written().all().stream()
+            .filter(each -> each.line() == wanted)
+            .toList()
+            .reversed();
+    written.stream()
+        .limit(MAX_MOMENTS)
+        .forEach(each -> targets.add(target(-each.id(), wanted, label(each))));
     GotoTargetsResponse response = new GotoTargetsResponse();
-    response.setTargets(new GotoTarget[] {target});
+    response.setTargets(targets.toArray(GotoTarget[]::new));
     return response;
   }
 
-  CompletableFuture<Void> runTo(GotoArguments asked) {
-    return execution.runTo(asked.getThreadId(), asked.getTargetId());
+  private GotoTarget target(int id, int line, String label) {
+    GotoTarget target = new GotoTarget();
+    target.setId(id);
+    target.setLabel(label);
+    target.setLine(session.form().line(line));
+    return target;
+  }
+
+  private static String label(WrittenLines.Written written) {
+    return String.format(
+        Locale.ROOT, "Back to %.3f s, when it wrote: %s", written.timeS(), written.text());
+  }
+
+  /** To a line, or to a moment of the past. */
+  CompletableFuture<Void> goTo(GotoArguments asked) {
+    return asked.getTargetId() < 0
+        ? execution.toMoment(-asked.getTargetId())
+        : execution.runTo(asked.getThreadId(), asked.getTargetId());
   }
 }

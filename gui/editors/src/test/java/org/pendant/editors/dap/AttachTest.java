@@ -10,11 +10,14 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import org.eclipse.lsp4j.debug.BreakpointEventArguments;
+import org.eclipse.lsp4j.debug.ContinuedEventArguments;
 import org.eclipse.lsp4j.debug.DisconnectArguments;
 import org.eclipse.lsp4j.debug.LoadedSourcesArguments;
 import org.eclipse.lsp4j.debug.PauseArguments;
 import org.eclipse.lsp4j.debug.RestartArguments;
+import org.eclipse.lsp4j.debug.SetExceptionBreakpointsArguments;
 import org.eclipse.lsp4j.debug.StepBackArguments;
+import org.eclipse.lsp4j.debug.StoppedEventArguments;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +27,7 @@ import org.pendant.controller.FrameLoop;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.SteerableClock;
+import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.editors.dap.run.AttachableRobot;
 import org.pendant.language.source.Source;
 import org.pendant.script.vm.ProgramState;
@@ -58,7 +62,11 @@ class AttachTest {
 
   /** Others start the program. */
   private void start() {
-    Source source = Source.of(folder.resolve("work.script").toString(), WORK);
+    start(WORK);
+  }
+
+  private void start(String text) {
+    Source source = Source.of(folder.resolve("work.script").toString(), text);
     var program = controller.load(source).program().orElseThrow();
     var _ = controller.submit(new ProgramCommand.StartProgram(program)).join();
   }
@@ -129,6 +137,23 @@ class AttachTest {
     }
     assertEquals(ProgramState.RUNNING, controller.state().program().state());
     assertFalse(controller.state().debug().held());
+  }
+
+  @Test
+  void aSafetyStopIsToldAndThatOthersHaveEndedIt() throws Exception {
+    try (DebugClient client = client()) {
+      attach(client);
+      SetExceptionBreakpointsArguments wanted = new SetExceptionBreakpointsArguments();
+      wanted.setFilters(new String[] {"safetyStop"});
+      var _ = client.server().setExceptionBreakpoints(wanted).join();
+      client.configured();
+      start("protective_stop()\nsleep(1)\n");
+      StoppedEventArguments stop = client.stop();
+      assertEquals("exception", stop.getReason());
+      assertEquals("A safety function has stopped the arm", stop.getDescription());
+      var _ = controller.submit(new SafetyCommand.UnlockProtectiveStop(true)).join();
+      client.next(ContinuedEventArguments.class);
+    }
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.pendant.editors.dap;
 
+import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -43,10 +44,11 @@ import org.eclipse.lsp4j.debug.TerminatedEventArguments;
 import org.eclipse.lsp4j.debug.ThreadEventArguments;
 import org.eclipse.lsp4j.debug.Variable;
 import org.eclipse.lsp4j.debug.VariablesArguments;
-import org.eclipse.lsp4j.debug.launch.DSPLauncher;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolServer;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
+import org.eclipse.lsp4j.jsonrpc.debug.DebugLauncher;
+import org.eclipse.lsp4j.jsonrpc.services.JsonRequest;
 import org.pendant.editors.dap.run.AttachableRobot;
 import org.pendant.editors.wire.BytePipe;
 
@@ -59,10 +61,19 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
   private final CompletableFuture<Boolean> served = new CompletableFuture<>();
   private final BytePipe toServer = new BytePipe();
   private final Path program;
-  private IDebugProtocolServer server;
+  private Server server;
 
   private DebugClient(Path program) {
     this.program = program;
+  }
+
+  /** The adapter with what the protocol has no word for. */
+  interface Server extends IDebugProtocolServer {
+    @JsonRequest("pendant/moments")
+    CompletableFuture<JsonObject> moments();
+
+    @JsonRequest("pendant/goToMoment")
+    CompletableFuture<Void> goToMoment(Map<String, Object> asked);
   }
 
   /** What a client is told first: that it may set its breakpoints. */
@@ -103,13 +114,18 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
               }
             });
     var launcher =
-        DSPLauncher.createClientLauncher(client, toClient.input(), client.toServer.output());
+        new DebugLauncher.Builder<Server>()
+            .setLocalService(client)
+            .setRemoteInterface(Server.class)
+            .setInput(toClient.input())
+            .setOutput(client.toServer.output())
+            .create();
     var _ = launcher.startListening();
     client.server = launcher.getRemoteProxy();
     return client;
   }
 
-  IDebugProtocolServer server() {
+  Server server() {
     return server;
   }
 

@@ -36,7 +36,7 @@ class ProgressEventsTest {
       form.setSupportsProgressReporting(shows);
       session.talkTo(ClientForm.of(form), true);
       CompletableFuture<String> work = new CompletableFuture<>();
-      var _ = new ProgressEvents(session, later::add).of("Reading a", work);
+      var _ = new ProgressEvents(session, later::add).of("Reading a", false, work);
       if (!slow) {
         work.complete("done");
       }

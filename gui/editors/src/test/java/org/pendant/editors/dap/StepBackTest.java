@@ -4,15 +4,21 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.editors.dap.DebugClient.refusal;
 
+import com.google.gson.JsonObject;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import org.eclipse.lsp4j.debug.CancelArguments;
 import org.eclipse.lsp4j.debug.GotoArguments;
+import org.eclipse.lsp4j.debug.GotoTarget;
+import org.eclipse.lsp4j.debug.GotoTargetsArguments;
 import org.eclipse.lsp4j.debug.NextArguments;
 import org.eclipse.lsp4j.debug.ReverseContinueArguments;
 import org.eclipse.lsp4j.debug.SourceBreakpoint;
 import org.eclipse.lsp4j.debug.StepBackArguments;
 import org.eclipse.lsp4j.debug.SteppingGranularity;
 import org.eclipse.lsp4j.debug.StoppedEventArguments;
+import org.eclipse.lsp4j.debug.TerminateArguments;
 import org.eclipse.lsp4j.debug.TerminateThreadsArguments;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -180,6 +186,98 @@ class StepBackTest {
       client.stop();
       assertEquals("0.004 s", before);
       assertEquals("0.006 s", client.values("Robot").get("time"));
+    }
+  }
+
+  @Test
+  void aProgramThatHasEndedCanBeWalkedBack() throws Exception {
+    try (DebugClient client = DebugClient.of(folder, LOOP)) {
+      client.launch(Map.of("stopAtEnd", true));
+      client.configured();
+      StoppedEventArguments stop = client.stop();
+      assertEquals("ended", stop.getReason());
+      assertEquals("The program has ended", stop.getDescription());
+      assertEquals("5", client.evaluate("i", "watch"));
+      assertEquals(
+          "the program has ended, nothing can be changed",
+          refusal(client.server().evaluate(client.evaluation("i = 9", "repl"))));
+      stepBack(client);
+      assertEquals(5, client.line());
+      stepBack(client);
+      assertEquals("4", client.evaluate("i", "watch"));
+      client.resume();
+      assertEquals("Back to now", client.stop().getDescription());
+      client.stepOver();
+      assertEquals(0, client.end());
+    }
+  }
+
+  @Test
+  void whoEndsAProgramDoesNotWantToLookBack() throws Exception {
+    try (DebugClient client = DebugClient.of(folder, LOOP)) {
+      client.launch(Map.of("stopAtEnd", true));
+      var _ = client.breakpoints(3);
+      client.configured();
+      client.stop();
+      client.server().terminate(new TerminateArguments()).join();
+      assertEquals(0, client.end());
+    }
+  }
+
+  private static final String WRITING =
+      """
+      i = 0
+      while i < 5:
+        i = i + 1
+        textmsg("turn ", i)
+        sleep(0.1)
+      end
+      sleep(0.1)
+      """;
+
+  @Test
+  void aLineOfOutputLeadsToTheMomentAtWhichItWasWritten() throws Exception {
+    try (DebugClient client = DebugClient.of(folder, WRITING)) {
+      client.launch();
+      var _ = client.breakpoints(7);
+      client.configured();
+      client.stop();
+      GotoTargetsArguments asked = new GotoTargetsArguments();
+      asked.setSource(client.source());
+      asked.setLine(4);
+      GotoTarget[] targets = client.server().gotoTargets(asked).join().getTargets();
+      assertEquals(6, targets.length);
+      assertEquals("Back to 0.302 s, when it wrote: turn 4", targets[2].getLabel());
+      GotoArguments chosen = new GotoArguments();
+      chosen.setThreadId(1);
+      chosen.setTargetId(targets[2].getId());
+      client.server().goto_(chosen).join();
+      StoppedEventArguments stop = client.stop();
+      assertEquals("goto", stop.getReason());
+      assertTrue(stop.getDescription().endsWith("here was written: turn 4"), stop.getDescription());
+      assertEquals("0.302 s", client.values("Robot").get("time"));
+    }
+  }
+
+  @Test
+  void allLinesOfOutputAreToldWithTheirMoments() throws Exception {
+    try (DebugClient client = DebugClient.of(folder, WRITING)) {
+      client.launch();
+      var _ = client.breakpoints(7);
+      client.configured();
+      client.stop();
+      JsonObject last =
+          client.server().moments().join().getAsJsonArray("moments").get(4).getAsJsonObject();
+      assertEquals("turn 5", last.get("text").getAsString());
+      assertEquals(4, last.get("line").getAsInt());
+      int id = last.get("id").getAsInt();
+      client.server().goToMoment(Map.of("id", id - 3)).join();
+      StoppedEventArguments stop = client.stop();
+      assertTrue(stop.getDescription().endsWith("here was written: turn 2"), stop.getDescription());
+      assertEquals(
+          "that line of output is not known any more",
+          refusal(client.server().goToMoment(Map.of("id", 9999))));
+      client.server().cancel(new CancelArguments()).join();
     }
   }
 

@@ -16,6 +16,7 @@ import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.ProgramEvent;
+import org.pendant.script.vm.ProgramState;
 
 /**
  * Attached robot: one that others drive. A thread follows its snapshots; programs come and go. What
@@ -38,6 +39,11 @@ public final class AttachedRobot implements DebuggedRobot {
   private final AtomicReference<Optional<Source>> text = new AtomicReference<>(Optional.empty());
 
   private volatile Optional<FrameWatch> watch = Optional.empty();
+  private volatile boolean stopAtSafetyStops;
+  private volatile boolean atSafetyStop;
+
+  /** Only for the thread that follows. */
+  private boolean safetyStopped;
 
   private AttachedRobot(AttachableRobot attachable, RunListener listener, Executor answers) {
     this.attachable = attachable;
@@ -119,6 +125,7 @@ public final class AttachedRobot implements DebuggedRobot {
     }
     ring.take(state);
     listener.frame(state);
+    seeSafety(state);
   }
 
   /** Asks the frame loop, which comes to it in the next frame. */
@@ -139,17 +146,34 @@ public final class AttachedRobot implements DebuggedRobot {
     hold.wish();
   }
 
-  /** Others see to safety stops of this robot. */
   @Override
-  public void stopAtSafetyStops(boolean wanted) {}
-
-  @Override
-  public boolean atSafetyStop() {
-    return false;
+  public void stopAtSafetyStops(boolean wanted) {
+    stopAtSafetyStops = wanted;
   }
 
   @Override
-  public void leaveSafetyStop() {}
+  public boolean atSafetyStop() {
+    return atSafetyStop;
+  }
+
+  /** Others see to the safety stops of this robot, and let the program go on or end it. */
+  @Override
+  public void leaveSafetyStop() {
+    atSafetyStop = false;
+  }
+
+  private void seeSafety(ControllerState state) {
+    boolean stopped =
+        state.safety().stop().isPresent() && state.program().state() != ProgramState.STOPPED;
+    if (stopped && !safetyStopped && stopAtSafetyStops) {
+      atSafetyStop = true;
+      listener.safetyStop(state);
+    } else if (!stopped && atSafetyStop) {
+      atSafetyStop = false;
+      listener.wentOn();
+    }
+    safetyStopped = stopped;
+  }
 
   @Override
   public void stop() {

@@ -20,6 +20,9 @@ public interface RunListener {
    */
   void safetyStop(ControllerState state);
 
+  /** A robot that others drive has gone on after a safety stop. */
+  void wentOn();
+
   /** The program has ended and the arm rests. */
   void over(RunResult result);
 
