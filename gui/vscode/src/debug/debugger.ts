@@ -1,7 +1,7 @@
 /** The debugger: `pendant dap` for VS Code's own debug views, also without a launch.json. */
 import * as vscode from 'vscode';
 import type { Pendant } from '../executable/pendant';
-import { chosenRobot } from '../settings';
+import { chosenRobot, stopsAtEnd } from '../settings';
 import { attachPort, complete, isProgram } from './configuration';
 
 const TYPE = 'pendant';
@@ -40,7 +40,10 @@ class Configurations implements vscode.DebugConfigurationProvider {
   ): vscode.ProviderResult<vscode.DebugConfiguration> {
     const completed = complete(written, openFile(), chosenRobot(folder?.uri));
     if (completed.ok) {
-      return completed.configuration;
+      const { configuration } = completed;
+      return configuration.request === 'launch'
+        ? { stopAtEnd: stopsAtEnd(folder?.uri), ...configuration }
+        : configuration;
     }
     void vscode.window.showErrorMessage(completed.why);
     return undefined;
