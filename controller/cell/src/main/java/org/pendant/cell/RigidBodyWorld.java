@@ -36,7 +36,7 @@ public final class RigidBodyWorld {
 
   private final List<CellBody> bodies = new ArrayList<>();
   private final BodyContacts contacts;
-  private final double[] gravity;
+  private final double[] gravity = new double[3];
   private double latestStepS = 1;
 
   /**
@@ -54,10 +54,7 @@ public final class RigidBodyWorld {
       throw new IllegalArgumentException(
           "bodies: are " + descriptions.size() + ", may be at most " + MAX_BODIES);
     }
-    GRAVITY.require("gravity[0]", gravityX);
-    GRAVITY.require("gravity[1]", gravityY);
-    GRAVITY.require("gravity[2]", gravityZ);
-    gravity = new double[] {gravityX, gravityY, gravityZ};
+    setGravity(gravityX, gravityY, gravityZ);
     Set<String> names = new HashSet<>();
     for (BodyDescription description : descriptions) {
       if (!names.add(description.name())) {
@@ -67,6 +64,24 @@ public final class RigidBodyWorld {
     }
     requireApart();
     contacts = new BodyContacts(bodies);
+  }
+
+  /** Sets gravity, m/s^2, each -30 to 30, along the base's axes; another one wakes all bodies. */
+  public void setGravity(double x, double y, double z) {
+    GRAVITY.require("gravity[0]", x);
+    GRAVITY.require("gravity[1]", y);
+    GRAVITY.require("gravity[2]", z);
+    if (x == gravity[0] && y == gravity[1] && z == gravity[2]) {
+      return;
+    }
+    gravity[0] = x;
+    gravity[1] = y;
+    gravity[2] = z;
+    for (CellBody body : bodies) {
+      if (body.free()) {
+        body.wake();
+      }
+    }
   }
 
   /** How many bodies there are; they are numbered from 0 in the order of their descriptions. */

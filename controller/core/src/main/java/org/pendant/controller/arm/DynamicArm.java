@@ -239,6 +239,7 @@ public final class DynamicArm implements SimulatedArm {
   @Override
   public void setMounting(double x, double y, double z) {
     truth.setGravity(x, y, z);
+    externalForces.setMounting(x, y, z);
     flange.mount(x, y, z);
     flange.update(body.q, body.qd, body.qdd);
     flange.accelerometer(sensors.toolAccelerationMPerS2);

@@ -65,6 +65,9 @@ final class ExternalForces {
     }
     predict(body, FrameTime.FRAME_S);
     jacobian.at(ahead, Pose.ZERO, jacobian36);
+    forward.flange(ahead, flange12);
+    Jacobian.twist(jacobian36, body.qd, twist6);
+    world.advance(flange12, tcpInFlange3, twist6, FrameTime.FRAME_S);
     feelAhead(body);
   }
 
@@ -93,8 +96,14 @@ final class ExternalForces {
     return world.inContact();
   }
 
-  /** Whether a hand pushes otherwise than was felt last. */
+  /** Sets the acceleration that bodies at rest feel, m/s², along the axes of the base. */
+  void setMounting(double x, double y, double z) {
+    world.setGravity(-x, -y, -z);
+  }
+
+  /** Whether a hand pushes otherwise than was felt last, or something around the arm moves. */
   boolean changed() {
-    return !world.applied().equals(applied) || world.grip().changes() != gripChange;
+    return world.bodiesMove()
+        || !world.applied().equals(applied) || world.grip().changes() != gripChange;
   }
 }

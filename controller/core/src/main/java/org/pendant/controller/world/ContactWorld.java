@@ -28,6 +28,9 @@ public final class ContactWorld {
   private final List<SceneObject> objects;
   private final Surface[] surfaces;
   private final List<ToolPoint> toolPoints;
+  /** The objects that can move; null where there are none. */
+  private final FreeBodies free;
+
   private final HandGrip grip = new HandGrip();
   private Wrench applied = Wrench.ZERO;
 
@@ -48,6 +51,7 @@ public final class ContactWorld {
     for (int i = 0; i < surfaces.length; i++) {
       surfaces[i] = Surface.of(objects.get(i));
     }
+    free = FreeBodies.any(objects) ? new FreeBodies(objects, toolPoints) : null;
     depthM = new double[surfaces.length];
     forceN = new double[3 * surfaces.length];
     apply(scene.pushAtTcpInBase());
@@ -75,6 +79,9 @@ public final class ContactWorld {
     double tcpY = tcpInFlange3[1];
     double tcpZ = tcpInFlange3[2];
     addApplied(flange12, tcpX, tcpY, tcpZ, wrench6);
+    if (free != null) {
+      free.addWrench(wrench6);
+    }
     if (toolPoints.isEmpty()) {
       touch(flange12, tcpX, tcpY, tcpZ, 0, flangeTwist6, wrench6);
     }
@@ -90,6 +97,47 @@ public final class ContactWorld {
           flangeTwist6,
           wrench6);
     }
+  }
+
+  /**
+   * Lets the objects that have a mass move among the others, pushed by the tool. What the tool
+   * feels of them is in {@link #wrench} until the next step.
+   *
+   * @param stepS how long, s; the other parameters are those of {@link #wrench}
+   */
+  public void advance(
+      double[] flange12, double[] tcpInFlange3, double[] flangeTwist6, double stepS) {
+    if (free != null) {
+      free.advance(flange12, tcpInFlange3, toolPoints.isEmpty(), flangeTwist6, stepS);
+    }
+  }
+
+  /** Whether an object moves, or is held up by the tool. */
+  public boolean bodiesMove() {
+    return free != null && free.move();
+  }
+
+  /** Sets what bodies fall with, m/s^2, along the axes of the base. */
+  public void setGravity(double x, double y, double z) {
+    if (free != null) {
+      free.setGravity(x, y, z);
+    }
+  }
+
+  /**
+   * Where an object is now.
+   *
+   * @param object its place in the scene, from 0
+   * @param transform12 overwritten with its pose in the base frame, as {@link
+   *     org.pendant.models.pose.Transforms} has it
+   * @return whether it can move; otherwise nothing is written
+   */
+  public boolean poseNow(int object, double[] transform12) {
+    if (free == null || objects.get(object).massKg() == 0) {
+      return false;
+    }
+    free.pose(object, transform12);
+    return true;
   }
 
   /**
@@ -181,6 +229,9 @@ public final class ContactWorld {
     double armY = turned(flange, 1, x, y, z);
     double armZ = turned(flange, 2, x, y, z);
     for (int i = 0; i < surfaces.length; i++) {
+      if (objects.get(i).massKg() > 0) {
+        continue;
+      }
       double distanceM =
           surfaces[i].distanceM(flange[9] + armX, flange[10] + armY, flange[11] + armZ, normal);
       clearanceM = Math.min(clearanceM, distanceM - radiusM);

@@ -36,8 +36,8 @@ public record Scene(
   /**
    * Checks the counts and names.
    *
-   * @throws IllegalArgumentException for too many objects or tool points, and for two objects with
-   *     one name
+   * @throws IllegalArgumentException for too many objects or tool points, for two objects with one
+   *     name, and for ones with a mass that overlap others
    */
   public Scene {
     objects = List.copyOf(objects);
@@ -50,6 +50,9 @@ public record Scene(
         throw new IllegalArgumentException(
             "name is " + Json.quoted(object.name()) + " again, must be another for each object");
       }
+    }
+    if (FreeBodies.any(objects)) {
+      FreeBodies.require(objects, toolPoints);
     }
   }
 

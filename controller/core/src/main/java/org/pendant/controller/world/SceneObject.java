@@ -3,13 +3,21 @@ package org.pendant.controller.world;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 
-/** Scene object: a solid that the tool can touch; it stands still, whatever pushes it. */
+/**
+ * Scene object: a solid that the tool can touch. One without a mass stands still, whatever pushes
+ * it; one with a mass falls, slides and can be pushed.
+ */
 public sealed interface SceneObject {
   /** How it is called, in 1 to 60 letters; unique in its scene. */
   String name();
 
   /** What its surface is of. */
   Material material();
+
+  /** What it weighs, kg, where it can move; 0 where it stands still. */
+  default double massKg() {
+    return 0;
+  }
 
   /**
    * Everything behind a plane: a table, a floor, a wall.
@@ -45,8 +53,9 @@ public sealed interface SceneObject {
    * @param poseInBase its centre, m, each -10 to 10, and orientation, rad, each -100 to 100
    * @param sizeM lengths of its sides along its own axes, m, each 0.001 to 10
    * @param material what it is of
+   * @param massKg 0 where it stands still; else it can move, kg, 0.001 to 1000
    */
-  record Box(String name, Pose poseInBase, Vector3 sizeM, Material material)
+  record Box(String name, Pose poseInBase, Vector3 sizeM, Material material, double massKg)
       implements SceneObject {
     /**
      * Checks the numbers.
@@ -59,6 +68,12 @@ public sealed interface SceneObject {
         poseRange(i).require("pose[" + i + "]", poseInBase.get(i));
       }
       sizeM.require("size", SceneRange.SIZE);
+      SceneRange.requireMass(massKg);
+    }
+
+    /** One that stands still. */
+    public Box(String name, Pose poseInBase, Vector3 sizeM, Material material) {
+      this(name, poseInBase, sizeM, material, 0);
     }
 
     /** What component {@code i} of the pose may be. */
@@ -74,8 +89,10 @@ public sealed interface SceneObject {
    * @param centreInBaseM its centre, m, each -10 to 10
    * @param radiusM its radius, m, 0.001 to 10
    * @param material what it is of
+   * @param massKg 0 where it stands still; else it can move, kg, 0.001 to 1000
    */
-  record Sphere(String name, Vector3 centreInBaseM, double radiusM, Material material)
+  record Sphere(
+      String name, Vector3 centreInBaseM, double radiusM, Material material, double massKg)
       implements SceneObject {
     /**
      * Checks the numbers.
@@ -86,6 +103,12 @@ public sealed interface SceneObject {
       ObjectName.require(name);
       centreInBaseM.require("centre", SceneRange.POSITION);
       SceneRange.SIZE.require("radius", radiusM);
+      SceneRange.requireMass(massKg);
+    }
+
+    /** One that stands still. */
+    public Sphere(String name, Vector3 centreInBaseM, double radiusM, Material material) {
+      this(name, centreInBaseM, radiusM, material, 0);
     }
   }
 }

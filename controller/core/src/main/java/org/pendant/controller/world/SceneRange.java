@@ -1,5 +1,6 @@
 package org.pendant.controller.world;
 
+import org.pendant.cell.BodyDescription;
 import org.pendant.models.json.Range;
 
 /** Scene ranges: what lengths and angles in a scene may be. */
@@ -13,5 +14,19 @@ final class SceneRange {
   /** From a thin sheet to a hall. */
   static final Range SIZE = new Range(0.001, 10, "m");
 
+  /** From a coin to a machine. */
+  static final Range MASS = BodyDescription.MASS;
+
   private SceneRange() {}
+
+  /**
+   * Checks what an object weighs.
+   *
+   * @throws IllegalArgumentException if it is outside; 0 is that of one that stands still
+   */
+  static void requireMass(double massKg) {
+    if (massKg != 0) {
+      MASS.require("mass", massKg);
+    }
+  }
 }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.pendant.language.check.Nearest;
 import org.pendant.models.json.FilePosition;
+import org.pendant.models.dynamics.Payload;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
@@ -44,11 +45,15 @@ public final class SceneReader {
       toolPoints.add(toolPoint(new JsonFields(each, "a tool point")));
     }
     Optional<Json> load = fields.optional("load");
-    return new Scene(
-        objects,
-        load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty(),
-        toolPoints,
-        push(fields));
+    Optional<Payload> payload =
+        load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty();
+    Wrench push = push(fields);
+    try {
+      return new Scene(objects, payload, toolPoints, push);
+    } catch (IllegalArgumentException e) {
+      // each part is right by itself: bodies overlap, or there are too many of them
+      throw fields.required("objects").place().refusal(e.getMessage());
+    }
   }
 
   private static Wrench push(JsonFields scene) throws JsonException {
@@ -110,7 +115,7 @@ public final class SceneReader {
   }
 
   private static SceneObject box(JsonFields fields) throws JsonException {
-    fields.allow(Nearest::among, "type", "name", "pose", "size", "material");
+    fields.allow(Nearest::among, "type", "name", "pose", "size", "mass", "material");
     String name = name(fields);
     List<Json> six = fields.numbers("pose", Pose.SIZE);
     double[] pose = new double[Pose.SIZE];
@@ -118,16 +123,25 @@ public final class SceneReader {
       pose[i] = JsonFields.number("pose[" + i + "]", six.get(i), SceneObject.Box.poseRange(i));
     }
     return new SceneObject.Box(
-        name, Pose.of(pose), Vector3.read(fields, "size", SceneRange.SIZE), material(fields));
+        name,
+        Pose.of(pose),
+        Vector3.read(fields, "size", SceneRange.SIZE),
+        material(fields),
+        mass(fields));
   }
 
   private static SceneObject sphere(JsonFields fields) throws JsonException {
-    fields.allow(Nearest::among, "type", "name", "centre", "radius", "material");
+    fields.allow(Nearest::among, "type", "name", "centre", "radius", "mass", "material");
     return new SceneObject.Sphere(
         name(fields),
         Vector3.read(fields, "centre", SceneRange.POSITION),
         fields.number("radius", SceneRange.SIZE),
-        material(fields));
+        material(fields),
+        mass(fields));
+  }
+
+  private static double mass(JsonFields object) throws JsonException {
+    return object.optional("mass").isPresent() ? object.number("mass", SceneRange.MASS) : 0;
   }
 
   private static String name(JsonFields fields) throws JsonException {

@@ -77,6 +77,7 @@ public final class SceneWriter {
                   + ", \"radius\": "
                   + JsonValues.number(sphere.radiusM());
         }
+        + (object.massKg() > 0 ? ", \"mass\": " + JsonValues.number(object.massKg()) : "")
         + material(object.material())
         + "}";
   }

@@ -23,9 +23,9 @@ final class ObjectShape {
       case SceneObject.Plane plane ->
           new SceneObject.Plane(name, plane.pointInBaseM(), plane.normalInBase(), plane.material());
       case SceneObject.Box box ->
-          new SceneObject.Box(name, box.poseInBase(), box.sizeM(), box.material());
+          new SceneObject.Box(name, box.poseInBase(), box.sizeM(), box.material(), box.massKg());
       case SceneObject.Sphere ball ->
-          new SceneObject.Sphere(name, ball.centreInBaseM(), ball.radiusM(), ball.material());
+          new SceneObject.Sphere(name, ball.centreInBaseM(), ball.radiusM(), ball.material(), ball.massKg());
     };
   }
 
@@ -34,9 +34,9 @@ final class ObjectShape {
       case SceneObject.Plane plane ->
           new SceneObject.Plane(plane.name(), plane.pointInBaseM(), plane.normalInBase(), material);
       case SceneObject.Box box ->
-          new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), material);
+          new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), material, box.massKg());
       case SceneObject.Sphere ball ->
-          new SceneObject.Sphere(ball.name(), ball.centreInBaseM(), ball.radiusM(), material);
+          new SceneObject.Sphere(ball.name(), ball.centreInBaseM(), ball.radiusM(), material, ball.massKg());
     };
   }
 
@@ -61,10 +61,11 @@ final class ObjectShape {
             box.name(),
             new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
             box.sizeM(),
-            box.material());
+            box.material(),
+            box.massKg());
       }
       case SceneObject.Sphere ball ->
-          new SceneObject.Sphere(ball.name(), placeM, ball.radiusM(), ball.material());
+          new SceneObject.Sphere(ball.name(), placeM, ball.radiusM(), ball.material(), ball.massKg());
     };
   }
 }

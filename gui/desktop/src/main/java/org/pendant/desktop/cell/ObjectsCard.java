@@ -102,7 +102,7 @@ final class ObjectsCard {
         object -> object instanceof SceneObject.Box box ? box.poseInBase() : Pose.ZERO,
         (object, pose) ->
             object instanceof SceneObject.Box box
-                ? new SceneObject.Box(box.name(), pose, box.sizeM(), box.material())
+                ? new SceneObject.Box(box.name(), pose, box.sizeM(), box.material(), box.massKg())
                 : object,
         object -> true);
     form.heading("Lengths along its own axes");
@@ -113,7 +113,7 @@ final class ObjectsCard {
         object -> object instanceof SceneObject.Box box ? box.sizeM() : UP,
         (object, sizeM) ->
             object instanceof SceneObject.Box box
-                ? new SceneObject.Box(box.name(), box.poseInBase(), sizeM, box.material())
+                ? new SceneObject.Box(box.name(), box.poseInBase(), sizeM, box.material(), box.massKg())
                 : object);
   }
 
@@ -143,7 +143,7 @@ final class ObjectsCard {
         (object, radiusM) ->
             object instanceof SceneObject.Sphere ball
                 ? new SceneObject.Sphere(
-                    ball.name(), ball.centreInBaseM(), radiusM, ball.material())
+                    ball.name(), ball.centreInBaseM(), radiusM, ball.material(), ball.massKg())
                 : object);
   }
 
