@@ -104,6 +104,7 @@ final class ExternalForces {
   /** Whether a hand pushes otherwise than was felt last, or something around the arm moves. */
   boolean changed() {
     return world.bodiesMove()
-        || !world.applied().equals(applied) || world.grip().changes() != gripChange;
+        || !world.applied().equals(applied)
+        || world.grip().changes() != gripChange;
   }
 }

@@ -28,6 +28,7 @@ public final class ContactWorld {
   private final List<SceneObject> objects;
   private final Surface[] surfaces;
   private final List<ToolPoint> toolPoints;
+
   /** The objects that can move; null where there are none. */
   private final FreeBodies free;
 

@@ -37,8 +37,7 @@ final class FreeBodies {
    */
   FreeBodies(List<SceneObject> objects, List<ToolPoint> toolPoints) {
     this.objects = objects;
-    points =
-        toolPoints.isEmpty() ? List.of(new ToolPoint(new Vector3(0, 0, 0), 0)) : toolPoints;
+    points = toolPoints.isEmpty() ? List.of(new ToolPoint(new Vector3(0, 0, 0), 0)) : toolPoints;
     List<BodyDescription> all = new ArrayList<>();
     for (SceneObject object : objects) {
       all.add(body(object));
@@ -51,8 +50,7 @@ final class FreeBodies {
               "tool\n" + i,
               new BodyShape.Sphere(radiusM),
               Pose.ZERO,
-              new BodySurface(
-                  Material.DEFAULT.friction(), 0, Material.STIFFNESS.most())));
+              new BodySurface(Material.DEFAULT.friction(), 0, Material.STIFFNESS.most())));
     }
     bodies = new RigidBodyWorld(all, 0, 0, -ArmDynamics.STANDARD_GRAVITY_M_PER_S2);
   }
@@ -68,7 +66,7 @@ final class FreeBodies {
    * @throws IllegalArgumentException if there are too many, or if they overlap
    */
   static void require(List<SceneObject> objects, List<ToolPoint> toolPoints) {
-    FreeBodies unused = new FreeBodies(objects, toolPoints);
+    var _ = new FreeBodies(objects, toolPoints);
   }
 
   /** Sets gravity, m/s², along the axes of the base. */
@@ -90,8 +88,7 @@ final class FreeBodies {
       double z = onlyTcp ? tcpInFlange3[2] : at.z();
       System.arraycopy(flange12, 0, ball12, 0, 9);
       for (int row = 0; row < 3; row++) {
-        double arm =
-            flange12[3 * row] * x + flange12[3 * row + 1] * y + flange12[3 * row + 2] * z;
+        double arm = flange12[3 * row] * x + flange12[3 * row + 1] * y + flange12[3 * row + 2] * z;
         ballTwist6[row] = arm;
         ball12[9 + row] = flange12[9 + row] + arm;
       }
@@ -158,8 +155,7 @@ final class FreeBodies {
           BodyDescription.fixed(plane.name(), new BodyShape.HalfSpace(), standing(plane), surface);
       case SceneObject.Box box -> {
         Vector3 size = box.sizeM();
-        yield body(
-            box, new BodyShape.Box(size.x(), size.y(), size.z()), box.poseInBase(), surface);
+        yield body(box, new BodyShape.Box(size.x(), size.y(), size.z()), box.poseInBase(), surface);
       }
       case SceneObject.Sphere ball -> {
         Vector3 at = ball.centreInBaseM();

@@ -25,7 +25,8 @@ final class ObjectShape {
       case SceneObject.Box box ->
           new SceneObject.Box(name, box.poseInBase(), box.sizeM(), box.material(), box.massKg());
       case SceneObject.Sphere ball ->
-          new SceneObject.Sphere(name, ball.centreInBaseM(), ball.radiusM(), ball.material(), ball.massKg());
+          new SceneObject.Sphere(
+              name, ball.centreInBaseM(), ball.radiusM(), ball.material(), ball.massKg());
     };
   }
 
@@ -36,7 +37,8 @@ final class ObjectShape {
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), material, box.massKg());
       case SceneObject.Sphere ball ->
-          new SceneObject.Sphere(ball.name(), ball.centreInBaseM(), ball.radiusM(), material, ball.massKg());
+          new SceneObject.Sphere(
+              ball.name(), ball.centreInBaseM(), ball.radiusM(), material, ball.massKg());
     };
   }
 
@@ -65,7 +67,8 @@ final class ObjectShape {
             box.massKg());
       }
       case SceneObject.Sphere ball ->
-          new SceneObject.Sphere(ball.name(), placeM, ball.radiusM(), ball.material(), ball.massKg());
+          new SceneObject.Sphere(
+              ball.name(), placeM, ball.radiusM(), ball.material(), ball.massKg());
     };
   }
 }

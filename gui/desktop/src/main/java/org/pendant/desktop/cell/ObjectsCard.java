@@ -113,7 +113,8 @@ final class ObjectsCard {
         object -> object instanceof SceneObject.Box box ? box.sizeM() : UP,
         (object, sizeM) ->
             object instanceof SceneObject.Box box
-                ? new SceneObject.Box(box.name(), box.poseInBase(), sizeM, box.material(), box.massKg())
+                ? new SceneObject.Box(
+                    box.name(), box.poseInBase(), sizeM, box.material(), box.massKg())
                 : object);
   }
 
