@@ -84,7 +84,7 @@ final class SceneRefusalTest {
   void columnsCountLettersNotBytes() {
     assertRefused(
         "scene.json:1:47: unknown key \"x\", a sphere may have type, name, centre, radius,"
-            + " material",
+            + " mass, material",
         object("\"type\": \"sphere\", \"name\":\"\u00e9\u00e9\u00e9\", \"x\":1"));
   }
 
@@ -133,10 +133,11 @@ final class SceneRefusalTest {
         "{\"object\": []}");
     assertRefused(
         "scene.json:2:1: unknown key \"center\", did you mean centre? a sphere may have type, name,"
-            + " centre, radius, material",
+            + " centre, radius, mass, material",
         sphere("\"center\": [0, 0, 0]"));
     assertRefused(
-        "scene.json:2:1: unknown key \"colour\", a box may have type, name, pose, size, material",
+        "scene.json:2:1: unknown key \"colour\", a box may have type, name, pose, size, mass,"
+            + " material",
         box("\"colour\": \"red\""));
     assertRefused(
         "scene.json:2:1: unknown key \"nromal\", did you mean normal? a plane may have type, name,"
