@@ -496,6 +496,7 @@ final class Frame {
         box.signals().state(),
         box.links().modbus().state(),
         box.links().devices().states(),
+        box.arm().world().moved(),
         box.links().assemblies().image(),
         box.offsets().encoders().counts(),
         box.modes().freedrive().state(box.drive().actualPositionRad()),

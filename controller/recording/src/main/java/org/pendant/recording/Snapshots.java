@@ -68,6 +68,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         (SignalState) at.part(SnapshotPart.SIGNALS),
         (List<ModbusSignalState>) at.part(SnapshotPart.MODBUS),
         List.of(),
+        List.of(),
         (AssemblyImage) at.part(SnapshotPart.ASSEMBLIES),
         (Encoders.Counts) at.part(SnapshotPart.ENCODERS),
         (FreedriveState) at.part(SnapshotPart.FREEDRIVE),

@@ -142,6 +142,7 @@ final class RandomStates {
             some(last.map(ControllerState::signals), this::signals),
             some(last.map(ControllerState::modbus), () -> list(this::modbus)),
             List.of(),
+            List.of(),
             some(last.map(ControllerState::assemblies), this::assemblies),
             some(
                 last.map(ControllerState::encoders),

@@ -272,6 +272,7 @@ final class RecordingRingTest {
         state.signals(),
         state.modbus(),
         state.devices(),
+        state.moved(),
         state.assemblies(),
         state.encoders(),
         state.freedrive(),

@@ -12,6 +12,7 @@ import org.pendant.controller.message.LogLines;
 import org.pendant.controller.message.Popup;
 import org.pendant.controller.message.Question;
 import org.pendant.controller.modbus.ModbusSignalState;
+import org.pendant.controller.world.MovedObject;
 import org.pendant.models.arm.Joints;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.variables.TracedVariables;
@@ -39,6 +40,7 @@ import org.pendant.script.vm.ProgramEvent;
  * @param io levels of the digital signals
  * @param signals all other signals: analog ones, registers, the tool connector
  * @param devices the devices of the cell; not part of recordings
+ * @param moved where the objects of the scene are that have a mass; not part of recordings
  * @param assemblies data that are exchanged by EtherNet/IP, without those built in
  * @param modbus the signals at Modbus devices that programs have added
  * @param encoders what the encoders of conveyors count
@@ -69,6 +71,7 @@ public record ControllerState(
     SignalState signals,
     List<ModbusSignalState> modbus,
     List<DeviceState> devices,
+    List<MovedObject> moved,
     AssemblyImage assemblies,
     Encoders.Counts encoders,
     FreedriveState freedrive,
@@ -85,6 +88,7 @@ public record ControllerState(
   public ControllerState {
     modbus = List.copyOf(modbus);
     devices = List.copyOf(devices);
+    moved = List.copyOf(moved);
     openPopups = List.copyOf(openPopups);
     openQuestions = List.copyOf(openQuestions);
     newPopups = List.copyOf(newPopups);
@@ -111,6 +115,7 @@ public record ControllerState(
         signals,
         modbus,
         devices,
+        moved,
         assemblies,
         encoders,
         freedrive,

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.pendant.models.json.Range;
+import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
 /**
@@ -32,6 +33,8 @@ public final class ContactWorld {
   /** The objects that can move; null where there are none. */
   private final FreeBodies free;
 
+  private List<MovedObject> moved = List.of();
+  private boolean moving;
   private final HandGrip grip = new HandGrip();
   private Wrench applied = Wrench.ZERO;
 
@@ -139,6 +142,26 @@ public final class ContactWorld {
     }
     free.pose(object, transform12);
     return true;
+  }
+
+  /**
+   * Where the objects that have a mass are now; the same list as before while none moves. Empty
+   * where there are none.
+   */
+  public List<MovedObject> moved() {
+    if (free != null && (moved.isEmpty() || free.move() || moving)) {
+      // once more after the last has come to rest
+      moving = free.move();
+      List<MovedObject> now = new ArrayList<>();
+      double[] transform12 = new double[Transforms.SIZE];
+      for (int i = 0; i < objects.size(); i++) {
+        if (poseNow(i, transform12)) {
+          now.add(new MovedObject(objects.get(i).name(), Transforms.toPose(transform12)));
+        }
+      }
+      moved = List.copyOf(now);
+    }
+    return moved;
   }
 
   /**

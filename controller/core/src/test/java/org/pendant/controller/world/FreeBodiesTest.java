@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -30,6 +31,23 @@ class FreeBodiesTest {
     assertEquals(0.05, now[11], 2e-4);
     assertFalse(world.bodiesMove());
     assertFalse(world.poseNow(0, now));
+  }
+
+  @Test
+  void whereObjectsAreIsToldUntilTheyRest() {
+    Scene scene = scene(List.of(TABLE, box(0, 0, 0.3, 1)), List.of());
+    ContactWorld world = new ContactWorld(scene);
+    String name = scene.objects().getLast().name();
+    assertEquals(List.of(new MovedObject(name, new Pose(0, 0, 0.3, 0, 0, 0))), world.moved());
+    for (int i = 0; i < 1000; i++) {
+      advance(world, at(0, 0, 2), STILL, 1);
+      var _ = world.moved();
+    }
+    List<MovedObject> rest = world.moved();
+    assertEquals(0.05, rest.getFirst().poseInBase().z(), 2e-4);
+    assertSame(rest, world.moved());
+    SceneObject.Box there = (SceneObject.Box) MovedScene.of(scene, rest).objects().getLast();
+    assertEquals(rest.getFirst().poseInBase(), there.poseInBase());
   }
 
   @Test

@@ -71,4 +71,16 @@ final class ObjectShape {
               ball.name(), placeM, ball.radiusM(), ball.material(), ball.massKg());
     };
   }
+
+  /** The same one with another mass, kg; 0 for one that stands still. */
+  static SceneObject weighing(SceneObject object, double massKg) {
+    return switch (object) {
+      case SceneObject.Plane plane -> plane;
+      case SceneObject.Box box ->
+          new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), box.material(), massKg);
+      case SceneObject.Sphere ball ->
+          new SceneObject.Sphere(
+              ball.name(), ball.centreInBaseM(), ball.radiusM(), ball.material(), massKg);
+    };
+  }
 }

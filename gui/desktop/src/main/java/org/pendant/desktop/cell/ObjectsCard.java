@@ -67,6 +67,12 @@ final class ObjectsCard {
     form.section(SceneObject.Box.class::isInstance, () -> addBox(form, rotation));
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
     form.section(SceneObject.Sphere.class::isInstance, () -> addBall(form));
+    form.section(
+        object -> !(object instanceof SceneObject.Plane),
+        () -> {
+          form.numberRow("Mass", Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
+          form.note("With a mass it falls, slides and is pushed; with 0 it stands still.");
+        });
     JButton here = new JButton("Put at TCP");
     TitledCard.compact(here);
     TitledCard.named(here, "cell-object-here", "Put it where the TCP is now");

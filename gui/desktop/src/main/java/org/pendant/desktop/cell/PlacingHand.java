@@ -69,7 +69,11 @@ final class PlacingHand implements ObjectHand {
     List<SceneObject> next = new ArrayList<>(draft.scene().objects());
     next.replaceAll(each -> each.name().equals(name) ? at(each, to) : each);
     Scene now = draft.scene();
-    draft.set(new Scene(next, now.load(), now.toolPoints(), now.pushAtTcpInBase()));
+    try {
+      draft.set(new Scene(next, now.load(), now.toolPoints(), now.pushAtTcpInBase()));
+    } catch (IllegalArgumentException _) {
+      // in another one it stays where it was before
+    }
   }
 
   /** Where there is no room for it, it stays. */

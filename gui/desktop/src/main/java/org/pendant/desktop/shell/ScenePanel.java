@@ -30,6 +30,8 @@ import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Contact;
+import org.pendant.controller.world.MovedObject;
+import org.pendant.controller.world.MovedScene;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.move.GhostArm;
@@ -105,6 +107,9 @@ final class ScenePanel implements View, GhostArm {
   private List<WaypointMarkers.Mark> features = List.of();
   private Optional<Surroundings> surroundings = Optional.empty();
 
+  /** The last scene whose objects had moved. */
+  private Moved movedLast = new Moved(Scene.EMPTY, List.of(), Scene.EMPTY);
+
   /** What is around the arm, whatever is proposed. */
   private Scene realScene = Scene.EMPTY;
 
@@ -116,6 +121,9 @@ final class ScenePanel implements View, GhostArm {
 
   /** An arm and what is around it: people may change both at any time. */
   private record Surroundings(ArmDescription arm, Scene scene, Touching touching) {}
+
+  /** A scene, and the same with its objects where they were. */
+  private record Moved(Scene real, List<MovedObject> objects, Scene scene) {}
 
   /** What says how near an arm is to its limits, as long as both are the same. */
   private record Near(
@@ -313,7 +321,7 @@ final class ScenePanel implements View, GhostArm {
 
   private void see(ControllerState newest) {
     ControllerState state = stillArm.shown(newest);
-    Surroundings around = surroundings(state.arm().description().id());
+    Surroundings around = surroundings(state.arm().description().id(), state.moved());
     ArmState arm = state.arm();
     if (past.get().isEmpty()) {
       trace.add(state, margins(state));
@@ -413,21 +421,30 @@ final class ScenePanel implements View, GhostArm {
         .collect(Collectors.toUnmodifiableSet());
   }
 
-  private Surroundings surroundings(String id) {
+  private Surroundings surroundings(String id, List<MovedObject> moved) {
     Scene real = workbench.session().options().scene();
     if (!real.equals(realScene)) {
       realScene = real;
       trace.clear();
     }
-    Scene scene = proposed.get().orElse(real);
+    Scene scene = proposed.get().orElseGet(() -> movedScene(real, moved));
     boolean otherArm = surroundings.isEmpty() || !surroundings.get().arm.id().equals(id);
     if (otherArm || !surroundings.get().scene.equals(scene)) {
       if (otherArm) {
         trace.clear();
       }
-      surroundings = Optional.of(new Surroundings(ArmLibrary.load(id), scene, new Touching(scene)));
+      ArmDescription arm = otherArm ? ArmLibrary.load(id) : surroundings.get().arm;
+      surroundings = Optional.of(new Surroundings(arm, scene, new Touching(scene)));
     }
     return surroundings.get();
+  }
+
+  /** The scene with its objects where they are; the same one while none moves. */
+  private Scene movedScene(Scene real, List<MovedObject> moved) {
+    if (!movedLast.real.equals(real) || !movedLast.objects.equals(moved)) {
+      movedLast = new Moved(real, moved, MovedScene.of(real, moved));
+    }
+    return movedLast.scene;
   }
 
   private void save() {

@@ -1,0 +1,44 @@
+package org.pendant.controller.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Moved scene: a scene with its objects where they are at one moment, to be looked at. They have no
+ * mass there: things that are pressed together may be in one another, which no scene begins with.
+ */
+public final class MovedScene {
+  private MovedScene() {}
+
+  /**
+   * The scene then.
+   *
+   * @param moved the objects that may be elsewhere; those of other names stay where they were
+   */
+  public static Scene of(Scene scene, List<MovedObject> moved) {
+    if (moved.isEmpty()) {
+      return scene;
+    }
+    List<SceneObject> objects = new ArrayList<>(scene.objects());
+    for (MovedObject each : moved) {
+      objects.replaceAll(object -> object.name().equals(each.name()) ? at(object, each) : object);
+    }
+    return new Scene(objects, scene.load(), scene.toolPoints(), scene.pushAtTcpInBase());
+  }
+
+  private static SceneObject at(SceneObject object, MovedObject moved) {
+    Pose pose = moved.poseInBase();
+    return switch (object) {
+      case SceneObject.Plane plane -> plane;
+      case SceneObject.Box box ->
+          new SceneObject.Box(box.name(), pose, box.sizeM(), box.material());
+      case SceneObject.Sphere ball ->
+          new SceneObject.Sphere(
+              ball.name(),
+              new Vector3(pose.x(), pose.y(), pose.z()),
+              ball.radiusM(),
+              ball.material());
+    };
+  }
+}
