@@ -149,6 +149,7 @@ final class DesktopWindow {
             workbench.usedFolder(),
             docks.component());
     files.showBy(opened -> views.showOpened(workbench, opened));
+    files.openBy(this::open);
     installationFiles =
         new InstallationFiles(
             views.installation(),

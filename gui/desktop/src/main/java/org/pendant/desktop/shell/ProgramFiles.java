@@ -38,6 +38,7 @@ final class ProgramFiles {
   private final UsedFolder used;
   private final Component parent;
   private Consumer<ProgramDocument> show = program -> {};
+  private Consumer<Path> chosen = this::open;
   private int untitled = 1;
 
   /**
@@ -73,6 +74,11 @@ final class ProgramFiles {
     show = how;
   }
 
+  /** {@code how} opens a file that people have chosen, which may be no program. */
+  void openBy(Consumer<Path> how) {
+    chosen = how;
+  }
+
   private void select(ProgramDocument program) {
     programs.select(program);
     show.accept(program);
@@ -106,7 +112,7 @@ final class ProgramFiles {
         "Programs and scripts",
         new String[] {"pendant", "urp", "urpx", "script", "urscript"},
         used,
-        this::open);
+        chosen);
   }
 
   private Optional<Path> folder() {
