@@ -65,8 +65,7 @@ final class ExternalForces {
     }
     predict(body, FrameTime.FRAME_S);
     jacobian.at(ahead, Pose.ZERO, jacobian36);
-    forward.flange(ahead, flange12);
-    Jacobian.twist(jacobian36, body.qd, twist6);
+    moveFlange(body);
     world.advance(flange12, tcpInFlange3, twist6, FrameTime.FRAME_S);
     feelAhead(body);
   }
@@ -74,6 +73,7 @@ final class ExternalForces {
   /** Feels what will push {@code afterS} s later if the arm continues as now. */
   void feel(ArmBody body, double afterS) {
     predict(body, afterS);
+    moveFlange(body);
     feelAhead(body);
   }
 
@@ -83,9 +83,12 @@ final class ExternalForces {
     }
   }
 
-  private void feelAhead(ArmBody body) {
+  private void moveFlange(ArmBody body) {
     forward.flange(ahead, flange12);
     Jacobian.twist(jacobian36, body.qd, twist6);
+  }
+
+  private void feelAhead(ArmBody body) {
     world.wrench(flange12, tcpInFlange3, twist6, wrench6);
     Jacobian.transposed(jacobian36, wrench6, torqueNm);
     grip.add(ahead, body.qd, torqueNm, wrench6);

@@ -39,6 +39,7 @@ public final class CellDevices {
   private final Signals signals;
   private List<DeviceState> states = List.of();
   private final Supplier<Pose> tcpInBase;
+  private Optional<Pose> tcpNow = Optional.empty();
   private final MessageLog log;
 
   /**
@@ -73,7 +74,8 @@ public final class CellDevices {
           case DeviceSetup.RpcGripper gripper -> new RpcDevice(gripper, log);
           case DeviceSetup.Driven driven -> new DrivenDevice(driven, signals.digital(), log);
           case DeviceSetup.Vacuum vacuum -> new VacuumDevice(vacuum, signals.digital(), log);
-          case DeviceSetup.Sensor sensor -> new SensorDevice(sensor, tcpInBase, signals.digital());
+          case DeviceSetup.Sensor sensor ->
+              new SensorDevice(sensor, this::tcpInBase, signals.digital());
         };
     devices.add(device);
     log.info(device.name() + ": " + device.described());
@@ -216,8 +218,17 @@ public final class CellDevices {
         device.port().orElse(0));
   }
 
+  /** Where the tool centre point is in this frame: reckoned once, however many sensors look. */
+  private Pose tcpInBase() {
+    if (tcpNow.isEmpty()) {
+      tcpNow = Optional.of(tcpInBase.get());
+    }
+    return tcpNow.get();
+  }
+
   /** Hears what programs have sent, answers, and moves everything through one frame. */
   public void step() {
+    tcpNow = Optional.empty();
     for (int i = sockets.size() - 1; i >= 0; i--) {
       if (!sockets.get(i).step()) {
         sockets.remove(i);
