@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.ThreadSnapshot;
@@ -77,6 +78,65 @@ class SteppingTest {
     fixture.out();
     assertEquals(7, fixture.line());
     assertEquals("6", fixture.value("a"));
+  }
+
+  @Test
+  void aStepToACallStopsInWhateverThreadComesToOne() {
+    debugger.set(Breakpoint.at(8));
+    fixture
+        .start(
+            """
+            def prog():
+              thread other():
+                sleep(0.1)
+                set_tool_voltage(12)
+                sleep(1)
+              end
+              h = run other()
+              sleep(0.2)
+              sync()
+              set_tool_voltage(24)
+              sync()
+            end
+            """)
+        .go();
+    debugger.removeBreakpoints();
+    toCall();
+    assertEquals(List.of("other:4"), fixture.stack());
+    toCall();
+    assertEquals(List.of("other:5"), fixture.stack());
+    toCall();
+    assertEquals(List.of("prog:10"), fixture.stack());
+    toCall();
+    assertEquals(List.of("prog:11"), fixture.stack());
+    toCall();
+    assertInstanceOf(Ending.class, fixture.ending());
+  }
+
+  @Test
+  void aStepToACallGoesOnWhenItsThreadHasEnded() {
+    debugger.set(Breakpoint.at(3));
+    fixture
+        .start(
+            """
+            def prog():
+              thread other():
+                set_tool_voltage(12)
+              end
+              h = run other()
+              sleep(0.1)
+              set_tool_voltage(24)
+            end
+            """)
+        .go();
+    debugger.removeBreakpoints();
+    toCall();
+    assertEquals(List.of("prog:7"), fixture.stack());
+  }
+
+  private void toCall() {
+    debugger.stepToCall(fixture.stop().thread(), Set.of("set_tool_voltage"));
+    fixture.go();
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.pendant.script.debug;
 
+import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.script.value.ScriptError;
 
@@ -94,6 +95,18 @@ public sealed interface DebugRequest extends Consumer<Debugger> {
     @Override
     public void accept(Debugger debugger) {
       debugger.runTo(thread, line);
+    }
+  }
+
+  /** {@link Debugger#stepToCall}. */
+  record StepToCall(int thread, Set<String> functions) implements DebugRequest {
+    public StepToCall {
+      functions = Set.copyOf(functions);
+    }
+
+    @Override
+    public void accept(Debugger debugger) {
+      debugger.stepToCall(thread, functions);
     }
   }
 

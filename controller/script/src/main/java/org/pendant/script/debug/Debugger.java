@@ -2,12 +2,15 @@ package org.pendant.script.debug;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 import org.pendant.script.vm.Machine;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramProbe;
+import org.pendant.script.vm.StackMark;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
@@ -168,6 +171,26 @@ public final class Debugger {
                     new IllegalArgumentException(
                         "line is " + line + ", no statement begins there or after it"));
     go(Optional.of(new StepRequest.To(thread, start)));
+  }
+
+  /**
+   * Lets the program continue until a thread, whichever, comes to a statement that calls one of
+   * {@code functions} itself. Where {@code thread} stands before such a statement or within one,
+   * its next statement in the function that it is in, or in a caller, ends the step as well.
+   *
+   * @param functions names of built-in functions
+   */
+  public void stepToCall(int thread, Set<String> functions) {
+    journal.accept(new DebugRequest.StepToCall(thread, functions));
+    refuseUnlessSteppable();
+    standBefore(thread);
+    Set<Integer> starts = program().statementsCalling(functions);
+    OptionalInt at = probe.statementOf(thread);
+    StackMark calls = probe.mark(thread);
+    boolean within = at.isPresent() && starts.contains(at.getAsInt());
+    go(
+        Optional.of(
+            new StepRequest.ToAny(thread, starts, within ? Optional.of(calls) : Optional.empty())));
   }
 
   private Program program() {

@@ -84,12 +84,17 @@ final class Stops implements DebugHook {
       case StepRequest.Into into -> probe.trapEverything();
       case StepRequest.Over over -> probe.trapCalls(starts, over.thread());
       case StepRequest.Out out -> probe.trapCalls(starts, out.thread());
-      case StepRequest.To to -> {
-        Set<Integer> both = new HashSet<>(starts);
-        both.add(to.start());
-        probe.trap(both);
-      }
+      case StepRequest.To to -> probe.trap(both(starts, Set.of(to.start())));
+      case StepRequest.ToAny any when any.past().isPresent() ->
+          probe.trapCalls(both(starts, any.starts()), any.thread());
+      case StepRequest.ToAny any -> probe.trap(both(starts, any.starts()));
     }
+  }
+
+  private static Set<Integer> both(Set<Integer> some, Set<Integer> others) {
+    Set<Integer> both = new HashSet<>(some);
+    both.addAll(others);
+    return both;
   }
 
   /** Notes a stop, and where everything stands. */
@@ -105,16 +110,20 @@ final class Stops implements DebugHook {
   }
 
   private boolean completes(StepRequest wanted, int thread, OptionalInt start) {
-    return thread == wanted.thread()
-        && switch (wanted) {
-          case StepRequest.Into into -> true;
-          case StepRequest.Over over -> probe.depthSince(over.calls(), thread) > 0;
-          case StepRequest.Out out -> {
-            int depth = probe.depthSince(out.calls(), thread);
-            yield depth > 0 && depth < out.calls().depth();
-          }
-          case StepRequest.To to -> start.equals(OptionalInt.of(to.start()));
-        };
+    boolean steps = thread == wanted.thread();
+    return switch (wanted) {
+      case StepRequest.Into into -> steps;
+      case StepRequest.Over over -> steps && probe.depthSince(over.calls(), thread) > 0;
+      case StepRequest.Out out -> {
+        int depth = steps ? probe.depthSince(out.calls(), thread) : 0;
+        yield depth > 0 && depth < out.calls().depth();
+      }
+      case StepRequest.To to -> steps && start.equals(OptionalInt.of(to.start()));
+      case StepRequest.ToAny any ->
+          (start.isPresent() && any.starts().contains(start.getAsInt()))
+              || (steps
+                  && any.past().filter(calls -> probe.depthSince(calls, thread) > 0).isPresent());
+    };
   }
 
   private Optional<PauseReason> hit(Breakpoints.Entry entry, int thread) {
@@ -204,6 +213,6 @@ final class Stops implements DebugHook {
 
   @Override
   public void threadEnded(int thread) {
-    step = step.filter(each -> each.thread() != thread);
+    step = step.flatMap(each -> each.without(thread));
   }
 }

@@ -1,6 +1,7 @@
 package org.pendant.script.vm;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
@@ -138,6 +139,27 @@ public final class Program {
       }
     }
     return best == Integer.MAX_VALUE ? OptionalInt.empty() : OptionalInt.of(best);
+  }
+
+  /**
+   * The first offsets of the statements that call a built-in function themselves.
+   *
+   * @param functions names of those that are meant
+   */
+  public Set<Integer> statementsCalling(Set<String> functions) {
+    Set<Integer> starts = new HashSet<>();
+    for (ScriptFunction function : tables.functions()) {
+      long[] words = function.instructions();
+      for (int pc = 0; pc < words.length; pc++) {
+        int statement = function.statements().around(pc);
+        if (statement >= 0
+            && Instruction.operation(words[pc]) == Op.CALL_BUILTIN
+            && functions.contains(tables.builtins().get(Instruction.b(words[pc])).name())) {
+          starts.add(function.statements().start(statement));
+        }
+      }
+    }
+    return starts;
   }
 
   /** The names of its global variables, in the order of their first assignment. */

@@ -92,6 +92,20 @@ public final class ProgramProbe {
         : OptionalInt.empty();
   }
 
+  /**
+   * The first offset of the statement that {@code thread} stands before or is within; empty when
+   * that is not in the program's text.
+   */
+  public OptionalInt statementOf(int thread) {
+    ScriptThread found = thread(thread);
+    int top = found.depth - 1;
+    ScriptFunction function = found.functions[top];
+    int number = function.statements().around(found.reached(top));
+    return number >= 0 && isProgramText(function)
+        ? OptionalInt.of(function.statements().start(number))
+        : OptionalInt.empty();
+  }
+
   private boolean isProgramText(ScriptFunction function) {
     return function.source().equals(run().program().source());
   }

@@ -58,4 +58,10 @@ final class StatementTable {
   int beginningAt(int pc) {
     return Arrays.binarySearch(pcs, 0, size, pc);
   }
+
+  /** The number of the statement that instruction {@code pc} belongs to; negative for none. */
+  int around(int pc) {
+    int found = beginningAt(pc);
+    return found >= 0 ? found : -found - 2;
+  }
 }

@@ -1,5 +1,6 @@
 package org.pendant.editors.dap;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -77,6 +78,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final ThreadRequests threads;
   private final SourceRequests sources;
   private final MomentRequests moments;
+  private final MoveRequests moves;
   private final CompletionRequests completions;
   private final Runnable left;
 
@@ -115,6 +117,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     threads = new ThreadRequests(session);
     sources = new SourceRequests(session, execution);
     moments = new MomentRequests(session, execution);
+    moves = new MoveRequests(session, execution);
     completions = new CompletionRequests(session, builtins);
   }
 
@@ -330,9 +333,9 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     return now(() -> completions.complete(asked));
   }
 
-  /** What the protocol has no word for: another service of the same connection. */
-  MomentRequests momentRequests() {
-    return moments;
+  /** What the protocol has no word for: other services of the same connection. */
+  List<Object> beyondTheProtocol() {
+    return List.of(moments, moves);
   }
 
   // --- texts

@@ -2,13 +2,13 @@ package org.pendant.editors.dap;
 
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.eclipse.lsp4j.jsonrpc.Launcher;
 import org.eclipse.lsp4j.jsonrpc.debug.DebugLauncher;
@@ -47,7 +47,8 @@ public final class DebugAdapterConnection {
         new DebugAdapter(targets, robot, turns, client::join, () -> left.complete(true))) {
       Launcher<IDebugProtocolClient> launcher =
           new DebugLauncher.Builder<IDebugProtocolClient>()
-              .setLocalServices(List.of(adapter, adapter.momentRequests()))
+              .setLocalServices(
+                  Stream.concat(Stream.of(adapter), adapter.beyondTheProtocol().stream()).toList())
               .setRemoteInterface(IDebugProtocolClient.class)
               .setClassLoader(IDebugProtocolClient.class.getClassLoader())
               .setInput(new CheckedFrames(input, complaints))

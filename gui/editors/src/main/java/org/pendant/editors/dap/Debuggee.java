@@ -13,4 +13,9 @@ record Debuggee(
     Program program,
     DebuggedText text,
     DebuggedRobot run,
-    RunEvents events) {}
+    RunEvents events) {
+  /** Where its program moves the arm. */
+  Moves moves() {
+    return Moves.of(program);
+  }
+}

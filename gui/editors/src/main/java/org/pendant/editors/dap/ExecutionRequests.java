@@ -90,7 +90,7 @@ final class ExecutionRequests {
     if (past.past()) {
       return Refusals.answer(PastView.UNCHANGEABLE);
     }
-    wishes.expectLine(true);
+    wishes.expect(StopWishes.Step.LINE);
     int thread = DebugSession.thread(threadNumber);
     return go(debugger -> debugger.runTo(thread, line));
   }
@@ -105,7 +105,7 @@ final class ExecutionRequests {
       leaveEnd();
       return CompletableFuture.completedFuture(null);
     }
-    wishes.expectLine(false);
+    wishes.expect(StopWishes.Step.STATEMENT);
     if (frame) {
       wishes.expect(StopWishes.Pause.FRAME);
       session.program().run().holdAfterFrame();
@@ -113,6 +113,25 @@ final class ExecutionRequests {
     }
     int thread = DebugSession.thread(threadNumber);
     return go(debugger -> step.accept(debugger, thread));
+  }
+
+  /**
+   * To where the next move begins, or to the end of the one that is under way.
+   *
+   * @param back to where the last move began instead
+   */
+  CompletableFuture<Void> stepToMove(int threadNumber, boolean back) {
+    if (back || past.past()) {
+      Moves moves = session.program().moves();
+      return back ? past.moveBack(moves) : past.moveOn(moves);
+    }
+    if (ended()) {
+      leaveEnd();
+      return CompletableFuture.completedFuture(null);
+    }
+    wishes.expect(StopWishes.Step.MOVE);
+    int thread = DebugSession.thread(threadNumber);
+    return go(debugger -> debugger.stepToCall(thread, Moves.FUNCTIONS));
   }
 
   /** Something after which the program goes on, unless the debugger refuses it. */

@@ -114,6 +114,34 @@ final class PastRequests {
                     .map(step -> found(step, StoppedEventArgumentsReason.STEP))));
   }
 
+  /** To where the last move began. */
+  CompletableFuture<Void> moveBack(Moves moves) {
+    return begin(
+        (recording, from, now) ->
+            new StepSearch(recording)
+                .before(from, moves.lines(), step -> true)
+                .map(step -> toMove(step, moves))
+                .orElseThrow(() -> Refusals.of("the recording has no earlier move")));
+  }
+
+  /** To where the next move begins, or to the statement behind the one that is looked at. */
+  CompletableFuture<Void> moveOn(Moves moves) {
+    StandingProgram view = session.stopped();
+    boolean within = moves.lines().contains(view.threads().getFirst().line());
+    return begin(
+        (recording, from, now) -> {
+          StepSearch search = new StepSearch(recording);
+          Optional<RecordedStep> next =
+              within ? search.after(from) : search.after(from, moves.lines(), step -> true);
+          return until(now, next.map(step -> toMove(step, moves)));
+        });
+  }
+
+  private static Found toMove(RecordedStep step, Moves moves) {
+    return new Found(
+        Optional.of(step.moment()), StoppedEventArgumentsReason.STEP, moves.words(step.line()));
+  }
+
   /** To the next frame. */
   CompletableFuture<Void> frameOn() {
     return begin(

@@ -93,7 +93,7 @@ final class RunEvents implements RunListener {
     StoppedEventArguments told = new StoppedEventArguments();
     // whatever stops it first, nothing is expected any more
     StopWishes.Pause asked = wishes.takePause();
-    boolean toLine = wishes.takeLine();
+    StopWishes.Step step = wishes.takeStep();
     switch (stop.reason()) {
       case PauseReason.AtBreakpoint(int line, long _) -> {
         BreakpointTable.Hit hit = stops.lines().at(line);
@@ -109,9 +109,12 @@ final class RunEvents implements RunListener {
         told.setText(ByteText.decoded(message));
         told.setHitBreakpointIds(stops.lines().at(line).ids());
       }
-      case PauseReason.Stepped _ ->
-          told.setReason(
-              toLine ? StoppedEventArgumentsReason.GOTO : StoppedEventArgumentsReason.STEP);
+      case PauseReason.Stepped _ -> {
+        told.setReason(step.reason());
+        if (step == StopWishes.Step.MOVE) {
+          told.setDescription("Paused: " + session.program().moves().words(stop.line()));
+        }
+      }
       case PauseReason.PauseRequested _ -> {
         List<DataWatch.Change> changes = stops.data().changes();
         if (!changes.isEmpty()) {

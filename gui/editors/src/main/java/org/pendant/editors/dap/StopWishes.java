@@ -1,6 +1,7 @@
 package org.pendant.editors.dap;
 
 import java.util.Optional;
+import org.eclipse.lsp4j.debug.StoppedEventArgumentsReason;
 
 /** Stop wishes: why a program will stop that somebody has asked to. Only the session uses it. */
 final class StopWishes {
@@ -30,17 +31,37 @@ final class StopWishes {
     }
   }
 
+  /** What a step is to lead to. */
+  enum Step {
+    /** The next statement, in whatever function. */
+    STATEMENT(StoppedEventArgumentsReason.STEP),
+    /** A line. */
+    LINE(StoppedEventArgumentsReason.GOTO),
+    /** Where a move begins, or where the one that is under way has ended. */
+    MOVE(StoppedEventArgumentsReason.STEP);
+
+    private final String reason;
+
+    Step(String reason) {
+      this.reason = reason;
+    }
+
+    String reason() {
+      return reason;
+    }
+  }
+
   private Optional<Pause> pause = Optional.empty();
-  private boolean toLine;
+  private Step step = Step.STATEMENT;
 
   /** The next pause on request is for {@code why}. */
   void expect(Pause why) {
     pause = Optional.of(why);
   }
 
-  /** The next step that ends is a run to a line. */
-  void expectLine(boolean wanted) {
-    toLine = wanted;
+  /** The next step that ends is one to {@code target}. */
+  void expect(Step target) {
+    step = target;
   }
 
   /** Why a request has paused the program. */
@@ -50,10 +71,10 @@ final class StopWishes {
     return why;
   }
 
-  /** Whether the step that has ended was a run to a line. */
-  boolean takeLine() {
-    boolean was = toLine;
-    toLine = false;
+  /** What the step that has ended was to lead to. */
+  Step takeStep() {
+    Step was = step;
+    step = Step.STATEMENT;
     return was;
   }
 }

@@ -72,8 +72,16 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
     @JsonRequest("pendant/moments")
     CompletableFuture<JsonObject> moments();
 
+    @JsonRequest("pendant/stepToMove")
+    CompletableFuture<Void> stepToMove(Map<String, Object> asked);
+
     @JsonRequest("pendant/goToMoment")
     CompletableFuture<Void> goToMoment(Map<String, Object> asked);
+  }
+
+  /** Asks for a step to where the next move begins or the one under way ends. */
+  void stepToMove() {
+    await(server.stepToMove(Map.of("threadId", 1)));
   }
 
   /** What a client is told first: that it may set its breakpoints. */
