@@ -16,9 +16,11 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.unit.RotationChoice;
+import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
+import org.pendant.kit.form.Measures;
 import org.pendant.kit.layout.CardSheet;
 import org.pendant.kit.layout.SettledScroll;
 
@@ -105,13 +107,14 @@ public final class CellView implements View {
 
   private Cards cards() {
     if (cards.isEmpty()) {
+      Measures measures = ShownMeasure.by(workbench.settings());
       Cards made =
           new Cards(
               new CellBar(workbench, draft),
-              new ObjectsCard(draft, rotation, workbench.session()::state),
+              new ObjectsCard(draft, rotation, measures, workbench.session()::state),
               new EquipmentCard(draft),
-              new LoadCard(draft),
-              new ToolPointsCard(draft));
+              new LoadCard(draft, measures),
+              new ToolPointsCard(draft, measures));
       JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
       sheet.add(made.objects.component());
       JPanel second =

@@ -6,6 +6,7 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.Measures;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.dynamics.Payload;
@@ -17,9 +18,13 @@ final class LoadCard {
   private final TitledCard card = new TitledCard("On the flange", "[grow, fill]");
   private final PartsForm<Scene> form;
 
-  LoadCard(SceneDraft draft) {
+  /**
+   * @param measures in which lengths are shown
+   */
+  LoadCard(SceneDraft draft, Measures measures) {
     this.draft = draft;
-    form = new PartsForm<>("cell-load", next -> SceneRefusal.of(() -> next), draft::set);
+    form =
+        new PartsForm<>("cell-load", next -> SceneRefusal.of(() -> next), draft::set).in(measures);
     form.check(
         "A load hangs there",
         now -> now.load().isPresent(),

@@ -15,6 +15,7 @@ import org.pendant.desktop.unit.PoseRows;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.Measures;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.pose.Pose;
@@ -32,7 +33,14 @@ final class ObjectsCard {
   private final TitledCard card = new TitledCard("Objects", "[grow, fill]");
   private final Items<SceneObject> items;
 
-  ObjectsCard(SceneDraft draft, RotationChoice rotation, Supplier<ControllerState> state) {
+  /**
+   * @param measures in which lengths and angles are shown
+   */
+  ObjectsCard(
+      SceneDraft draft,
+      RotationChoice rotation,
+      Measures measures,
+      Supplier<ControllerState> state) {
     this.draft = draft;
     items =
         new Items<>(
@@ -62,7 +70,7 @@ final class ObjectsCard {
                 new Vector3(IN_FRONT_M, besideM(), 0.05),
                 0.05,
                 Material.DEFAULT));
-    PartsForm<SceneObject> form = items.form();
+    PartsForm<SceneObject> form = items.form().in(measures);
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
     form.section(SceneObject.Box.class::isInstance, () -> addBox(form, rotation));
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));

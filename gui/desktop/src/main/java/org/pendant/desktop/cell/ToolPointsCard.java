@@ -9,17 +9,23 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.Measures;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 
 /** Tool points card: the points of the tool that touch things. */
 final class ToolPointsCard {
   private final SceneDraft draft;
+  private final Measures measures;
   private final TitledCard card = new TitledCard("Points of the tool that touch", "[grow, fill]");
   private final Items<ToolPoint> items;
 
-  ToolPointsCard(SceneDraft draft) {
+  /**
+   * @param measures in which lengths are shown
+   */
+  ToolPointsCard(SceneDraft draft, Measures measures) {
     this.draft = draft;
+    this.measures = measures;
     items =
         new Items<>(
             "cell-tool",
@@ -27,9 +33,9 @@ final class ToolPointsCard {
             "None: the active TCP touches things. Two points apart feel moments, as two fingertips"
                 + " do.",
             new Drafted(),
-            ToolPointsCard::words);
+            this::words);
     items.adder("Add point", () -> new ToolPoint(new Vector3(0, 0, 0.1), 0));
-    PartsForm<ToolPoint> form = items.form();
+    PartsForm<ToolPoint> form = items.form().in(measures);
     form.heading("Where it is, in the flange");
     Axes.addTo(
         form,
@@ -45,13 +51,10 @@ final class ToolPointsCard {
     card.add(items.component());
   }
 
-  private static String words(ToolPoint point) {
+  private String words(ToolPoint point) {
     Vector3 at = point.pointInFlangeM();
-    return "%s, %s, %s mm"
-        .formatted(
-            Measure.MILLIMETRE.text(at.x()),
-            Measure.MILLIMETRE.text(at.y()),
-            Measure.MILLIMETRE.text(at.z()));
+    Measure unit = measures.of(Measure.MILLIMETRE);
+    return "%s, %s, %s".formatted(unit.text(at.x()), unit.text(at.y()), unit.words(at.z()));
   }
 
   /** The points of the draft. */

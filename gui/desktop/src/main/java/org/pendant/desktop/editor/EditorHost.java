@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import javax.swing.JPopupMenu;
 import org.pendant.desktop.editor.text.Place;
+import org.pendant.desktop.unit.PoseForm;
 
 /** Editor host: the requests of a program's editor to the view around it. */
 interface EditorHost {
@@ -29,6 +30,9 @@ interface EditorHost {
 
   /** What a variable is now, or was last; empty if that is not known. */
   Optional<String> value(ProgramEditor editor, String name);
+
+  /** In which units numbers are shown. */
+  PoseForm units();
 
   /** What can be done beside a line. */
   JPopupMenu marginMenu(ProgramEditor editor, int line);

@@ -466,7 +466,11 @@ final class ProgramEditor extends JPanel {
                     .findFirst()
                     .map(RichText::of)
                     .or(() -> analysed.hover(offset).map(about -> withValue(about, offset)))
-                    .or(() -> analysed.quantity(offset).map(RichText::of)));
+                    .or(
+                        () ->
+                            analysed
+                                .quantity(offset)
+                                .map(each -> RichText.of(each, editorHost.units()))));
   }
 
   /** What is known about a name, below what it is if it is a variable of the program that ran. */
@@ -480,7 +484,7 @@ final class ProgramEditor extends JPanel {
     String name = text.substring(start, end);
     return editorHost
         .value(this, name)
-        .map(value -> RichText.of(name, value, about))
+        .map(value -> RichText.of(name, value, editorHost.units(), about))
         .orElseGet(() -> RichText.of(about));
   }
 

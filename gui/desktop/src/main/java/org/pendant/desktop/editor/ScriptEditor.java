@@ -27,6 +27,8 @@ import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Actions;
@@ -430,6 +432,11 @@ public final class ScriptEditor implements View {
     @Override
     public Optional<String> value(ProgramEditor editor, String name) {
       return values.apply(editor.program(), name);
+    }
+
+    @Override
+    public PoseForm units() {
+      return FormMemory.read(workbench.settings());
     }
 
     @Override

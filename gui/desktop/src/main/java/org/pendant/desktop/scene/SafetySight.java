@@ -2,6 +2,7 @@ package org.pendant.desktop.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.safety.Applies;
@@ -10,6 +11,7 @@ import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.safety.ToolDirection;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.models.arm.Joints;
 
 /**
@@ -67,17 +69,31 @@ public record SafetySight(
     private static final List<String> NAMES =
         List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
 
-    /** The joint and its range, as it is written beside it. */
-    public String words() {
+    /**
+     * The joint and its range, as it is written beside it.
+     *
+     * @param unit of angles
+     */
+    public String words(DisplayUnit unit) {
+      boolean degrees = unit == DisplayUnit.DEGREE;
       String range =
           Double.isInfinite(minRad) && Double.isInfinite(maxRad)
               ? ", no limit"
-              : " " + degrees(minRad) + " to " + degrees(maxRad) + "\u00b0";
+              : " "
+                  + angle(minRad, degrees)
+                  + " to "
+                  + angle(maxRad, degrees)
+                  + (degrees ? "\u00b0" : " " + unit.symbol());
       return NAMES.get(joint) + range + (state == State.PROPOSED ? " (not applied)" : "");
     }
 
-    private static String degrees(double rad) {
-      return Double.isInfinite(rad) ? "any" : String.valueOf(Math.round(Math.toDegrees(rad)));
+    private static String angle(double rad, boolean degrees) {
+      if (Double.isInfinite(rad)) {
+        return "any";
+      }
+      return degrees
+          ? String.valueOf(Math.round(Math.toDegrees(rad)))
+          : String.format(Locale.ROOT, "%.2f", rad);
     }
   }
 

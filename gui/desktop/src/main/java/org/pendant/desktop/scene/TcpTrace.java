@@ -56,7 +56,7 @@ public final class TcpTrace {
   }
 
   /** With the way of the elbow beside it; both have one scale of speeds. */
-  TcpTrace withElbow(TcpTrace way) {
+  public TcpTrace withElbow(TcpTrace way) {
     double scale = Math.max(scaleMPerS, way.scaleMPerS);
     return new TcpTrace(this, scale, Optional.of(new TcpTrace(way, scale, Optional.empty())));
   }
@@ -125,6 +125,19 @@ public final class TcpTrace {
   /** When the tool was at point {@code i}, robot time, s. */
   public double timeS(int i) {
     return points[STRIDE * i + 5];
+  }
+
+  /** How long the way around point {@code i} took that belongs to one line of the program, s. */
+  public double stretchS(int i) {
+    int first = i;
+    while (!begins(first) && line(first - 1) == line(i)) {
+      first--;
+    }
+    int last = i;
+    while (last + 1 < size() && !begins(last + 1) && line(last + 1) == line(i)) {
+      last++;
+    }
+    return timeS(last) - timeS(first);
   }
 
   /** How well point {@code i} is still seen: 1, or less, down to 0, as it is about to go. */

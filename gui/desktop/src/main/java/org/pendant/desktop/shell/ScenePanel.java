@@ -156,7 +156,6 @@ final class ScenePanel implements View, GhostArm {
     safety = new SafetyScene(workbench.session(), shows);
     pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
     picture.setHand(new PullingHand(pull, () -> past.get().isPresent()));
-    picture.setPoseWords(pose -> FormMemory.read(workbench.settings()).words(pose));
     bar = bar();
     panel.add(bar, BorderLayout.NORTH);
     panel.add(picture, BorderLayout.CENTER);
@@ -305,6 +304,7 @@ final class ScenePanel implements View, GhostArm {
   @Override
   public void refresh(ControllerState state) {
     bar.refresh();
+    picture.setForm(FormMemory.read(workbench.settings()));
     see(state);
     // A hand pulls the arm where it is, whatever is shown.
     pull.take(workbench.session().state(), workbench.session().pace());

@@ -44,7 +44,12 @@ public record PoseForm(DisplayUnit length, DisplayUnit angle, RotationForm rotat
 
   /** Such as {@code 450.00, -300.00, 150.00 mm}. */
   public String place(Pose pose) {
-    return String.join(", ", length.text(pose.x()), length.text(pose.y()), length.text(pose.z()))
+    return place(pose.x(), pose.y(), pose.z());
+  }
+
+  /** As {@link #place(Pose)}, of a point, m. */
+  public String place(double x, double y, double z) {
+    return String.join(", ", length.text(x), length.text(y), length.text(z))
         + " "
         + length.symbol();
   }

@@ -54,6 +54,11 @@ public enum Measure {
     return symbol;
   }
 
+  /** A number in SI in this measure. */
+  public double shown(double value) {
+    return value / factor;
+  }
+
   /** A number in SI as people read it, without the symbol and without decimals that are 0. */
   public String text(double value) {
     String text = String.format(Locale.ROOT, "%." + decimals + "f", value / factor);

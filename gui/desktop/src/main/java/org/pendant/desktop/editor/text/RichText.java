@@ -1,5 +1,6 @@
 package org.pendant.desktop.editor.text;
 
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.theme.Markup;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.Hover;
@@ -28,10 +29,18 @@ public final class RichText {
     return page(html.toString());
   }
 
-  /** The value of a variable, and below it what is known about its name. */
-  public static String of(String name, String value, Hover about) {
+  /**
+   * The value of a variable, and below it what is known about its name.
+   *
+   * @param form in which a pose is shown, below its value
+   */
+  public static String of(String name, String value, PoseForm form, Hover about) {
     String below = of(about).replaceFirst("^<html><body[^>]*>", "").replace("</body></html>", "");
-    return page("<b>" + code(name + " = " + value) + "</b><br>" + below);
+    String pose =
+        PoseText.read(value)
+            .map(each -> escaped(form.words(each)).replace("\n", "<br>") + "<br>")
+            .orElse("");
+    return page("<b>" + code(name + " = " + value) + "</b><br>" + pose + below);
   }
 
   /** Plain text, broken into lines where it is long. */
@@ -45,8 +54,8 @@ public final class RichText {
   }
 
   /** A number, in the units that people think in as well. */
-  public static String of(Quantity quantity) {
-    return page(CODE + escaped(QuantityText.of(quantity)) + "</span>");
+  public static String of(Quantity quantity, PoseForm form) {
+    return page(CODE + escaped(QuantityText.of(quantity, form)) + "</span>");
   }
 
   /** The call that is being written, with the present parameter in bold and its unit. */

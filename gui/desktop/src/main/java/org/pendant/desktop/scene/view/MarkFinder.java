@@ -6,12 +6,12 @@ import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.WaypointMarkers.Mark;
 import org.pendant.desktop.scene.WaypointMarkers.Stop;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.form.Measure;
 import org.pendant.models.pose.Pose;
 
@@ -28,26 +28,22 @@ final class MarkFinder {
   private final int width;
   private final int height;
   private final List<LabelPlaces.Placed> labels;
-  private final Function<Pose, String> words;
+  private final PoseForm form;
 
   /**
    * What is seen.
    *
    * @param labels names and where they stand
-   * @param words how people read a pose, in lines
+   * @param form in which people read poses and speeds
    */
   MarkFinder(
-      PictureRequest shown,
-      int width,
-      int height,
-      List<LabelPlaces.Placed> labels,
-      Function<Pose, String> words) {
+      PictureRequest shown, int width, int height, List<LabelPlaces.Placed> labels, PoseForm form) {
     this.shown = shown;
     markers = shown.model().waypointMarkers();
     this.width = width;
     this.height = height;
     this.labels = labels;
-    this.words = words;
+    this.form = form;
   }
 
   /** Where a pose is seen; empty behind the eye. */
@@ -84,7 +80,7 @@ final class MarkFinder {
     Mark mark = markers.marks().get(number);
     Optional<Stop> stop = markers.next(number);
     String how = stop.map(each -> "\n" + each.how()).orElse("");
-    String text = mark.name() + "\n" + words.apply(mark.inBase()) + how;
+    String text = mark.name() + "\n" + form.words(mark.inBase()) + how;
     return new MarkTarget(
         text, stop.map(Stop::node).orElse(0L), 0, Double.NaN, at, Optional.empty());
   }
@@ -104,25 +100,53 @@ final class MarkFinder {
     return nearest;
   }
 
-  /** Where the tool was. */
+  /** Where the tool or the elbow was. */
   private Optional<MarkTarget> trace(Point point) {
-    TcpTrace trace = shown.model().trace();
-    Optional<MarkTarget> nearest = Optional.empty();
-    double nearestPx = NEAR_LINE_PX;
+    TcpTrace tool = shown.model().trace();
+    Optional<Traced> nearest = nearest(tool, "", point, NEAR_LINE_PX);
+    return tool.elbow()
+        .flatMap(
+            elbow -> nearest(elbow, "Elbow\n", point, nearest.map(Traced::px).orElse(NEAR_LINE_PX)))
+        .or(() -> nearest)
+        .map(this::target);
+  }
+
+  /** The point of a way that is the nearest to a point of the picture, if that is near enough. */
+  private Optional<Traced> nearest(TcpTrace trace, String what, Point point, double withinPx) {
+    Optional<Traced> nearest = Optional.empty();
+    double nearestPx = withinPx;
+    Optional<Point2D> before = Optional.empty();
     for (int i = 0; i < trace.size(); i++) {
       Optional<Point2D> at =
           shown.camera().pixel(new Vector3(trace.x(i), trace.y(i), trace.z(i)), width, height);
-      if (at.isPresent() && at.get().distance(point) < nearestPx) {
-        nearestPx = at.get().distance(point);
-        nearest = Optional.of(target(trace, i, at.get()));
+      if (at.isPresent()) {
+        Point2D from = trace.begins(i) ? at.get() : before.orElse(at.get());
+        double px =
+            Line2D.ptSegDist(
+                from.getX(), from.getY(), at.get().getX(), at.get().getY(), point.x, point.y);
+        if (px < nearestPx) {
+          nearestPx = px;
+          boolean first = from.distance(point) < at.get().distance(point);
+          nearest =
+              Optional.of(new Traced(trace, what, first ? i - 1 : i, first ? from : at.get(), px));
+        }
       }
+      before = at;
     }
     return nearest;
   }
 
-  private static MarkTarget target(TcpTrace trace, int i, Point2D at) {
-    String speed = Measure.MILLIMETRE_PER_S.brief(trace.speedMPerS(i)) + " mm/s";
-    String line = trace.line(i) == 0 ? "" : "Line " + trace.line(i) + "\n";
+  /** A point of a way, and how far the pointer is from it. */
+  private record Traced(TcpTrace trace, String what, int i, Point2D at, double px) {}
+
+  private MarkTarget target(Traced traced) {
+    TcpTrace trace = traced.trace();
+    int i = traced.i();
+    String speed = "\n" + TraceScale.speed(trace.speedMPerS(i), form);
+    String line =
+        trace.line(i) == 0
+            ? ""
+            : "Line " + trace.line(i) + ", " + Measure.SECOND.words(trace.stretchS(i)) + "\n";
     String margin =
         trace
             .colouring()
@@ -130,8 +154,9 @@ final class MarkFinder {
                 each ->
                     "\n" + Math.round(100 * trace.used(i)) + " % of the margin: " + each.words())
             .orElse("");
-    String words = line + speed + margin + "\nA click explains the speed";
-    return new MarkTarget(words, 0, trace.line(i), trace.timeS(i), at, Optional.empty());
+    String place = form.place(trace.x(i), trace.y(i), trace.z(i));
+    String words = traced.what() + line + place + speed + margin + "\nA click explains the speed";
+    return new MarkTarget(words, 0, trace.line(i), trace.timeS(i), traced.at(), Optional.empty());
   }
 
   /** The way to the node that is chosen. */

@@ -7,11 +7,10 @@ import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
-import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import javax.swing.SwingUtilities;
-import org.pendant.models.pose.Pose;
+import org.pendant.desktop.unit.PoseForm;
 
 /**
  * Mark mouse: the pointer on places and ways of the program: shows what is known of them, and a
@@ -19,7 +18,7 @@ import org.pendant.models.pose.Pose;
  */
 final class MarkMouse extends MouseAdapter {
   private final SceneView view;
-  private Function<Pose, String> words = pose -> "";
+  private PoseForm form = PoseForm.STANDARD;
   private LongConsumer chosen = node -> {};
   private IntConsumer lineChosen = line -> {};
   private DoubleConsumer momentChosen = timeS -> {};
@@ -31,8 +30,13 @@ final class MarkMouse extends MouseAdapter {
     this.view = view;
   }
 
-  void setWords(Function<Pose, String> ofPose) {
-    words = ofPose;
+  /** In which people read poses and speeds. */
+  PoseForm form() {
+    return form;
+  }
+
+  void setForm(PoseForm next) {
+    form = next;
   }
 
   void setListener(LongConsumer listener) {
@@ -60,7 +64,7 @@ final class MarkMouse extends MouseAdapter {
   /** What is seen; empty while nothing is. */
   Optional<MarkFinder> finder() {
     return view.drawn()
-        .map(shown -> new MarkFinder(shown, view.getWidth(), view.getHeight(), labels, words));
+        .map(shown -> new MarkFinder(shown, view.getWidth(), view.getHeight(), labels, form));
   }
 
   /** Chooses the node of the next stop of the program, or the one before. */

@@ -22,11 +22,10 @@ import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.Sheets;
 import org.pendant.desktop.scene.SpeedColours;
-import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
-import org.pendant.recording.lines.Margin;
 
 /**
  * Scene overlay: what is written on the picture: the scale of speeds, names of frames, what the
@@ -48,16 +47,19 @@ final class SceneOverlay {
   private final Graphics2D graphics;
   private final int width;
   private final int height;
+  private final PoseForm form;
   private final FontMetrics metrics;
   private final int em;
 
   /**
    * @param graphics at the scale of the component, with its font
+   * @param form in whose units numbers are written
    */
-  SceneOverlay(Graphics2D graphics, int width, int height) {
+  SceneOverlay(Graphics2D graphics, int width, int height, PoseForm form) {
     this.graphics = graphics;
     this.width = width;
     this.height = height;
+    this.form = form;
     metrics = graphics.getFontMetrics();
     em = graphics.getFont().getSize();
     graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -76,7 +78,7 @@ final class SceneOverlay {
     int thick = legendThickness();
     int left = em;
     int bottom = height - em;
-    Scale scale = Scale.of(model.trace());
+    TraceScale scale = TraceScale.of(model.trace(), form);
     int top = bottom - thick - metrics.getHeight();
     for (int x = 0; x < bar; x++) {
       double place = (x + 0.5) / bar;
@@ -132,46 +134,15 @@ final class SceneOverlay {
     return Math.max(4, em / 2);
   }
 
-  /** What the colours of a trace mean: at both ends, and at half way where there is room. */
-  private record Scale(String least, String middle, String most) {
-    static Scale of(TcpTrace trace) {
-      double mostMmPerS = 1000 * trace.scaleMPerS();
-      return trace
-          .colouring()
-          .map(Scale::of)
-          .orElseGet(() -> new Scale("0", number(mostMmPerS / 4), number(mostMmPerS) + " mm/s"));
-    }
-
-    private static Scale of(Margin margin) {
-      return switch (margin) {
-        case JOINT_SPEED, TORQUE, TOOL_SPEED ->
-            new Scale(
-                "\u2264 " + Math.round(100 * margin.ample()) + " %", "", "100 % " + margin.words());
-        case JOINT_LIMIT ->
-            new Scale(
-                "\u2265 " + Math.round(Math.toDegrees(margin.ample())) + "\u00b0",
-                "",
-                "at a joint limit");
-        case PLANE ->
-            new Scale("\u2265 " + Math.round(1000 * margin.ample()) + " mm", "", "at a plane");
-      };
-    }
-  }
-
   private Optional<Rectangle2D> legendBox(SceneModel model) {
     if (model.trace().size() < 2 || width < MIN_WIDTH_FOR_LEGEND) {
       return Optional.empty();
     }
-    int wide = legendBar() - em / 2 + metrics.stringWidth(Scale.of(model.trace()).most()) / 2;
+    int wide =
+        legendBar() - em / 2 + metrics.stringWidth(TraceScale.of(model.trace(), form).most()) / 2;
     int high = legendThickness() + metrics.getHeight() + em / 2;
     return Optional.of(
         new Rectangle2D.Double(em / 2.0, height - em - high, wide + em, high + em / 2.0));
-  }
-
-  private static String number(double mmPerS) {
-    return mmPerS < 10 && mmPerS != Math.rint(mmPerS)
-        ? String.valueOf(Math.round(10 * mmPerS) / 10.0)
-        : String.valueOf(Math.round(mmPerS));
   }
 
   private void centred(String text, double x, int base) {
@@ -248,7 +219,7 @@ final class SceneOverlay {
     for (SafetySight.Range each : safety.joints()) {
       boolean trips = each.state() == SafetySight.State.TRIPPED;
       Vector3 place = SafetyOutlines.namePlace(each, shown.model());
-      add(labels, shown, each.words(), place, -1, trips);
+      add(labels, shown, each.words(form.angle()), place, -1, trips);
     }
   }
 

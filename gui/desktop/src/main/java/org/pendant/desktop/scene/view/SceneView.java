@@ -13,7 +13,6 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.DoubleConsumer;
-import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
 import java.util.function.UnaryOperator;
@@ -29,6 +28,7 @@ import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.Quality;
 import org.pendant.desktop.scene.gl.SceneUnavailable;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.fault.Faults;
 import org.pendant.models.pose.Pose;
 
@@ -234,9 +234,12 @@ public final class SceneView extends JPanel {
     marks.setMomentListener(listener);
   }
 
-  /** How people read the pose of a place that the pointer is on, in lines. */
-  public void setPoseWords(Function<Pose, String> words) {
-    marks.setWords(words);
+  /** In which units people read what is written on the picture. */
+  public void setForm(PoseForm form) {
+    if (!form.equals(marks.form())) {
+      marks.setForm(form);
+      repaint();
+    }
   }
 
   /** Chooses the node of the next stop of the program (1), or of the one before (-1). */
@@ -394,7 +397,7 @@ public final class SceneView extends JPanel {
       return;
     }
     Graphics2D own = (Graphics2D) graphics.create();
-    SceneOverlay overlay = new SceneOverlay(own, getWidth(), getHeight());
+    SceneOverlay overlay = new SceneOverlay(own, getWidth(), getHeight(), marks.form());
     marks.finder().ifPresent(finder -> finder.chosenWays().forEach(overlay::mark));
     marks.target().ifPresent(overlay::mark);
     marks.setLabels(overlay.names(drawn.get()));

@@ -3,6 +3,9 @@ package org.pendant.desktop.editor.text;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.language.service.Quantity;
 import org.pendant.language.signature.Unit;
 import org.pendant.language.source.SourceRange;
@@ -10,7 +13,20 @@ import org.pendant.language.source.SourceRange;
 final class QuantityTextTest {
 
   private static String text(double value, Unit unit) {
-    return QuantityText.of(new Quantity(new SourceRange(0, 1), value, unit, "a"));
+    return text(value, unit, PoseForm.STANDARD);
+  }
+
+  private static String text(double value, Unit unit, PoseForm form) {
+    return QuantityText.of(new Quantity(new SourceRange(0, 1), value, unit, "a"), form);
+  }
+
+  @Test
+  void theUnitsAreThoseThatPeopleHaveChosen() {
+    PoseForm inches = new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.VECTOR);
+    assertEquals("a: 0.0254 m/s = 1.0 in/s", text(0.0254, Unit.METRE_PER_SECOND, inches));
+    assertEquals("a: 1.57 rad", text(1.57, Unit.RADIAN, inches));
+    PoseForm metres = new PoseForm(DisplayUnit.METRE, DisplayUnit.DEGREE, RotationForm.VECTOR);
+    assertEquals("a: 0.25 m", text(0.25, Unit.METRE, metres));
   }
 
   @Test

@@ -15,9 +15,13 @@ import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Models;
 import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
+import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.WaypointMarkers.Mark;
 import org.pendant.desktop.scene.WaypointMarkers.Stop;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.models.pose.Pose;
 
 final class MarkFinderTest {
@@ -25,6 +29,8 @@ final class MarkFinderTest {
   private static final int HEIGHT = 600;
   private static final Pose FEEDER = new Pose(0.4, -0.3, 0.1, 0, 0, 0);
   private static final Pose TRAY = new Pose(0.4, 0.3, 0.1, 0, 0, 0);
+
+  private static final Pose ELBOW = new Pose(-0.3, 0.2, 0.4, 0, 0, 0);
 
   private final SceneModel model =
       Models.of("ur5e")
@@ -44,7 +50,7 @@ final class MarkFinderTest {
         WIDTH,
         HEIGHT,
         List.of(labels),
-        pose -> 1000 * pose.x() + " mm");
+        PoseForm.STANDARD);
   }
 
   private Point2D pixel(Pose pose) {
@@ -58,7 +64,14 @@ final class MarkFinderTest {
   @Test
   void aPlaceIsFoundAtItsPointWithItsPoseAndTheNodeThatGoesThere() {
     MarkTarget found = finder().at(near(pixel(FEEDER))).orElseThrow();
-    assertEquals("Feeder\n400.0 mm\nMoveJ at 60 deg/s", found.words());
+    assertEquals(
+        """
+        Feeder
+        400.00, -300.00, 100.00 mm
+        RX 0.00\u00b0, RY 0.00\u00b0, RZ 0.00\u00b0
+        MoveJ at 60 deg/s\
+        """,
+        found.words());
     assertEquals(3, found.node());
     assertTrue(found.from().isEmpty());
   }
@@ -82,18 +95,54 @@ final class MarkFinderTest {
     assertEquals(Optional.empty(), finder().at(new Point(30, 15)));
   }
 
+  private MarkFinder finder(TcpTrace trace, PoseForm form) {
+    return new MarkFinder(
+        new PictureRequest(model.withTrace(trace), camera, WIDTH, HEIGHT),
+        WIDTH,
+        HEIGHT,
+        List.of(),
+        form);
+  }
+
+  private static Pose above(Pose place) {
+    return new Pose(place.x(), place.y(), place.z() + 0.1, 0, 0, 0);
+  }
+
   @Test
-  void aPointOfTheWayOfTheToolTellsItsLineAndSpeed() {
-    MarkFinder finder =
-        new MarkFinder(
-            new PictureRequest(model.withTrace(Models.trace(TRAY, 44)), camera, WIDTH, HEIGHT),
-            WIDTH,
-            HEIGHT,
-            List.of(),
-            pose -> "");
-    Pose between = new Pose(TRAY.x(), TRAY.y(), TRAY.z() + 0.1, 0, 0, 0);
-    MarkTarget found = finder.at(near(pixel(between))).orElseThrow();
+  void aPointOfTheWayOfTheToolTellsItsLinePlaceSpeedAndHowLongTheLineTook() {
+    MarkFinder finder = finder(Models.trace(TRAY, 44), PoseForm.STANDARD);
+    MarkTarget found = finder.at(near(pixel(above(TRAY)))).orElseThrow();
     assertEquals(44, found.line());
-    assertEquals("Line 44\n100 mm/s\nA click explains the speed", found.words());
+    assertEquals(
+        "Line 44, 2 s\n400.00, 300.00, 200.00 mm\n100 mm/s\nA click explains the speed",
+        found.words());
+  }
+
+  @Test
+  void theWayOfTheElbowLeadsToItsLineToo() {
+    TcpTrace both = Models.trace(TRAY, 44).withElbow(Models.trace(ELBOW, 45));
+    MarkTarget found = finder(both, PoseForm.STANDARD).at(near(pixel(above(ELBOW)))).orElseThrow();
+    assertEquals(45, found.line());
+    assertEquals(1, found.timeS());
+    assertTrue(found.words().startsWith("Elbow\nLine 45, 2 s\n"), found.words());
+    MarkTarget tool = finder(both, PoseForm.STANDARD).at(near(pixel(above(TRAY)))).orElseThrow();
+    assertEquals(44, tool.line());
+  }
+
+  @Test
+  void aWayIsFoundBetweenItsPointsToo() {
+    Pose between = new Pose(TRAY.x(), TRAY.y(), TRAY.z() + 0.13, 0, 0, 0);
+    MarkFinder finder = finder(Models.trace(TRAY, 44), PoseForm.STANDARD);
+    assertEquals(44, finder.at(near(pixel(between))).orElseThrow().line());
+  }
+
+  @Test
+  void placesAndSpeedsAreInTheUnitsThatPeopleHaveChosen() {
+    PoseForm metres = new PoseForm(DisplayUnit.METRE, DisplayUnit.RADIAN, RotationForm.VECTOR);
+    MarkTarget found =
+        finder(Models.trace(TRAY, 44), metres).at(near(pixel(above(TRAY)))).orElseThrow();
+    assertEquals(
+        "Line 44, 2 s\n0.40000, 0.30000, 0.20000 m\n0.1 m/s\nA click explains the speed",
+        found.words());
   }
 }
