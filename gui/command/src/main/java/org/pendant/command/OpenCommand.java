@@ -32,6 +32,7 @@ final class OpenCommand implements Subcommand {
                   CalibrationOption.OPTION,
                   InstallationOption.OPTION,
                   SimulationOptions.SCENE,
+                  SimulationOptions.DEVICE,
                   SimulationOptions.NOISE,
                   SimulationOptions.START_RAMP,
                   PORTS),
@@ -172,7 +173,8 @@ final class OpenCommand implements Subcommand {
         arguments.has(SimulationOptions.START_RAMP)
             ? Optional.of(SimulationOptions.startRamp(arguments))
             : Optional.empty(),
-        SimulationOptions.sceneFile(arguments));
+        SimulationOptions.sceneFile(arguments),
+        SimulationOptions.devices(arguments));
   }
 
   private static Optional<PortWishes> ports(Arguments arguments) throws UsageException {

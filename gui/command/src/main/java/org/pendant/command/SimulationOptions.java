@@ -30,7 +30,7 @@ final class SimulationOptions {
               "scene.json",
               "what the arm can touch and what truly hangs on its flange, see"
                   + " [scene.md](scene.md)");
-  private static final Option DEVICE =
+  static final Option DEVICE =
       Option.of(
               "--device",
               new OptionArgument.Choice(DeviceSetup.KINDS),
@@ -196,6 +196,19 @@ final class SimulationOptions {
       equipment(name.get(), arguments.files());
     }
     return name.map(each -> Path.of(each).toAbsolutePath());
+  }
+
+  /**
+   * The kinds of devices that the command line names.
+   *
+   * @throws UsageException if the cell cannot have them besides those of the scene
+   */
+  static List<String> devices(Arguments arguments) throws UsageException {
+    Optional<String> scene = arguments.value(SCENE);
+    CellEquipment cell =
+        scene.isPresent() ? equipment(scene.get(), arguments.files()) : CellEquipment.NONE;
+    equipped(cell, arguments);
+    return arguments.values(DEVICE);
   }
 
   private static SafetyConfiguration safety(String name, ArmDescription robot, SourceFiles files)

@@ -109,6 +109,21 @@ final class OpenCommandTest {
   }
 
   @Test
+  void asksForDevicesBesidesThoseOfTheScene() throws IOException {
+    assertEquals(
+        List.of("two-finger", "rg"),
+        opened("open", "--device", "two-finger", "--device", "rg").wishes.devices());
+    assertEquals(List.of("2fg"), opened("--device", "2fg").wishes.devices());
+    String scene = write("cell.scene.json", "{\"devices\": [{\"type\": \"rg\"}]}");
+    assertEquals(
+        "pendant open: --device: name is \"rg\" again, must be another for each device",
+        complaint("open", "--scene", scene, "--device", "rg"));
+    assertTrue(
+        complaint("open", "--device", "hand").startsWith("pendant open: --device is 'hand'"),
+        complaint("open", "--device", "hand"));
+  }
+
+  @Test
   void aFileAloneIsOpened() throws IOException {
     for (String name :
         List.of("a.script", "b.pendant", "c.urp", "d.pinst", "e.installation", "f.scene.json")) {

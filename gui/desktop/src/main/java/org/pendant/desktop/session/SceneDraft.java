@@ -87,6 +87,12 @@ public final class SceneDraft {
 
   /** Takes another scene in place of this one, which cannot be undone. */
   public void open(SceneFile other) {
+    Optional<SavedProgram> disk =
+        other.onDisk().filter(saved -> !saved.text().equals(other.text()));
+    if (disk.isPresent()) {
+      restore(ProgramDocument.of(disk.get()), other.scene(), other);
+      return;
+    }
     open(
         other
             .onDisk()

@@ -4,14 +4,22 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
+import org.pendant.controller.world.SceneWriter;
 import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonMembers;
+import org.pendant.models.json.JsonValues;
 
 /**
  * Scene file: what stands around the arm, and where that was read.
@@ -26,6 +34,8 @@ public record SceneFile(
     String name, Optional<SavedProgram> onDisk, String text, Scene scene, CellEquipment equipment) {
   /** How names of scenes end. */
   public static final String ENDING = ".scene.json";
+
+  private static final String DEVICES = "devices";
 
   /** Empty space. */
   public static final SceneFile NONE =
@@ -60,6 +70,27 @@ public record SceneFile(
    */
   public static SceneFile of(String name, String text) throws IOException {
     return new SceneFile(name, Optional.empty(), text, scene(name, text), equipment(name, text));
+  }
+
+  /**
+   * The same with more devices, which are not on disk.
+   *
+   * @param kinds of devices that need nothing but their name
+   * @throws IOException if a scene cannot have them
+   */
+  public SceneFile with(List<String> kinds) throws IOException {
+    Map<String, String> members = new LinkedHashMap<>(JsonMembers.of(text));
+    members.keySet().removeAll(SceneWriter.KEYS);
+    String array = members.getOrDefault(DEVICES, "[]").strip();
+    String there = array.substring(1, array.length() - 1).strip();
+    Stream<String> more = kinds.stream().map(kind -> "{\"type\": " + JsonValues.text(kind) + "}");
+    members.put(
+        DEVICES,
+        Stream.concat(there.isEmpty() ? Stream.of() : Stream.of(there), more)
+            .collect(Collectors.joining(",\n    ", "[\n    ", "\n  ]")));
+    String known = isNone() ? SceneDraft.UNTITLED : name;
+    String next = SceneWriter.write(scene, members);
+    return new SceneFile(known, onDisk, next, scene, equipment(known, next));
   }
 
   /** The same, known by another file. */

@@ -154,7 +154,7 @@ public final class Desktop {
     Optional<Path> installation =
         start.map(StartInstallation::file).filter(InstallationFiles::isOurs);
     wishes.scene().ifPresent(wanted -> memory.put(installation, wishes.scene()));
-    return StartScene.of(memory.of(installation));
+    return StartScene.of(memory.of(installation), wishes.devices());
   }
 
   /** The programs that were open last time, or an example. */

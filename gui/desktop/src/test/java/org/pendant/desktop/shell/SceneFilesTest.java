@@ -135,6 +135,27 @@ final class SceneFilesTest {
   }
 
   @Test
+  void devicesThatAreWishedForAreAChangeOfTheSceneThatIsNotSaved() throws Exception {
+    StartScene start = StartScene.of(Optional.of(file), List.of("two-finger"));
+    DispatchThread.run(() -> scenes.begin(start));
+
+    assertEquals("two-finger", scenes.current().equipment().devices().getFirst().name());
+    assertTrue(draft.document().modified());
+    assertFalse(scenes.canApply());
+    assertEquals(start, StartScene.of(Optional.of(file), List.of("two-finger")));
+    DispatchThread.run(draft::undo);
+    assertFalse(draft.document().modified());
+    assertTrue(scenes.canApply());
+  }
+
+  @Test
+  void devicesWithoutASceneMakeOne() {
+    StartScene start = StartScene.of(Optional.empty(), List.of("rg", "2fg"));
+    assertEquals("untitled.scene.json, 0 objects, 2 devices", start.scene().words());
+    assertEquals("", start.trouble());
+  }
+
+  @Test
   void anotherInstallationBringsTheSceneThatWasThereWithIt() throws Exception {
     ProgramDocument cell = installed("cell.pinst");
     DispatchThread.run(() -> installation.open(cell));

@@ -51,7 +51,7 @@ final class StartOptionsTest {
 
   private static SimulationWishes wishes(Optional<ArmDescription> arm, Optional<Path> calibration) {
     return new SimulationWishes(
-        arm, calibration, Optional.empty(), Optional.empty(), Optional.empty());
+        arm, calibration, Optional.empty(), Optional.empty(), Optional.empty(), List.of());
   }
 
   /** A UR10e with a heavier forearm. */
