@@ -98,8 +98,12 @@ final class BlockFaults {
     };
   }
 
-  /** The tokens as they were meant. */
-  List<ScriptToken> mended(List<ScriptToken> tokens) {
+  /**
+   * The tokens as they were meant.
+   *
+   * @param complaints note where they differ
+   */
+  List<ScriptToken> mended(List<ScriptToken> tokens, Complaints complaints) {
     if (count() == 0) {
       return tokens;
     }
@@ -111,10 +115,14 @@ final class BlockFaults {
     boolean inDroppedHead = false;
     for (ScriptToken token : tokens) {
       for (int i = missingBefore.getOrDefault(token, 0); i > 0; i--) {
+        complaints.note(token.range());
         mended.add(ScriptToken.missing(END, token));
       }
       // A stray else takes the rest of its head along.
       inDroppedHead &= !token.firstOnLine() && !token.is(Token.EOF);
+      if (dropped.contains(token) || inDroppedHead) {
+        complaints.note(token.range());
+      }
       if (dropped.contains(token)) {
         inDroppedHead = !token.is(END);
       } else if (!inDroppedHead) {

@@ -28,7 +28,7 @@ final class BlockRepair {
   List<ScriptToken> balance(List<ScriptToken> tokens) {
     BlockFaults faults = faults(tokens);
     faults.report(source, complaints);
-    return complaints.full() ? tokens : faults.mended(tokens);
+    return complaints.full() ? tokens : faults.mended(tokens, complaints);
   }
 
   private BlockFaults faults(List<ScriptToken> tokens) {

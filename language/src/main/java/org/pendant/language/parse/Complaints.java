@@ -21,6 +21,7 @@ final class Complaints {
   private final List<Diagnostic> diagnostics = new ArrayList<>();
   private final Set<Integer> lines = new HashSet<>();
   private final List<Diagnostic> aboutMeaning = new ArrayList<>();
+  private final List<SourceRange> places = new ArrayList<>();
   private boolean overflown;
 
   Complaints(Source source) {
@@ -32,6 +33,7 @@ final class Complaints {
    * such error: two are seldom independent, and the first says enough.
    */
   void add(String code, SourceRange range, String message) {
+    note(range);
     if (lines.add(source.line(range.start()))) {
       append(diagnostics, code, range, range.start(), message);
     }
@@ -42,6 +44,7 @@ final class Complaints {
    * another one that was found last.
    */
   void addAboutMeaning(String code, SourceRange range, String message) {
+    note(range);
     if (aboutMeaning.isEmpty() || !holds(range, aboutMeaning.getLast().range())) {
       append(aboutMeaning, code, range, range.start(), message);
     }
@@ -56,7 +59,18 @@ final class Complaints {
    * {@code gaveUpAt} only.
    */
   void addForBlock(String code, SourceRange range, int gaveUpAt, String message) {
+    note(range);
     append(diagnostics, code, range, gaveUpAt, message);
+  }
+
+  /** Notes that the tokens at {@code range} are not read as they stand there. */
+  void note(SourceRange range) {
+    places.add(range);
+  }
+
+  /** All that was complained about or noted, also what was not worth telling. */
+  List<SourceRange> places() {
+    return places;
   }
 
   private void append(
@@ -73,6 +87,7 @@ final class Complaints {
     diagnostics.clear();
     aboutMeaning.clear();
     lines.clear();
+    places.clear();
     overflown = false;
   }
 

@@ -326,6 +326,7 @@ final class ExpressionBuilder {
     if (inner < MAX_DEPTH) {
       return true;
     }
+    complaints.note(where);
     if (!tooDeep) {
       tooDeep = true;
       complaints.addAboutMeaning(

@@ -1,7 +1,5 @@
 package org.pendant.language.parse;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.antlr.v4.runtime.Token;
 import org.pendant.language.parse.Lexeme.Kind;
 import org.pendant.language.source.Source;
@@ -12,38 +10,42 @@ import org.pendant.language.source.Source;
  */
 public final class LexemeReader {
   private final String text;
-  private final List<Lexeme> lexemes;
+  private final LexemeTable.Builder lexemes;
   private int end;
   private boolean lineBegins = true;
 
-  private LexemeReader(Source source, int start) {
+  private LexemeReader(Source source, int start, int expected) {
     text = source.text();
     end = start;
-    lexemes = new ArrayList<>(16 + text.length() / 4);
+    lexemes = new LexemeTable.Builder(16 + expected);
   }
 
-  /** For {@code source}, whose tokens another reads and hands on, from offset {@code start} on. */
-  static LexemeReader beside(Source source, int start) {
-    return new LexemeReader(source, start);
+  /**
+   * For {@code source}, whose tokens another reads and hands on, from offset {@code start} on.
+   *
+   * @param expected so many lexemes, if that is known
+   */
+  static LexemeReader beside(Source source, int start, int expected) {
+    return new LexemeReader(source, start, expected);
   }
 
   /** All lexemes of {@code source} in order. */
-  public static List<Lexeme> lexemes(Source source) {
+  public static LexemeTable lexemes(Source source) {
     ByteStream bytes = new ByteStream(source);
-    LexemeReader reader = new LexemeReader(source, bytes.index());
+    LexemeReader reader = new LexemeReader(source, bytes.index(), source.text().length() / 4);
     UrScriptLexer lexer = new UrScriptLexer(bytes);
     lexer.setTokenFactory(ScriptToken.FACTORY);
     lexer.removeErrorListeners();
     while (!reader.take((ScriptToken) lexer.nextToken())) {
       // until the end of the text
     }
-    return reader.lexemes;
+    return reader.taken();
   }
 
   /** Takes the next token as the lexer has made it; whether it is the end of the text. */
   boolean take(ScriptToken token) {
     boolean atEnd = token.is(Token.EOF);
-    addComments(atEnd ? text.length() : token.startOffset());
+    takeComments(atEnd ? text.length() : token.startOffset());
     if (!atEnd) {
       add(kind(token.getType()), token.startOffset(), token.endOffset());
     }
@@ -51,12 +53,15 @@ public final class LexemeReader {
   }
 
   /** What was taken. */
-  List<Lexeme> taken() {
-    return lexemes;
+  LexemeTable taken() {
+    return lexemes.table();
   }
 
-  /** The grammar skips blanks and comments alike: a number sign tells them apart. */
-  private void addComments(int next) {
+  /**
+   * Takes the comments before offset {@code next}: the grammar skips blanks and comments alike, a
+   * number sign tells them apart.
+   */
+  void takeComments(int next) {
     int at = end;
     while (at < next) {
       char found = text.charAt(at);
@@ -81,8 +86,8 @@ public final class LexemeReader {
 
   private void add(Kind kind, int start, int stop) {
     boolean member =
-        !lineBegins && kind.compareTo(Kind.CONSTANT) <= 0 && lexemes.getLast().kind() == Kind.DOT;
-    lexemes.add(new Lexeme(member ? Kind.NAME : kind, start, stop, lineBegins));
+        !lineBegins && kind.compareTo(Kind.CONSTANT) <= 0 && lexemes.endsWith(Kind.DOT);
+    lexemes.add(member ? Kind.NAME : kind, start, stop, lineBegins);
     lineBegins = false;
     end = stop;
   }

@@ -18,10 +18,17 @@ import org.pendant.language.syntax.Statement;
 final class RecoveringParse {
   private final Source source;
   private final Complaints complaints;
+  private final Optional<EarlierStatements> earlier;
 
-  RecoveringParse(Source source, Complaints complaints) {
+  /**
+   * A parse of a source.
+   *
+   * @param earlier what is known of a text that differs little
+   */
+  RecoveringParse(Source source, Complaints complaints, Optional<EarlierStatements> earlier) {
     this.source = source;
     this.complaints = complaints;
+    this.earlier = earlier;
   }
 
   /** What could be read; nothing when there are too many errors to continue. */
@@ -37,7 +44,9 @@ final class RecoveringParse {
         "this is a template: `"
             + Wording.shortened(source.text(mark.get()))
             + "` and marks like it are to be filled in before it is a program");
-    return new RecoveringParse(source, new Complaints(source)).read(broken, tokenSource);
+    complaints.note(new SourceRange(0, source.text().length()));
+    return new RecoveringParse(source, new Complaints(source), Optional.empty())
+        .read(broken, tokenSource);
   }
 
   private List<Statement> read(List<ScriptToken> broken, TokenSource tokenSource) {
@@ -52,7 +61,7 @@ final class RecoveringParse {
     TokenArray tokens = new TokenArray(balanced, tokenSource);
     BuildingParser parser = new BuildingParser(tokens, new StatementBuilder(source, complaints));
     parser.setErrorHandler(
-        new StatementRecovery(tokens, complaints, new ErrorMessages(source, tokens)));
+        new StatementRecovery(tokens, complaints, new ErrorMessages(source, tokens), earlier));
     try {
       return parser.statements();
     } catch (ParseCancellationException tooMany) {

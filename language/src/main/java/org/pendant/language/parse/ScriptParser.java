@@ -3,6 +3,7 @@ package org.pendant.language.parse;
 import java.util.List;
 import java.util.Optional;
 import org.antlr.v4.runtime.BailErrorStrategy;
+import org.antlr.v4.runtime.Parser;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
@@ -35,15 +36,63 @@ public final class ScriptParser {
    */
   public static ReadText read(Source source) {
     TokenPass pass = new TokenPass(source, true);
-    ParseResult result = parse(source, pass);
+    Complaints complaints = new Complaints(source);
+    List<Statement> statements = statements(source, pass, complaints);
     boolean whole = source.text().length() <= MAX_BYTES;
+    Optional<LexemeTable> lexemes = pass.lexemes().filter(all -> whole);
     return new ReadText(
-        result, pass.lexemes().filter(all -> whole).orElseGet(() -> LexemeReader.lexemes(source)));
+        result(source, statements, complaints),
+        lexemes.orElseGet(() -> LexemeReader.lexemes(source)),
+        pass.table(),
+        complaints.places());
+  }
+
+  /**
+   * As {@link #read(Source)}, for a text most of which is in one that was read before: what is the
+   * same is not read again. The result is the same as without it.
+   */
+  public static ReadText read(Source source, ReadText before) {
+    if (source.text().length() > MAX_BYTES) {
+      return read(source);
+    }
+    Optional<TextChange> change = TextChange.of(before, source);
+    return change.isEmpty() ? read(source) : read(source, before, change.get());
+  }
+
+  private static ReadText read(Source source, ReadText before, TextChange change) {
+    Complaints complaints = new Complaints(source);
+    EarlierStatements earlier = new EarlierStatements(before, change, complaints);
+    TokenTable table = change.tokens();
+    TokenArray tokens = new TokenArray(table, change.maker(), source);
+    BailErrorStrategy strategy =
+        new BailErrorStrategy() {
+          @Override
+          public void sync(Parser parser) {
+            earlier.take(parser, tokens);
+          }
+        };
+    List<Statement> statements =
+        strict(source, tokens, complaints, strategy)
+            .orElseGet(
+                () -> {
+                  complaints.clear();
+                  return new RecoveringParse(source, complaints, Optional.of(earlier))
+                      .parse(table.tokens(source, change.maker()), change.maker());
+                });
+    return new ReadText(
+        result(source, statements, complaints),
+        change.lexemes(),
+        Optional.of(table),
+        complaints.places());
   }
 
   private static ParseResult parse(Source source, TokenPass pass) {
     Complaints complaints = new Complaints(source);
-    List<Statement> statements = statements(source, pass, complaints);
+    return result(source, statements(source, pass, complaints), complaints);
+  }
+
+  private static ParseResult result(
+      Source source, List<Statement> statements, Complaints complaints) {
     SourceRange all = new SourceRange(0, source.text().length());
     return new ParseResult(new Script(source, statements, all), complaints.inOrder());
   }
@@ -66,18 +115,20 @@ public final class ScriptParser {
       complaints.tooDeep(pass.tooDeep().get());
       return List.of();
     }
-    return strict(source, new TokenArray(tokens, pass.lexer()), complaints)
+    TokenArray array = new TokenArray(tokens, pass.lexer());
+    return strict(source, array, complaints, new BailErrorStrategy())
         .orElseGet(
             () -> {
               complaints.clear();
-              return new RecoveringParse(source, complaints).parse(tokens, pass.lexer());
+              return new RecoveringParse(source, complaints, Optional.empty())
+                  .parse(tokens, pass.lexer());
             });
   }
 
   private static Optional<List<Statement>> strict(
-      Source source, TokenArray tokens, Complaints complaints) {
+      Source source, TokenArray tokens, Complaints complaints, BailErrorStrategy strategy) {
     BuildingParser parser = new BuildingParser(tokens, new StatementBuilder(source, complaints));
-    parser.setErrorHandler(new BailErrorStrategy());
+    parser.setErrorHandler(strategy);
     try {
       return Optional.of(parser.statements());
     } catch (ParseCancellationException stopped) {

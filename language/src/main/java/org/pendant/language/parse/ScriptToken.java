@@ -44,7 +44,7 @@ final class ScriptToken implements Token {
   private boolean firstOnLine;
   private short depth;
 
-  private ScriptToken(TokenSource source, int type, int start, int stop, int line) {
+  ScriptToken(TokenSource source, int type, int start, int stop, int line) {
     this.source = source;
     this.type = type;
     this.start = start;

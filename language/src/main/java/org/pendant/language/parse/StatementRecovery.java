@@ -1,5 +1,6 @@
 package org.pendant.language.parse;
 
+import java.util.Optional;
 import org.antlr.v4.runtime.ANTLRErrorStrategy;
 import org.antlr.v4.runtime.InputMismatchException;
 import org.antlr.v4.runtime.Parser;
@@ -23,14 +24,20 @@ final class StatementRecovery implements ANTLRErrorStrategy {
   private final TokenArray tokens;
   private final Complaints complaints;
   private final ErrorMessages messages;
+  private final Optional<EarlierStatements> earlier;
 
   // Set between a broken head and the colon after it, which is then not asked for again.
   private boolean headBroken;
 
-  StatementRecovery(TokenArray tokens, Complaints complaints, ErrorMessages messages) {
+  StatementRecovery(
+      TokenArray tokens,
+      Complaints complaints,
+      ErrorMessages messages,
+      Optional<EarlierStatements> earlier) {
     this.tokens = tokens;
     this.complaints = complaints;
     this.messages = messages;
+    this.earlier = earlier;
   }
 
   @Override
@@ -117,6 +124,7 @@ final class StatementRecovery implements ANTLRErrorStrategy {
     }
     headBroken = false;
     while (true) {
+      earlier.ifPresent(known -> known.take(recognizer, tokens));
       ScriptToken found = tokens.current();
       int type = found.getType();
       if (type == Token.EOF

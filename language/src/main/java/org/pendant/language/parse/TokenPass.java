@@ -31,6 +31,7 @@ final class TokenPass {
   private int blocks;
   private int prefixes;
   private Optional<TooDeep> tooDeep = Optional.empty();
+  private Optional<TokenTable> table = Optional.empty();
 
   /** The token at which a limit was passed, and what there was too much of. */
   record TooDeep(ScriptToken token, String what, int limit) {}
@@ -42,11 +43,39 @@ final class TokenPass {
    */
   TokenPass(Source source, boolean lexemes) {
     ByteStream bytes = new ByteStream(source);
-    beside = lexemes ? Optional.of(LexemeReader.beside(source, bytes.index())) : Optional.empty();
+    int expected = 16 + source.text().length() / 4;
+    beside =
+        lexemes
+            ? Optional.of(LexemeReader.beside(source, bytes.index(), expected))
+            : Optional.empty();
     lexer = new UrScriptLexer(bytes);
     lexer.setTokenFactory(ScriptToken.FACTORY);
     lexer.removeErrorListeners();
-    tokens = new ArrayList<>(16 + source.text().length() / 4);
+    tokens = new ArrayList<>(expected);
+  }
+
+  /**
+   * Goes on with a source whose tokens are known up to a line.
+   *
+   * @param before has these tokens
+   * @param count how many they are
+   * @param line the offset at which the line begins
+   */
+  TokenPass(Source source, TokenTable before, int count, int line) {
+    ByteStream bytes = new ByteStream(source);
+    if (line > 0) {
+      bytes.seek(line);
+    }
+    beside = Optional.of(LexemeReader.beside(source, bytes.index(), 0));
+    lexer = new UrScriptLexer(bytes);
+    lexer.setTokenFactory(ScriptToken.FACTORY);
+    lexer.removeErrorListeners();
+    lexer.setLine(source.line(line));
+    tokens = new ArrayList<>();
+    previous = count == 0 ? null : before.token(count - 1, source, lexer);
+    brackets = before.brackets(count);
+    blocks = before.blocks(count);
+    prefixes = before.prefixes(count);
   }
 
   UrScriptLexer lexer() {
@@ -54,7 +83,7 @@ final class TokenPass {
   }
 
   /** The lexemes of the whole text; empty where they were not wanted, or it was not read. */
-  Optional<List<Lexeme>> lexemes() {
+  Optional<LexemeTable> lexemes() {
     return tooDeep.isPresent() ? Optional.empty() : beside.map(LexemeReader::taken);
   }
 
@@ -66,32 +95,90 @@ final class TokenPass {
   List<ScriptToken> read() {
     while (tooDeep.isEmpty()) {
       ScriptToken token = (ScriptToken) lexer.nextToken();
-      if (beside.isPresent()) {
-        var _ = beside.get().take(token);
-      }
-      boolean firstOnLine = previous == null || previous.getLine() != token.getLine();
-      if (!firstOnLine && previous.is(DOT) && TokenKinds.isReservedWord(token.getType())) {
-        token.setType(NAME);
-      }
-      if (firstOnLine && brackets > 0) {
-        leaveUnclosedBrackets(token);
-      }
-      token.place(firstOnLine, brackets);
-      if (token.is(LABEL)) {
-        if (!firstOnLine) {
-          token.setType(STRANGE);
-        } else if (brackets > 0) {
-          continue;
-        }
-      }
-      refineReturn(token);
-      refine(token);
-      tokens.add(token);
-      previous = token;
-      if (token.is(Token.EOF)) {
+      if (take(token)) {
         break;
       }
     }
+    if (beside.isPresent() && tooDeep.isEmpty()) {
+      table = Optional.of(TokenTable.of(tokens));
+    }
+    return tokens;
+  }
+
+  /** The tokens as they were read, whoever mends them later; empty where lexemes are. */
+  Optional<TokenTable> table() {
+    return table;
+  }
+
+  /**
+   * Reads up to a token from which on everything is as it was in an earlier text.
+   *
+   * @param earlier the tokens of that
+   * @param equalFrom the offset of a line from which on the texts are equal
+   * @param shift how far offsets have moved there
+   * @return the index of that token in {@code earlier}, its size if there is none
+   */
+  int readUntil(TokenTable earlier, int equalFrom, int shift) {
+    while (tooDeep.isEmpty()) {
+      ScriptToken token = (ScriptToken) lexer.nextToken();
+      if (token.startOffset() >= equalFrom && isFirstOnLine(token)) {
+        int known = earlier.indexAt(token.startOffset() - shift);
+        if (continuesAt(earlier, known, token.startOffset() - shift)) {
+          beside.orElseThrow().takeComments(token.startOffset());
+          token.place(true, brackets);
+          refineReturn(token);
+          return known;
+        }
+      }
+      if (take(token)) {
+        break;
+      }
+    }
+    return earlier.size();
+  }
+
+  /** Whether token {@code known} of an earlier text meets there what comes next here. */
+  private boolean continuesAt(TokenTable earlier, int known, int offset) {
+    return known < earlier.size()
+        && earlier.start(known) == offset
+        && earlier.brackets(known) == brackets
+        && earlier.prefixes(known) == prefixes
+        && (brackets == 0 || (known > 0 && previous.is(earlier.type(known - 1))));
+  }
+
+  private boolean isFirstOnLine(ScriptToken token) {
+    return previous == null || previous.getLine() != token.getLine();
+  }
+
+  /** Takes the next token as the lexer has made it; whether it is the end of the text. */
+  private boolean take(ScriptToken token) {
+    if (beside.isPresent()) {
+      var _ = beside.get().take(token);
+    }
+    boolean firstOnLine = isFirstOnLine(token);
+    if (!firstOnLine && previous.is(DOT) && TokenKinds.isReservedWord(token.getType())) {
+      token.setType(NAME);
+    }
+    if (firstOnLine && brackets > 0) {
+      leaveUnclosedBrackets(token);
+    }
+    token.place(firstOnLine, brackets);
+    if (token.is(LABEL)) {
+      if (!firstOnLine) {
+        token.setType(STRANGE);
+      } else if (brackets > 0) {
+        return false;
+      }
+    }
+    refineReturn(token);
+    refine(token);
+    tokens.add(token);
+    previous = token;
+    return token.is(Token.EOF);
+  }
+
+  /** Those that were read. */
+  List<ScriptToken> tokens() {
     return tokens;
   }
 

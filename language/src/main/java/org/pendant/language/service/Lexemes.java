@@ -1,17 +1,17 @@
 package org.pendant.language.service;
 
-import java.util.List;
 import org.pendant.language.parse.Lexeme;
 import org.pendant.language.parse.Lexeme.Kind;
 import org.pendant.language.parse.LexemeReader;
+import org.pendant.language.parse.LexemeTable;
 import org.pendant.language.source.Source;
 
 /** The lexemes of one text, found by offset and read as words. */
 final class Lexemes {
   private final Source source;
-  private final List<Lexeme> lexemes;
+  private final LexemeTable lexemes;
 
-  private Lexemes(Source source, List<Lexeme> lexemes) {
+  private Lexemes(Source source, LexemeTable lexemes) {
     this.source = source;
     this.lexemes = lexemes;
   }
@@ -21,7 +21,7 @@ final class Lexemes {
   }
 
   /** Of a text that has been read. */
-  static Lexemes of(Source source, List<Lexeme> lexemes) {
+  static Lexemes of(Source source, LexemeTable lexemes) {
     return new Lexemes(source, lexemes);
   }
 
@@ -39,11 +39,11 @@ final class Lexemes {
 
   /** The kind of lexeme {@code index}; that of a comment outside the text, which means nothing. */
   Kind kind(int index) {
-    return index >= 0 && index < lexemes.size() ? lexemes.get(index).kind() : Kind.COMMENT;
+    return index >= 0 && index < lexemes.size() ? lexemes.kind(index) : Kind.COMMENT;
   }
 
   boolean is(int index, Kind kind) {
-    return index >= 0 && index < lexemes.size() && lexemes.get(index).kind() == kind;
+    return index >= 0 && index < lexemes.size() && lexemes.kind(index) == kind;
   }
 
   /** Whether lexeme {@code index} exists and reads {@code text}. */
@@ -51,40 +51,29 @@ final class Lexemes {
     if (index < 0 || index >= lexemes.size()) {
       return false;
     }
-    Lexeme lexeme = lexemes.get(index);
-    return lexeme.end() - lexeme.start() == text.length()
-        && source.text().startsWith(text, lexeme.start());
+    int start = lexemes.start(index);
+    return lexemes.end(index) - start == text.length() && source.text().startsWith(text, start);
   }
 
   String text(int index) {
-    return source.text(lexemes.get(index).range());
+    return source.text().substring(lexemes.start(index), lexemes.end(index));
   }
 
   /** The last lexeme that begins before {@code offset}, or -1. */
   int before(int offset) {
-    int low = 0;
-    int high = lexemes.size();
-    while (low < high) {
-      int middle = (low + high) >>> 1;
-      if (lexemes.get(middle).start() < offset) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low - 1;
+    return lexemes.indexAt(offset) - 1;
   }
 
   /** The lexeme that begins at {@code offset} or holds it, or -1. */
   int at(int offset) {
     int index = before(offset + 1);
-    return index >= 0 && lexemes.get(index).end() > offset ? index : -1;
+    return index >= 0 && lexemes.end(index) > offset ? index : -1;
   }
 
   /** The nearest lexeme before {@code index} that is no comment, or -1. */
   int previous(int index) {
     int at = index - 1;
-    while (at >= 0 && lexemes.get(at).kind() == Kind.COMMENT) {
+    while (at >= 0 && lexemes.kind(at) == Kind.COMMENT) {
       at--;
     }
     return at;
@@ -94,7 +83,7 @@ final class Lexemes {
   int close(int opener) {
     int depth = 0;
     for (int i = opener; i < lexemes.size(); i++) {
-      switch (lexemes.get(i).kind()) {
+      switch (lexemes.kind(i)) {
         case OPEN -> depth++;
         case CLOSE -> {
           if (--depth == 0) {
@@ -114,7 +103,7 @@ final class Lexemes {
   int open(int closer) {
     int depth = 0;
     for (int i = closer; i >= 0; i--) {
-      switch (lexemes.get(i).kind()) {
+      switch (lexemes.kind(i)) {
         case CLOSE -> depth++;
         case OPEN -> {
           if (--depth == 0) {

@@ -16,7 +16,8 @@ import org.pendant.testing.builtin.TestCatalogue;
 
 /**
  * Document: one version of a text, which never changes. It is analysed when something about it is
- * asked for the first time, by whichever thread asks.
+ * asked for the first time, by whichever thread asks, with the help of what is known of the version
+ * before.
  */
 public final class Document {
   /** The most bytes of a text. */
@@ -28,8 +29,11 @@ public final class Document {
   private final Catalogue catalogue;
   private final TextPositions positions;
   private final ImportedNames.Finder imports;
-  private ScriptAnalysis analysis;
   private Optional<ImportedNames> imported = Optional.empty();
+  private boolean analysed;
+
+  /** That of this text once it is made; before, that of an earlier version, if there is one. */
+  private volatile Optional<ScriptAnalysis> newest;
 
   private Document(
       String uri,
@@ -37,13 +41,15 @@ public final class Document {
       Source source,
       Catalogue catalogue,
       ImportedNames.Finder imports,
-      TextPositions positions) {
+      TextPositions positions,
+      Optional<ScriptAnalysis> earlier) {
     this.uri = uri;
     this.version = version;
     this.source = source;
     this.catalogue = catalogue;
     this.imports = imports;
     this.positions = positions;
+    newest = earlier;
   }
 
   /** Nothing can be imported. */
@@ -79,12 +85,12 @@ public final class Document {
     refuseLong(uri, bytes.length);
     Source source = Source.of(UriPath.fileName(uri), bytes);
     TextPositions positions = new TextPositions(source.text(), encoding);
-    return new Document(uri, version, source, catalogue, imports, positions);
+    return new Document(uri, version, source, catalogue, imports, positions, Optional.empty());
   }
 
   /** The same text, which has not been looked at yet: what it imports may have changed. */
   Document unread() {
-    return new Document(uri, version, source, catalogue, imports, positions);
+    return new Document(uri, version, source, catalogue, imports, positions, newest);
   }
 
   private static void refuseLong(String uri, long bytes) {
@@ -120,8 +126,8 @@ public final class Document {
     refuseLong(uri, (long) before.length() - (range.end() - range.start()) + inserted.length());
     String after = before.substring(0, range.start()) + inserted + before.substring(range.end());
     Source changed = Source.of(source.name(), after.getBytes(StandardCharsets.ISO_8859_1));
-    return new Document(
-        uri, newVersion, changed, catalogue, imports, new TextPositions(changed.text(), encoding));
+    TextPositions moved = new TextPositions(changed.text(), encoding);
+    return new Document(uri, newVersion, changed, catalogue, imports, moved, newest);
   }
 
   public String uri() {
@@ -143,14 +149,21 @@ public final class Document {
 
   /** What the language says of it. */
   public synchronized ScriptAnalysis analysis() {
-    if (analysis == null) {
-      analysis = ScriptAnalysis.of(source, catalogue);
+    if (!analysed) {
+      ScriptAnalysis made =
+          newest
+              .map(earlier -> earlier.changed(source, catalogue))
+              .orElseGet(() -> ScriptAnalysis.of(source, catalogue));
       if (TestCatalogue.isFor(source.name())) {
-        imported = ImportedNames.of(analysis, uri, imports);
-        imported.ifPresent(names -> analysis = ScriptAnalysis.of(source, names));
+        imported = ImportedNames.of(made, uri, imports);
+        if (imported.isPresent()) {
+          made = made.changed(source, imported.get());
+        }
       }
+      newest = Optional.of(made);
+      analysed = true;
     }
-    return analysis;
+    return newest.orElseThrow();
   }
 
   /** What it has of the scripts that it imports; empty for a text that imports none. */

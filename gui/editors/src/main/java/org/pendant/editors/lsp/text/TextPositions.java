@@ -26,7 +26,7 @@ public final class TextPositions {
     this.bytes = bytes;
     this.encoding = encoding;
     lineStarts = lineStarts(bytes);
-    plain = bytes.chars().allMatch(each -> each < 0x80);
+    plain = isPlain(bytes);
   }
 
   /** The number of lines, at least 1. */
@@ -129,6 +129,16 @@ public final class TextPositions {
     boolean whole =
         IntStream.range(at + 1, at + length).allMatch(i -> (bytes.charAt(i) & 0xC0) == 0x80);
     return whole ? length : 1;
+  }
+
+  private static boolean isPlain(String bytes) {
+    // A loop, not a stream: it runs for each letter that is typed.
+    for (int i = 0; i < bytes.length(); i++) {
+      if (bytes.charAt(i) >= 0x80) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static int[] lineStarts(String bytes) {
