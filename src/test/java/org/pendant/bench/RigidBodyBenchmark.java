@@ -52,7 +52,8 @@ public class RigidBodyBenchmark {
     BodySurface surface = new BodySurface(0.5, 0, BodySurface.DEFAULT.stiffnessNPerM());
     List<BodyDescription> bodies = new ArrayList<>();
     bodies.add(
-        BodyDescription.guided("tool", new BodyShape.Sphere(0.01), Pose.ZERO.with(2, 5), surface));
+        BodyDescription.kinematic(
+            "tool", new BodyShape.Sphere(0.01), Pose.ZERO.with(2, 5), surface));
     bodies.add(BodyDescription.fixed("floor", new BodyShape.HalfSpace(), Pose.ZERO, surface));
     int count =
         switch (doing) {
@@ -76,7 +77,7 @@ public class RigidBodyBenchmark {
 
   @Benchmark
   public void frame() {
-    world.guide(0, ABOVE, SPEED);
+    world.moveKinematic(0, ABOVE, SPEED);
     if (doing == Doing.SLIDE) {
       for (int i = 2; i < world.size(); i++) {
         world.throwBody(i, SPEED);

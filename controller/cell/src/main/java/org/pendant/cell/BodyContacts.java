@@ -58,7 +58,7 @@ final class BodyContacts {
     for (int i = 0; i < awake.length; i++) {
       CellBody body = bodies.get(i);
       body.touched = false;
-      body.guidedTouched = false;
+      body.kinematicTouched = false;
       seen[i] = false;
       islandOf[i] = i;
       if (body.awake) {
@@ -101,7 +101,7 @@ final class BodyContacts {
     }
     for (int i = 0; i < placeCount; i++) {
       ContactPlace place = places.get(i);
-      if (place.second.guided()) {
+      if (place.second.kinematic()) {
         place.addWrench(stepS);
       }
     }
@@ -111,7 +111,7 @@ final class BodyContacts {
   void sleepAfter(double restS) {
     for (int i = 0; i < awakeCount; i++) {
       CellBody body = awake[i];
-      if (body.free() && (body.restS < restS || body.guidedTouched)) {
+      if (body.free() && (body.restS < restS || body.kinematicTouched)) {
         seen[island(body.index)] = false;
       }
     }
@@ -160,8 +160,8 @@ final class BodyContacts {
     second.touched = true;
     if (second.free()) {
       islandOf[island(second.index)] = island(first.index);
-    } else if (second.guided()) {
-      first.guidedTouched = true;
+    } else if (second.kinematic()) {
+      first.kinematicTouched = true;
     }
     for (int i = 0; i < count; i++) {
       if (placeCount == places.size()) {

@@ -57,9 +57,9 @@ public record BodyDescription(
     return new BodyDescription(name, shape, poseInBase, 1, surface, BodyMotion.FIXED);
   }
 
-  /** A body that {@link RigidBodyWorld#guide} moves. */
-  public static BodyDescription guided(
+  /** A body that {@link RigidBodyWorld#moveKinematic} moves. */
+  public static BodyDescription kinematic(
       String name, BodyShape shape, Pose poseInBase, BodySurface surface) {
-    return new BodyDescription(name, shape, poseInBase, 1, surface, BodyMotion.GUIDED);
+    return new BodyDescription(name, shape, poseInBase, 1, surface, BodyMotion.KINEMATIC);
   }
 }

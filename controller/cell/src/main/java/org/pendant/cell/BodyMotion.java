@@ -10,5 +10,5 @@ public enum BodyMotion {
    * Whoever says where it is, step by step; contacts do not move it, but are felt. They give way a
    * little, as {@link BodySurface#stiffnessNPerM} says, so that forces stay finite.
    */
-  GUIDED
+  KINEMATIC
 }

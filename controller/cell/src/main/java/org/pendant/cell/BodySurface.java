@@ -9,7 +9,7 @@ import org.pendant.models.json.Range;
  *     theirs
  * @param restitution share of its speed with which an impact ends, 0 to 1; between two bodies the
  *     larger one counts
- * @param stiffnessNPerM force for each metre of depth where a guided body is pressed against
+ * @param stiffnessNPerM force for each metre of depth where a kinematic body is pressed against
  *     another, N/m, 10 to 200,000; the softer of the two counts
  */
 public record BodySurface(double friction, double restitution, double stiffnessNPerM) {

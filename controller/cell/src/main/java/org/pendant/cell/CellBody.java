@@ -35,8 +35,8 @@ final class CellBody {
   /** Whether something touched it in the latest step. */
   boolean touched;
 
-  /** Whether a guided body did. */
-  boolean guidedTouched;
+  /** Whether a kinematic body did. */
+  boolean kinematicTouched;
 
   /** How long it has been at rest. */
   double restS;
@@ -65,8 +65,8 @@ final class CellBody {
     return description.motion() == BodyMotion.FREE;
   }
 
-  boolean guided() {
-    return description.motion() == BodyMotion.GUIDED;
+  boolean kinematic() {
+    return description.motion() == BodyMotion.KINEMATIC;
   }
 
   /** Tells the shape, and the inertia, of a new pose. */

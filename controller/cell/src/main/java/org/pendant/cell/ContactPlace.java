@@ -22,7 +22,7 @@ final class ContactPlace {
   /** Slower impacts do not bounce, m/s. */
   private static final double MIN_BOUNCE = 0.03;
 
-  /** Damping of contacts with guided bodies; 1 would be without any overshoot. */
+  /** Damping of contacts with kinematic bodies; 1 would be without any overshoot. */
   private static final double DAMPING_RATIO = 0.7;
 
   CellBody first;
@@ -77,7 +77,7 @@ final class ContactPlace {
     friction = Math.sqrt(a.friction() * b.friction());
     double yielding = yielding(normal, normal);
     softness = 0;
-    if (other.guided()) {
+    if (other.kinematic()) {
       double stiffness = Math.min(a.stiffnessNPerM(), b.stiffnessNPerM()) / places;
       double damping = 2 * DAMPING_RATIO * Math.sqrt(stiffness / (one.inverseMass * places));
       softness = 1 / (stepS * (damping + stepS * stiffness));

@@ -46,7 +46,7 @@ public final class RigidBodyWorld {
    * @param gravityY the same along y
    * @param gravityZ the same along z; -9.82 where the base stands upright
    * @throws IllegalArgumentException if there are more than {@link #MAX_BODIES}, two of one name,
-   *     or free ones that overlap others that are not guided by more than 1 mm
+   *     or free ones that overlap others that are not kinematic by more than 1 mm
    */
   public RigidBodyWorld(
       List<BodyDescription> descriptions, double gravityX, double gravityY, double gravityZ) {
@@ -135,16 +135,16 @@ public final class RigidBodyWorld {
   }
 
   /**
-   * Says where a guided body is and how it moves; it goes on so until told otherwise.
+   * Says where a kinematic body is and how it moves; it goes on so until told otherwise.
    *
    * @param transform its pose in the base frame at the beginning of the next step
    * @param twist m/s of its origin and rad/s, along the base's axes
-   * @throws IllegalArgumentException if it is not guided
+   * @throws IllegalArgumentException if it is not kinematic
    */
-  public void guide(int body, double[] transform, double[] twist) {
+  public void moveKinematic(int body, double[] transform, double[] twist) {
     CellBody of = bodies.get(body);
-    if (!of.guided()) {
-      throw new IllegalArgumentException(of.description.name() + ": is not guided");
+    if (!of.kinematic()) {
+      throw new IllegalArgumentException(of.description.name() + ": is not kinematic");
     }
     System.arraycopy(transform, 0, of.pose, 0, Transforms.SIZE);
     System.arraycopy(twist, 0, of.twist, 0, 6);
@@ -162,7 +162,7 @@ public final class RigidBodyWorld {
   }
 
   /**
-   * What contacts did to a guided body in the latest step.
+   * What contacts did to a kinematic body in the latest step.
    *
    * @param wrench overwritten with force, N, and torque about its origin, Nm, along the base's axes
    */
@@ -180,7 +180,7 @@ public final class RigidBodyWorld {
     for (CellBody one : bodies) {
       for (CellBody other : bodies) {
         if (one.free()
-            && !other.guided()
+            && !other.kinematic()
             && (!other.free() || other.index > one.index)
             && PhysicsLibrary.touch(one.geom, other.geom, 1, found) > 0
             && found.get(0).depth > MAX_OVERLAP_M) {

@@ -48,12 +48,12 @@ final class Bodies {
     return upright(bodies);
   }
 
-  /** A heap of all shapes that falls on the floor, and a guided plate that sweeps through it. */
+  /** A heap of all shapes that falls on the floor, and a kinematic plate that sweeps through it. */
   static RigidBodyWorld heap() {
     List<BodyDescription> bodies = new ArrayList<>();
     bodies.add(floor(0.4, 0.2));
     bodies.add(
-        BodyDescription.guided(
+        BodyDescription.kinematic(
             "plate", new BodyShape.Box(0.02, 1, 0.2), at(-0.6, 0, 0.1), BodySurface.DEFAULT));
     for (int i = 0; i < 20; i++) {
       BodyShape shape =
@@ -74,7 +74,7 @@ final class Bodies {
   /** One step of the heap; the plate sweeps. */
   static void sweep(RigidBodyWorld heap, int step) {
     double x = -0.6 + 0.5 * step * STEP_S;
-    heap.guide(
+    heap.moveKinematic(
         1, new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1, x, 0, 0.1}, new double[] {0.5, 0, 0, 0, 0, 0});
     heap.advance(STEP_S);
   }

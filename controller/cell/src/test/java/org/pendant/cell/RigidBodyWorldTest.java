@@ -84,11 +84,11 @@ class RigidBodyWorldTest {
   }
 
   @Test
-  void aGuidedPlateFeelsTheWeightOfABox() {
+  void aKinematicPlateFeelsTheWeightOfABox() {
     RigidBodyWorld world =
         Bodies.upright(
             List.of(
-                BodyDescription.guided(
+                BodyDescription.kinematic(
                     "plate",
                     new BodyShape.Box(0.3, 0.3, 0.02),
                     Bodies.at(0, 0, 0.19),
@@ -104,17 +104,17 @@ class RigidBodyWorldTest {
   }
 
   @Test
-  void aGuidedPlateCarriesABoxAlong() {
+  void aKinematicPlateCarriesABoxAlong() {
     RigidBodyWorld world =
         Bodies.upright(
             List.of(
-                BodyDescription.guided(
+                BodyDescription.kinematic(
                     "plate",
                     new BodyShape.Box(3, 0.3, 0.02),
                     Bodies.at(0, 0, 0.19),
                     BodySurface.DEFAULT),
                 Bodies.cube("box", 0.1, Bodies.at(0, 0, 0.25), 0.3)));
-    world.guide(
+    world.moveKinematic(
         0, new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0.19}, new double[] {0.1, 0, 0, 0, 0, 0});
     Bodies.run(world, 2);
     assertEquals(0.1, Bodies.velocity(world, 1)[0], 0.001);

@@ -46,7 +46,7 @@ final class FreeBodies {
       double radiusM = Math.max(MIN_POINT_M, points.get(i).radiusM());
       // a line break is in no object's name
       all.add(
-          BodyDescription.guided(
+          BodyDescription.kinematic(
               "tool\n" + i,
               new BodyShape.Sphere(radiusM),
               Pose.ZERO,
@@ -99,7 +99,7 @@ final class FreeBodies {
       ballTwist6[1] = twist6[1] + twist6[5] * armX - twist6[3] * armZ;
       ballTwist6[2] = twist6[2] + twist6[3] * armY - twist6[4] * armX;
       System.arraycopy(twist6, 3, ballTwist6, 3, 3);
-      bodies.guide(objects.size() + i, ball12, ballTwist6);
+      bodies.moveKinematic(objects.size() + i, ball12, ballTwist6);
     }
     bodies.advance(stepS);
     feel(flange12, tcpInFlange3, onlyTcp);
