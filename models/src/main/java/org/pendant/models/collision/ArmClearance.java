@@ -1,0 +1,276 @@
+package org.pendant.models.collision;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.DhParameters;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Transforms;
+
+/**
+ * Arm clearance: how far the bodies of an arm are from one another and from obstacles, pair by
+ * pair.
+ *
+ * <p>Pairs are those of bodies that can touch and are not neighbours, then each moving body with
+ * each obstacle: the arm stands on something, so the base has none. What is beyond the arm's reach
+ * has no pairs either.
+ *
+ * <p>Mutable, for one thread; allocates nothing after it was made.
+ */
+public final class ArmClearance {
+  private static final int BODIES = LinkCapsules.NAMES.size();
+
+  private final ForwardKinematics forward;
+  private final List<SolidShape> obstacles;
+  private final double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
+  private final double[] q = new double[Joints.COUNT];
+
+  /** Ends of each capsule, six numbers each, in the frame of its body and in the base's. */
+  private final double[] own;
+
+  private final double[] ends;
+  private final double[] radius;
+  private final int[] body;
+
+  /** The first capsule of each body, and one more: how many there are. */
+  private final int[] start = new int[BODIES + 1];
+
+  /** A ball around each body: its centre in the frame of the body and in the base's, and radius. */
+  private final double[] ownCentre = new double[3 * BODIES];
+
+  private final double[] centre = new double[3 * BODIES];
+  private final double[] around = new double[BODIES];
+
+  /** The two of each pair: a body, then a body or, after all of these, an obstacle. */
+  private final int[] first;
+
+  private final int[] second;
+
+  /** How far each joint moves any point of the arm at most, m for each rad. */
+  private final double[] leverM = new double[Joints.COUNT];
+
+  /**
+   * The bodies of an arm among obstacles, with all joints at 0.
+   *
+   * @param capsules what the bodies are made of, those of the tool included
+   */
+  public ArmClearance(ArmDescription arm, List<Capsule> capsules, List<SolidShape> obstacles) {
+    forward = new ForwardKinematics(arm);
+    this.obstacles = List.copyOf(obstacles);
+    List<Capsule> sorted =
+        capsules.stream().sorted(Comparator.comparingInt(Capsule::body)).toList();
+    int count = sorted.size();
+    own = new double[6 * count];
+    ends = new double[6 * count];
+    radius = new double[count];
+    body = new int[count];
+    for (int i = 0; i < count; i++) {
+      Capsule capsule = sorted.get(i);
+      double[] six = {
+        capsule.ax(), capsule.ay(), capsule.az(), capsule.bx(), capsule.by(), capsule.bz()
+      };
+      System.arraycopy(six, 0, own, 6 * i, 6);
+      radius[i] = capsule.radiusM();
+      body[i] = capsule.body();
+      start[capsule.body() + 1]++;
+    }
+    for (int i = 0; i < BODIES; i++) {
+      start[i + 1] += start[i];
+      surround(i);
+    }
+    reckonLevers(arm);
+    List<int[]> pairs = pairs(arm.dh().d1());
+    first = pairs.stream().mapToInt(pair -> pair[0]).toArray();
+    second = pairs.stream().mapToInt(pair -> pair[1]).toArray();
+    at(q);
+  }
+
+  private void surround(int of) {
+    double[] least = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
+    double[] most = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+    for (int i = 6 * start[of]; i < 6 * start[of + 1]; i++) {
+      least[i % 3] = Math.min(least[i % 3], own[i]);
+      most[i % 3] = Math.max(most[i % 3], own[i]);
+    }
+    for (int axis = 0; axis < 3 && start[of] < start[of + 1]; axis++) {
+      ownCentre[3 * of + axis] = (least[axis] + most[axis]) / 2;
+    }
+    around[of] = extent(of, ownCentre, 3 * of);
+  }
+
+  /** How far a body reaches from a place in its frame. */
+  private double extent(int of, double[] from, int at) {
+    double most = 0;
+    for (int end = 2 * start[of]; end < 2 * start[of + 1]; end++) {
+      double x = own[3 * end] - from[at];
+      double y = own[3 * end + 1] - from[at + 1];
+      double z = own[3 * end + 2] - from[at + 2];
+      most = Math.max(most, Math.sqrt(x * x + y * y + z * z) + radius[end / 2]);
+    }
+    return most;
+  }
+
+  /** A joint moves nothing farther away than the links behind it are long together. */
+  private void reckonLevers(ArmDescription arm) {
+    DhParameters parameters = arm.dh().parameters();
+    double[] origin = new double[3];
+    for (int joint = 0; joint < Joints.COUNT; joint++) {
+      double lengthM = 0;
+      for (int link = joint; link < Joints.COUNT; link++) {
+        lengthM += Math.hypot(parameters.aM().get(link), parameters.dM().get(link));
+        double extent = extent(link + 1, origin, 0);
+        if (link == Joints.COUNT - 1) {
+          extent = Math.max(extent, extent(LinkCapsules.TOOL, origin, 0));
+        }
+        leverM[joint] = Math.max(leverM[joint], lengthM + extent);
+      }
+    }
+  }
+
+  private List<int[]> pairs(double shoulderM) {
+    List<int[]> pairs = new ArrayList<>();
+    for (int one = 0; one < BODIES; one++) {
+      for (int other = one + 1; other < BODIES; other++) {
+        if (canTouch(one, other)
+            && start[one] < start[one + 1]
+            && start[other] < start[other + 1]) {
+          pairs.add(new int[] {one, other});
+        }
+      }
+    }
+    for (int i = 0; i < obstacles.size(); i++) {
+      for (int one = LinkCapsules.BASE + 1; one <= LinkCapsules.WRIST_3; one++) {
+        if (start[one] < start[one + 1] && obstacles.get(i).toPoint(0, 0, shoulderM) <= leverM[0]) {
+          pairs.add(new int[] {one, BODIES + i});
+        }
+      }
+    }
+    return pairs;
+  }
+
+  /** Whether two bodies can touch on any arm of this family, and are not neighbours. */
+  static boolean canTouch(int one, int other) {
+    if (other == LinkCapsules.TOOL) {
+      // what is on the flange moves with wrist 3, so wrist 2 is its neighbour too
+      return one < LinkCapsules.WRIST_3 - 1;
+    }
+    // whatever the joints: base and upper arm, forearm and wrist 2, wrist 1 and wrist 3
+    boolean apart = other == one + 2 && (one == 0 || one == 3 || one == 4);
+    return other >= one + 2 && !apart;
+  }
+
+  /** Takes six joint positions, rad. */
+  public void at(double[] positionRad) {
+    System.arraycopy(positionRad, 0, q, 0, Joints.COUNT);
+    forward.frames(q, frames);
+    for (int i = 0; i < radius.length; i++) {
+      place(body[i], own, 6 * i, ends);
+      place(body[i], own, 6 * i + 3, ends);
+    }
+    for (int i = 0; i < BODIES; i++) {
+      place(i, ownCentre, 3 * i, centre);
+    }
+  }
+
+  private void place(int of, double[] from, int at, double[] to) {
+    if (of == LinkCapsules.BASE) {
+      System.arraycopy(from, at, to, at, 3);
+      return;
+    }
+    double[] frame = frames[Math.min(of, Joints.COUNT) - 1];
+    double x = from[at];
+    double y = from[at + 1];
+    double z = from[at + 2];
+    for (int row = 0; row < 3; row++) {
+      to[at + row] =
+          frame[9 + row] + frame[3 * row] * x + frame[3 * row + 1] * y + frame[3 * row + 2] * z;
+    }
+  }
+
+  /** How far any of its points has moved at most from where it was put last, m. */
+  public double travelM(double[] positionRad) {
+    double sum = 0;
+    for (int i = 0; i < Joints.COUNT; i++) {
+      sum += Math.abs(positionRad[i] - q[i]) * leverM[i];
+    }
+    return sum;
+  }
+
+  /** How many pairs there are; they are numbered from 0. */
+  public int pairs() {
+    return first.length;
+  }
+
+  /** The body of a pair, or the one of two that is nearer the base. */
+  public int body(int pair) {
+    return first[pair];
+  }
+
+  /** The other body of a pair, which is nearer the flange; -1 where it is an obstacle. */
+  public int otherBody(int pair) {
+    return second[pair] < BODIES ? second[pair] : -1;
+  }
+
+  /** The obstacle of a pair, by its place in the list; -1 where it is a body. */
+  public int obstacle(int pair) {
+    return second[pair] - BODIES < 0 ? -1 : second[pair] - BODIES;
+  }
+
+  /**
+   * How far the two of a pair are apart, m: below 0 by the depth where they overlap.
+   *
+   * @param farM from here on it need not be exact, m: the answer is then at least this, and at most
+   *     the distance
+   */
+  public double distanceM(int pair, double farM) {
+    return second[pair] < BODIES
+        ? ofBodies(first[pair], second[pair], farM)
+        : ofObstacle(first[pair], obstacles.get(second[pair] - BODIES), farM);
+  }
+
+  /** How far two bodies are apart, whether they are a pair or not. */
+  double ofBodies(int one, int other, double far) {
+    double x = centre[3 * one] - centre[3 * other];
+    double y = centre[3 * one + 1] - centre[3 * other + 1];
+    double z = centre[3 * one + 2] - centre[3 * other + 2];
+    double bound = Math.sqrt(x * x + y * y + z * z) - around[one] - around[other];
+    if (bound >= far) {
+      return bound;
+    }
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = start[one]; i < start[one + 1]; i++) {
+      for (int j = start[other]; j < start[other + 1]; j++) {
+        least =
+            Math.min(
+                least, SegmentDistance.apart(ends, 6 * i, ends, 6 * j) - radius[i] - radius[j]);
+      }
+    }
+    return least;
+  }
+
+  private double ofObstacle(int one, SolidShape obstacle, double far) {
+    double bound =
+        obstacle.toPoint(centre[3 * one], centre[3 * one + 1], centre[3 * one + 2]) - around[one];
+    if (bound >= far) {
+      return bound;
+    }
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = start[one]; i < start[one + 1]; i++) {
+      int at = 6 * i;
+      least =
+          Math.min(
+              least,
+              obstacle.toSegment(
+                      ends[at],
+                      ends[at + 1],
+                      ends[at + 2],
+                      ends[at + 3],
+                      ends[at + 4],
+                      ends[at + 5])
+                  - radius[i]);
+    }
+    return least;
+  }
+}
