@@ -8,6 +8,8 @@ import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetySystem;
+import org.pendant.controller.world.LinkCollisions;
+import org.pendant.controller.world.LinkHit;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.PlanningException;
@@ -38,6 +40,8 @@ public final class ArmDrive {
   private ArmCommand.Torque torque = new ArmCommand.Torque(TorqueSetpoint.ZERO);
   private final DriveTarget driveTarget = new DriveTarget();
   private final PositionHistory history;
+  private final Optional<LinkCollisions> collisions;
+  private final double[] q = new double[Joints.COUNT];
   private Joints actualRad;
 
   /**
@@ -68,6 +72,7 @@ public final class ArmDrive {
     safety = setup.safety();
     motion = setup.motion();
     freedrive = setup.modes().freedrive();
+    collisions = setup.arm().collisions();
     actualRad = setup.startRad();
     history = new PositionHistory(actualRad);
   }
@@ -120,6 +125,7 @@ public final class ArmDrive {
     history.add(actualRad);
     flange.contactWatch().add(flange.wrenchInBase());
     watchForceMode();
+    watchLinks();
     if (freedrive.active()) {
       freedrive.follow(actualRad, arm.speedRadPerS());
     } else if (motion.torqueDriven()) {
@@ -163,6 +169,20 @@ public final class ArmDrive {
         setup.modes().forceMode().deviation(drivenPositionRad(), actualRad);
     if (aside.isPresent()) {
       safety.aside(aside.get());
+    }
+  }
+
+  /** Tells the safety functions of a link that has got into something. */
+  private void watchLinks() {
+    if (collisions.isEmpty()) {
+      return;
+    }
+    arm.sensors().copyPositionRad(q);
+    boolean undriven = safety.robotMode() != RobotMode.RUNNING || freedrive.active();
+    boolean tolerated = undriven || motion.torqueDriven() || safety.stop().isPresent();
+    Optional<LinkHit> hit = collisions.get().look(q, tolerated);
+    if (hit.isPresent()) {
+      safety.linkHit(hit.get());
     }
   }
 
@@ -213,6 +233,7 @@ public final class ArmDrive {
   public void jumpTo(Joints positionRad) throws PlanningException {
     motion.jumpTo(positionRad);
     arm.jumpTo(positionRad);
+    collisions.ifPresent(LinkCollisions::restart);
     safety.jumped();
     actualRad = positionRad;
     setup.flange().armChanged();

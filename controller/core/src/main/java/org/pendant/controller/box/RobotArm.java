@@ -1,11 +1,13 @@
 package org.pendant.controller.box;
 
+import java.util.Optional;
 import org.pendant.controller.arm.ArmSupply;
 import org.pendant.controller.arm.DynamicArm;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.arm.SupplyMeter;
 import org.pendant.controller.world.ContactWorld;
+import org.pendant.controller.world.LinkCollisions;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
 
@@ -18,6 +20,7 @@ public final class RobotArm {
   private final Scene scene;
   private final ArmModel model;
   private final ContactWorld world;
+  private final Optional<LinkCollisions> collisions;
   private final SimulatedArm simulated;
   private final ArmSupply supply;
   private final SupplyMeter supplyMeter;
@@ -29,6 +32,11 @@ public final class RobotArm {
     scene = setup.scene();
     model = new ArmModel(description);
     world = new ContactWorld(scene);
+    // an ideal arm touches nothing
+    collisions =
+        setup.armChoice() == ArmChoice.IDEAL
+            ? Optional.empty()
+            : LinkCollisions.of(description, scene);
     simulated = simulated(setup);
     supply = new ArmSupply(description);
     supplyMeter = new SupplyMeter(description, supply, setup.readingNoise(), setup.seed());
@@ -83,6 +91,11 @@ public final class RobotArm {
   /** What the arm may touch, and what pushes it. */
   public ContactWorld world() {
     return world;
+  }
+
+  /** What its links get into; empty where they pass through everything. */
+  Optional<LinkCollisions> collisions() {
+    return collisions;
   }
 
   /** What is felt at the flange. */

@@ -5,6 +5,7 @@ import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.safety.SpeedCaps;
+import org.pendant.controller.world.LinkCollisions;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
@@ -25,6 +26,7 @@ public final class ToolFlange {
   private final Freedrive freedrive;
   private final ForceMode forceMode;
   private final ContactWatch contactWatch = new ContactWatch();
+  private final Optional<LinkCollisions> collisions;
   private ToolCentre tool = ToolCentre.FLANGE;
   private boolean cogAtTool;
   private boolean loadKnown;
@@ -45,6 +47,7 @@ public final class ToolFlange {
       MotionControl motion,
       ControlModes modes) {
     this.arm = arm.simulated();
+    collisions = arm.collisions();
     model = arm.model();
     forces = arm.forces();
     this.speedCaps = speedCaps;
@@ -67,6 +70,7 @@ public final class ToolFlange {
   public void setTool(ToolCentre tool) {
     this.tool = tool;
     arm.setToolCentre(tool.inFlange());
+    collisions.ifPresent(links -> links.setTool(tool.inFlange()));
     speedCaps.setTool(tool.inFlange());
     motion.setTool(tool.inFlange());
     freedrive.setTool(tool.inFlange());

@@ -2,6 +2,7 @@ package org.pendant.controller.safety;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.pendant.controller.world.LinkHit;
 import org.pendant.motion.MotionFailure;
 import org.pendant.motion.force.TaskDeviation;
 
@@ -15,6 +16,7 @@ final class AskedStops {
   private OptionalDouble wrongPayloadN = OptionalDouble.empty();
   private double payloadToleranceN;
   private Optional<TaskDeviation> aside = Optional.empty();
+  private Optional<LinkHit> linkHit = Optional.empty();
 
   void ofProgram() {
     program = true;
@@ -33,11 +35,16 @@ final class AskedStops {
     aside = Optional.of(deviation);
   }
 
+  void linkHit(LinkHit hit) {
+    linkHit = Optional.of(hit);
+  }
+
   void forget() {
     program = false;
     lostPath = Optional.empty();
     wrongPayloadN = OptionalDouble.empty();
     aside = Optional.empty();
+    linkHit = Optional.empty();
   }
 
   /** The stop that counts of those that are asked for. */
@@ -55,6 +62,11 @@ final class AskedStops {
               facts.timeS(),
               wrongPayloadN.getAsDouble(),
               payloadToleranceN));
+    }
+    if (linkHit.isPresent()) {
+      LinkHit hit = linkHit.get();
+      return Optional.of(
+          StopReason.LINK_HIT.ofLink(hit.sentence(), hit.joint(), facts.timeS(), hit.depthM()));
     }
     // no lambda: this is asked in every frame
     return aside.isPresent()

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.world.LinkHit;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
@@ -346,6 +347,11 @@ public final class SafetySystem {
    */
   public void aside(TaskDeviation deviation) {
     askedStops.aside(deviation);
+  }
+
+  /** A link of the arm has got into something: a protective stop in this frame. */
+  public void linkHit(LinkHit hit) {
+    askedStops.linkHit(hit);
   }
 
   /**

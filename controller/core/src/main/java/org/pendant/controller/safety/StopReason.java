@@ -21,6 +21,7 @@ public enum StopReason {
   WRONG_PAYLOAD(
       155, 0, Kind.PROTECTIVE, "is not what the flange carries, or something pushes the tool", "N"),
   COLLISION(157, Kind.PROTECTIVE, "is pushed from outside", "Nm"),
+  LINK_HIT(157, Kind.PROTECTIVE, "", "m"),
   OUT_OF_REACH(200, 0, Kind.PROTECTIVE, "", ""),
   TARGET_POSITION_JUMP(204, 1, Kind.PROTECTIVE, "has a target position that jumps", "rad"),
   TARGET_SPEED_JUMP(204, 3, Kind.PROTECTIVE, "has a target speed that jumps", "rad/s"),
@@ -134,6 +135,16 @@ public enum StopReason {
   SafetyStop alongAxis(char axis, int joint, double timeS, double value, double limit) {
     String sentence = "the TCP " + words + " " + axis + " of the task frame of force mode";
     return stop(sentence, joint, OptionalInt.of(joint), timeS, value, limit);
+  }
+
+  /**
+   * A stop because of a link of the arm that is in something.
+   *
+   * @param sentence which link, and what it is in
+   * @param joint that moves the link, 0 to 5
+   */
+  SafetyStop ofLink(String sentence, int joint, double timeS, double depthM) {
+    return stop(sentence, joint, OptionalInt.of(joint), timeS, depthM, 0);
   }
 
   /** A stop because of an input, or on request. */

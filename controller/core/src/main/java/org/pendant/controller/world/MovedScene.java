@@ -24,7 +24,7 @@ public final class MovedScene {
     for (MovedObject each : moved) {
       objects.replaceAll(object -> object.name().equals(each.name()) ? at(object, each) : object);
     }
-    return new Scene(objects, scene.load(), scene.toolPoints(), scene.pushAtTcpInBase());
+    return scene.withObjects(objects);
   }
 
   private static SceneObject at(SceneObject object, MovedObject moved) {

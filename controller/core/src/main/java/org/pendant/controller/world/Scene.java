@@ -18,12 +18,14 @@ import org.pendant.models.pose.Wrench;
  *     active tool centre point alone
  * @param pushAtTcpInBase what pushes the tool from the start: at the tool centre point, along the
  *     axes of the base
+ * @param links what becomes of links of the arm that get into something
  */
 public record Scene(
     List<SceneObject> objects,
     Optional<Payload> load,
     List<ToolPoint> toolPoints,
-    Wrench pushAtTcpInBase) {
+    Wrench pushAtTcpInBase,
+    LinkContact links) {
   /** Objects in a scene at most; each of them is looked at for every tool point in every step. */
   public static final int MAX_OBJECTS = 1000;
 
@@ -31,7 +33,7 @@ public record Scene(
   public static final int MAX_TOOL_POINTS = 16;
 
   /** Nothing around the arm. */
-  public static final Scene EMPTY = new Scene(List.of(), Optional.empty(), List.of(), Wrench.ZERO);
+  public static final Scene EMPTY = new Scene(List.of(), Optional.empty(), List.of());
 
   /**
    * Checks the counts and names.
@@ -56,9 +58,34 @@ public record Scene(
     }
   }
 
-  /** A scene in which nothing pushes. */
+  /** A scene in which nothing pushes, and links stop at things. */
   public Scene(List<SceneObject> objects, Optional<Payload> load, List<ToolPoint> toolPoints) {
-    this(objects, load, toolPoints, Wrench.ZERO);
+    this(objects, load, toolPoints, Wrench.ZERO, LinkContact.STOP);
+  }
+
+  /** The same with other objects. */
+  public Scene withObjects(List<SceneObject> others) {
+    return new Scene(others, load, toolPoints, pushAtTcpInBase, links);
+  }
+
+  /** The same with another load. */
+  public Scene withLoad(Optional<Payload> other) {
+    return new Scene(objects, other, toolPoints, pushAtTcpInBase, links);
+  }
+
+  /** The same with other tool points. */
+  public Scene withToolPoints(List<ToolPoint> others) {
+    return new Scene(objects, load, others, pushAtTcpInBase, links);
+  }
+
+  /** The same with another push. */
+  public Scene withPush(Wrench atTcpInBase) {
+    return new Scene(objects, load, toolPoints, atTcpInBase, links);
+  }
+
+  /** The same with links that stop at things or pass through them. */
+  public Scene withLinks(LinkContact contact) {
+    return new Scene(objects, load, toolPoints, pushAtTcpInBase, contact);
   }
 
   private static void requireCount(String what, int count, int most) {

@@ -36,7 +36,7 @@ public final class SceneReader {
 
   private Scene scene(Json root) throws JsonException {
     JsonFields fields = new JsonFields(root, "a scene");
-    fields.allow(Nearest::among, "objects", "load", "tool", "push", "devices", "rules");
+    fields.allow(Nearest::among, "objects", "load", "tool", "push", "links", "devices", "rules");
     for (Json each : fields.array("objects", Scene.MAX_OBJECTS)) {
       add(each);
     }
@@ -48,12 +48,25 @@ public final class SceneReader {
     Optional<Payload> payload =
         load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty();
     Wrench push = push(fields);
+    LinkContact links = links(fields);
     try {
-      return new Scene(objects, payload, toolPoints, push);
+      return new Scene(objects, payload, toolPoints, push, links);
     } catch (IllegalArgumentException e) {
       // each part is right by itself: bodies overlap, or there are too many of them
       throw fields.required("objects").place().refusal(e.getMessage());
     }
+  }
+
+  private static LinkContact links(JsonFields scene) throws JsonException {
+    if (scene.optional("links").isEmpty()) {
+      return LinkContact.STOP;
+    }
+    Json.Text word = scene.text("links");
+    Optional<LinkContact> contact = LinkContact.of(word.value());
+    if (contact.isEmpty()) {
+      throw word.place().refusal("links is " + word.described() + ", must be stop or pass");
+    }
+    return contact.get();
   }
 
   private static Wrench push(JsonFields scene) throws JsonException {

@@ -16,7 +16,7 @@ import org.pendant.models.pose.Wrench;
  */
 public final class SceneWriter {
   /** The keys of what a scene is made of. */
-  public static final Set<String> KEYS = Set.of("objects", "load", "tool", "push");
+  public static final Set<String> KEYS = Set.of("objects", "load", "tool", "push", "links");
 
   private SceneWriter() {}
 
@@ -41,6 +41,9 @@ public final class SceneWriter {
     }
     if (!scene.pushAtTcpInBase().equals(Wrench.ZERO)) {
       parts.add("  \"push\": " + push(scene.pushAtTcpInBase()));
+    }
+    if (scene.links() != LinkContact.STOP) {
+      parts.add("  \"links\": " + JsonValues.text(scene.links().word()));
     }
     others.forEach((key, json) -> parts.add("  " + JsonValues.text(key) + ": " + json));
     return parts.isEmpty() ? "{}\n" : "{\n" + String.join(",\n", parts) + "\n}\n";

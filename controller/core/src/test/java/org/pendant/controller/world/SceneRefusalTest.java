@@ -126,10 +126,17 @@ final class SceneRefusalTest {
   }
 
   @Test
+  void linksThatNeitherStopNorPass() {
+    assertRefused(
+        "scene.json:1:11: links is \"slide\", must be stop or pass", "{\"links\": \"slide\"}");
+    assertRefused("scene.json:1:11: links is true, must be a text", "{\"links\": true}");
+  }
+
+  @Test
   void unknownKeys() {
     assertRefused(
         "scene.json:1:2: unknown key \"object\", did you mean objects? a scene may have objects,"
-            + " load, tool, push, devices, rules",
+            + " load, tool, push, links, devices, rules",
         "{\"object\": []}");
     assertRefused(
         "scene.json:2:1: unknown key \"center\", did you mean centre? a sphere may have type, name,"

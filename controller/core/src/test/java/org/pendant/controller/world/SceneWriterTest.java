@@ -88,7 +88,8 @@ final class SceneWriterTest {
             ? List.of()
             : List.of(new ToolPoint(vector(random, 4), 0), new ToolPoint(vector(random, 4), 0.01));
     Wrench push = random.nextBoolean() ? Wrench.ZERO : new Wrench(0, 0, -20, 0, 0.5, 0);
-    return new Scene(objects, load, tool, push);
+    LinkContact links = random.nextBoolean() ? LinkContact.STOP : LinkContact.PASS;
+    return new Scene(objects, load, tool, push, links);
   }
 
   private static Vector3 vector(Random random) {

@@ -108,11 +108,11 @@ final class LoadCard {
   }
 
   private static Scene with(Scene scene, Optional<Payload> load) {
-    return new Scene(scene.objects(), load, scene.toolPoints(), scene.pushAtTcpInBase());
+    return scene.withLoad(load);
   }
 
   private static Scene pushed(Scene scene, Wrench push) {
-    return new Scene(scene.objects(), scene.load(), scene.toolPoints(), push);
+    return scene.withPush(push);
   }
 
   JComponent component() {

@@ -207,7 +207,7 @@ final class ObjectsCard {
 
     private Scene with(List<SceneObject> next) {
       Scene now = draft.scene();
-      return new Scene(next, now.load(), now.toolPoints(), now.pushAtTcpInBase());
+      return now.withObjects(next);
     }
 
     @Override

@@ -70,7 +70,7 @@ final class PlacingHand implements ObjectHand {
     next.replaceAll(each -> each.name().equals(name) ? at(each, to) : each);
     Scene now = draft.scene();
     try {
-      draft.set(new Scene(next, now.load(), now.toolPoints(), now.pushAtTcpInBase()));
+      draft.set(now.withObjects(next));
     } catch (IllegalArgumentException _) {
       // in another one it stays where it was before
     }

@@ -71,7 +71,7 @@ final class ToolPointsCard {
 
     private Scene with(List<ToolPoint> next) {
       Scene now = draft.scene();
-      return new Scene(now.objects(), now.load(), next, now.pushAtTcpInBase());
+      return now.withToolPoints(next);
     }
 
     @Override

@@ -41,7 +41,9 @@ record CodeHelp(String meaning, String suggestion) {
           Optional.of("The path led through a singularity, or to where the arm is stretched.");
       case 155 ->
           Optional.of("Freedrive found another payload on the flange than the declared one.");
-      case 157 -> Optional.of("A joint was pushed from outside for 10 ms.");
+      case 157 ->
+          Optional.of(
+              "A joint was pushed from outside for 10 ms, or a link hit something in the scene.");
       case 173 -> Optional.of("Warning only: a joint is away from its target.");
       case 191 -> Optional.of("A safety limit was exceeded: " + limit(argument) + ".");
       case 192 -> Optional.of("A joint reports no number, so the safety functions cannot work.");

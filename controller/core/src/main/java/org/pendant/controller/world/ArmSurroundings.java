@@ -1,0 +1,108 @@
+package org.pendant.controller.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.collision.ArmClearance;
+import org.pendant.models.collision.Capsule;
+import org.pendant.models.collision.LinkCapsules;
+import org.pendant.models.collision.SolidShape;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Arm surroundings: what the links of an arm can get into in a scene: one another, and the objects
+ * that stand still. Tool points with a radius belong to the arm, as its tool: they can get into
+ * links; what they do with objects is up to {@link ContactWorld}.
+ */
+public final class ArmSurroundings {
+  /** A tool that ends this near the flange is wrist 3 itself, m. */
+  private static final double BARE_FLANGE_M = 0.02;
+
+  private final ArmClearance clearance;
+  private final List<String> names;
+  private final List<ToolPoint> toolPoints;
+
+  /** The links of an arm in a scene. */
+  public ArmSurroundings(ArmDescription arm, Scene scene) {
+    List<Capsule> capsules = new ArrayList<>(LinkCapsules.of(arm));
+    for (ToolPoint point : capsules.isEmpty() ? List.<ToolPoint>of() : scene.toolPoints()) {
+      if (point.radiusM() > 0) {
+        Vector3 at = point.pointInFlangeM();
+        capsules.add(
+            new Capsule(
+                LinkCapsules.TOOL,
+                at.x(),
+                at.y(),
+                at.z(),
+                at.x(),
+                at.y(),
+                at.z(),
+                point.radiusM()));
+      }
+    }
+    List<SceneObject> still =
+        scene.objects().stream().filter(object -> object.massKg() == 0).toList();
+    toolPoints = scene.toolPoints();
+    names = still.stream().map(SceneObject::name).toList();
+    clearance =
+        new ArmClearance(arm, capsules, still.stream().map(ArmSurroundings::obstacle).toList());
+  }
+
+  /** How far they are from one another, pair by pair. */
+  public ArmClearance clearance() {
+    return clearance;
+  }
+
+  /**
+   * Whether the tool is no longer than the flange: then it is wrist 3 that presses on things.
+   *
+   * @param tcpInFlange what the tool touches with, unless the scene says so
+   */
+  public boolean bareFlange(Pose tcpInFlange) {
+    if (toolPoints.isEmpty()) {
+      Vector3 tcp = new Vector3(tcpInFlange.x(), tcpInFlange.y(), tcpInFlange.z());
+      return tcp.length() < BARE_FLANGE_M;
+    }
+    return toolPoints.stream().allMatch(each -> each.pointInFlangeM().length() < BARE_FLANGE_M);
+  }
+
+  /** Whether a pair is that of wrist 3 and an object, which touch where the flange presses. */
+  public boolean presses(int pair) {
+    return clearance.body(pair) == LinkCapsules.WRIST_3 && clearance.obstacle(pair) >= 0;
+  }
+
+  /** The two of a pair, as one that overlaps by so much. */
+  public LinkHit hit(int pair, double depthM) {
+    int body = clearance.body(pair);
+    int obstacle = clearance.obstacle(pair);
+    if (obstacle >= 0) {
+      return new LinkHit(
+          LinkCapsules.NAMES.get(body), names.get(obstacle), true, jointOf(body), depthM);
+    }
+    int outer = clearance.otherBody(pair);
+    return new LinkHit(
+        LinkCapsules.NAMES.get(outer), LinkCapsules.NAMES.get(body), false, jointOf(outer), depthM);
+  }
+
+  private static int jointOf(int body) {
+    return Math.min(body, LinkCapsules.WRIST_3) - 1;
+  }
+
+  private static SolidShape obstacle(SceneObject object) {
+    return switch (object) {
+      case SceneObject.Plane plane -> {
+        Vector3 at = plane.pointInBaseM();
+        Vector3 normal = plane.normalInBase();
+        yield new SolidShape.HalfSpace(at.x(), at.y(), at.z(), normal.x(), normal.y(), normal.z());
+      }
+      case SceneObject.Box box -> {
+        Vector3 size = box.sizeM();
+        yield new SolidShape.Block(box.poseInBase(), size.x(), size.y(), size.z());
+      }
+      case SceneObject.Sphere ball -> {
+        Vector3 at = ball.centreInBaseM();
+        yield new SolidShape.Ball(at.x(), at.y(), at.z(), ball.radiusM());
+      }
+    };
+  }
+}
