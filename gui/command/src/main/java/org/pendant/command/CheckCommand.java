@@ -1,6 +1,8 @@
 package org.pendant.command;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -11,7 +13,10 @@ import org.pendant.testing.builtin.TestBuiltins;
 import org.pendant.testing.builtin.TestCatalogue;
 import org.pendant.testing.source.TestFileReader;
 
-/** Command {@code pendant check FILE...}: finds mistakes without running anything. */
+/**
+ * Command {@code pendant check FILE...}: finds mistakes without running anything, and collisions by
+ * running programs where nothing moves.
+ */
 final class CheckCommand implements Subcommand {
 
   @Override
@@ -26,12 +31,15 @@ final class CheckCommand implements Subcommand {
 
   @Override
   public String summary() {
-    return "look for mistakes in programs without running them";
+    return "look for mistakes in programs, and for collisions in a scene";
   }
 
   @Override
   public List<Option> options() {
-    return List.of(InstallationOption.OPTION);
+    return Stream.concat(
+            Stream.of(CellCheck.CELL, CellCheck.JSON, OutputFile.FORCE),
+            RunOptions.OF_CHECK.stream())
+        .toList();
   }
 
   @Override
@@ -40,16 +48,27 @@ final class CheckCommand implements Subcommand {
       throw new UsageException("no file given");
     }
     List<RunnableFile> files = RunnableFile.read(arguments);
+    Optional<CellCheck> cell = CellCheck.of(arguments);
     InstallationOption.tell(arguments, console);
     Builtins<?> builtins = StandardBuiltins.create();
     ExitCode code = ExitCode.DONE;
-    for (RunnableFile file : files) {
-      file.tell(console);
-      if (TestCatalogue.isFor(file.file())) {
-        code = code.or(tests(file.file(), arguments, console));
-      } else if (file.source().isEmpty() || !compiles(file, builtins, console)) {
-        code = code.or(ExitCode.DOES_NOT_COMPILE);
+    try (Interruption interruption = Interruption.listen("the check")) {
+      for (RunnableFile file : files) {
+        file.tell(console);
+        if (TestCatalogue.isFor(file.file())) {
+          code = code.or(tests(file.file(), arguments, console));
+        } else if (file.source().isEmpty() || !compiles(file, builtins, console)) {
+          code = code.or(ExitCode.DOES_NOT_COMPILE);
+        } else if (cell.isPresent() && !file.waits()) {
+          code = code.or(cell.get().run(file, interruption, console));
+        }
+        if (interruption.requested()) {
+          break;
+        }
       }
+    }
+    if (cell.isPresent()) {
+      cell.get().write();
     }
     return code;
   }

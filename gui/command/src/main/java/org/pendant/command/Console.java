@@ -43,6 +43,11 @@ final class Console {
     return new Console(errors, errors);
   }
 
+  /** A console with the standard error of this one, whose standard output nobody sees. */
+  Console withoutOutput() {
+    return new Console(OutputStream.nullOutputStream(), errors);
+  }
+
   /** Writes {@code bytes}, one {@code char} a byte, and a line end to standard output. */
   synchronized void printBytes(String bytes) {
     write(bytes.getBytes(StandardCharsets.ISO_8859_1));

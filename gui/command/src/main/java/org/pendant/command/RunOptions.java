@@ -191,6 +191,10 @@ record RunOptions(
   /** What says what a robot is that other programs drive. */
   static final List<Option> OF_ROBOT = without(OF_PROGRAM, TIMEOUT, WallLimit.OPTION);
 
+  /** What says how a program runs that is looked at for collisions: it reaches nothing outside. */
+  static final List<Option> OF_CHECK =
+      without(OF_PROGRAM, SimulationOptions.SCENE, HostsOption.OPTION, ControlOption.OPTION);
+
   private static List<Option> without(List<Option> options, Option... others) {
     return options.stream().filter(each -> !List.of(others).contains(each)).toList();
   }
@@ -270,6 +274,20 @@ record RunOptions(
             .withMemory(MemoryOption.of(arguments));
     ControllerOptions placed = SimulationOptions.in(controller, arguments);
     return installation.isPresent() ? InstallationOption.in(placed, installation.get()) : placed;
+  }
+
+  /** The same without an end in robot time. */
+  RunOptions withoutTimeout() {
+    return new RunOptions(
+        controller,
+        hosts,
+        drivers,
+        waveforms,
+        speedFactor,
+        record,
+        OptionalDouble.empty(),
+        wallTimeoutS,
+        toolDevice);
   }
 
   /** A clock for one run. */

@@ -111,10 +111,7 @@ final class SimulationOptions {
     }
     Optional<String> scene = arguments.value(SCENE);
     if (scene.isPresent()) {
-      chosen =
-          chosen
-              .withScene(scene(scene.get(), arguments.files()))
-              .withEquipment(equipment(scene.get(), arguments.files()));
+      chosen = withScene(chosen, scene.get(), arguments);
     }
     chosen = chosen.withEquipment(equipped(chosen.equipment(), arguments));
     Optional<String> safety = arguments.value(SAFETY);
@@ -122,6 +119,14 @@ final class SimulationOptions {
       chosen = chosen.withSafety(safety(safety.get(), options.arm(), arguments.files()));
     }
     return chosen;
+  }
+
+  /** {@code options} in a scene, with what in it answers the program. */
+  static ControllerOptions withScene(ControllerOptions options, String name, Arguments arguments)
+      throws UsageException {
+    return options
+        .withScene(scene(name, arguments.files()))
+        .withEquipment(equipment(name, arguments.files()));
   }
 
   private static CellEquipment equipped(CellEquipment cell, Arguments arguments)

@@ -44,6 +44,7 @@ final class OutputOptionsTest {
               """,
           "--waveforms", "time,signal,value\n",
           "--scene", "{}",
+          "--cell", "{}",
           "--safety", "{}",
           "--collection", "# a run\na.csv a.script\n");
 
