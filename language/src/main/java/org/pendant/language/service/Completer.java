@@ -24,18 +24,22 @@ final class Completer {
   private final CompletionPlace place;
   private final FunctionScope scope;
   private final boolean parenthesised;
-  private final List<Ranked> found = new ArrayList<>();
+  private final List<Offer> found = new ArrayList<>();
   private final Set<String> offered = new HashSet<>();
-
-  /** How often this text uses each name. */
-  private final Map<String, Integer> uses = new HashMap<>();
 
   /**
    * What is offered, and how near it is.
    *
-   * @param rank among those of its kind, the least first
+   * @param name counts by how often the text has it; empty where that means nothing
+   * @param rank of one that the text does not have, among those of its kind, the least first
    */
-  private record Ranked(Completion completion, Matching matching, int rank) {}
+  private record Offer(Completion completion, Matching matching, String name, int rank) {
+    /** What the text has most often comes first. */
+    int rank(Map<String, Integer> uses) {
+      int used = uses.getOrDefault(name, 0);
+      return used > 0 ? -used : rank;
+    }
+  }
 
   private Completer(ScriptAnalysis analysis, int offset) {
     this.analysis = analysis;
@@ -48,22 +52,41 @@ final class Completer {
   static List<Completion> complete(ScriptAnalysis analysis, int offset) {
     Completer completer = new Completer(analysis, offset);
     completer.collect();
+    Map<String, Integer> uses = completer.uses();
     return completer.found.stream()
         .sorted(
-            Comparator.comparing(Ranked::matching)
-                .thenComparing(ranked -> ranked.completion().kind())
-                .thenComparingInt(Ranked::rank)
-                .thenComparing(ranked -> ranked.completion().label()))
-        .map(Ranked::completion)
+            Comparator.comparing(Offer::matching)
+                .thenComparing(offer -> offer.completion().kind())
+                .thenComparingInt(offer -> offer.rank(uses))
+                .thenComparing(offer -> offer.completion().label()))
+        .map(Offer::completion)
         .toList();
   }
 
-  private void collect() {
-    for (int i = 0; i < lexemes.size(); i++) {
-      if (lexemes.is(i, Kind.NAME)) {
-        uses.merge(lexemes.text(i), 1, Integer::sum);
+  /** How often the text has each name that is offered. */
+  private Map<String, Integer> uses() {
+    Set<String> names = new HashSet<>();
+    boolean[] initials = new boolean[256];
+    for (Offer offer : found) {
+      if (!offer.name().isEmpty()) {
+        names.add(offer.name());
+        initials[offer.name().charAt(0) & 0xFF] = true;
       }
     }
+    Map<String, Integer> uses = new HashMap<>();
+    for (int i = 0; i < lexemes.size() && !names.isEmpty(); i++) {
+      // Nearly all words begin with another letter than what is typed.
+      if (lexemes.is(i, Kind.NAME) && initials[lexemes.initial(i)]) {
+        String word = lexemes.text(i);
+        if (names.contains(word)) {
+          uses.merge(word, 1, Integer::sum);
+        }
+      }
+    }
+    return uses;
+  }
+
+  private void collect() {
     switch (place.role()) {
       case NOTHING -> {}
       case OPERATOR -> keywords(Keywords.operators());
@@ -105,6 +128,9 @@ final class Completer {
   /** Threads where they are started; functions and secondary programs where values stand. */
   private void definitions(boolean threads) {
     for (Definition definition : analysis.scopes().definitions()) {
+      if (!matches(definition.name())) {
+        continue;
+      }
       boolean thread = definition.kind() == DefinitionKind.THREAD;
       boolean visible =
           scope.function(definition.name()).filter(other -> isSame(other, definition)).isPresent();
@@ -140,6 +166,7 @@ final class Completer {
           "",
           pattern,
           List.of(),
+          "",
           0);
     }
   }
@@ -161,6 +188,7 @@ final class Completer {
             "",
             parameter.name() + "=" + Keywords.CARET,
             List.of(),
+            "",
             i);
       }
     }
@@ -187,11 +215,14 @@ final class Completer {
   }
 
   private void name(Completion.Kind kind, String name) {
-    offer(kind, name, "", "", name + Keywords.CARET, List.of(), -uses.getOrDefault(name, 0));
+    offer(kind, name, "", "", name + Keywords.CARET, List.of(), name, 0);
   }
 
   private void call(Completion.Kind kind, Signature signature) {
     String name = signature.name();
+    if (!matches(name)) {
+      return;
+    }
     boolean empty = signature.parameters().isEmpty() && !name.equals(SymbolWalk.STRUCT);
     String pattern = parenthesised ? name + "|" : empty ? name + "()|" : name + "(|)";
     List<String> arguments =
@@ -208,15 +239,16 @@ final class Completer {
         firstSentence(signature.documentation()),
         pattern,
         arguments,
-        rank(kind, signature));
+        name,
+        kind == Completion.Kind.BUILTIN ? commonRank(signature) : 0);
   }
 
-  /** What this text calls, most often first, then what other programs do; deprecated ones last. */
-  private int rank(Completion.Kind kind, Signature signature) {
-    int used = uses.getOrDefault(signature.name(), 0);
-    if (kind != Completion.Kind.BUILTIN || used > 0) {
-      return -used;
-    }
+  private boolean matches(String name) {
+    return Matching.of(place.prefix(), name) != Matching.NONE;
+  }
+
+  /** What other programs call most comes first, deprecated functions last. */
+  private static int commonRank(Signature signature) {
     return signature.deprecated().isEmpty()
         ? CommonFunctions.rank(signature.name())
         : Integer.MAX_VALUE;
@@ -252,6 +284,7 @@ final class Completer {
       String documentation,
       String pattern,
       List<String> arguments,
+      String counted,
       int rank) {
     Matching matching = Matching.of(place.prefix(), label);
     if (matching == Matching.NONE || !offered.add(kind + label)) {
@@ -260,10 +293,11 @@ final class Completer {
     int caret = pattern.indexOf(Keywords.CARET);
     String insert = pattern.substring(0, caret) + pattern.substring(caret + 1);
     found.add(
-        new Ranked(
+        new Offer(
             new Completion(
                 kind, label, detail, documentation, place.word(), insert, caret, arguments),
             matching,
+            counted,
             rank));
   }
 }

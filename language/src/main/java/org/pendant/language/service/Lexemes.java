@@ -59,6 +59,11 @@ final class Lexemes {
     return source.text().substring(lexemes.start(index), lexemes.end(index));
   }
 
+  /** The first byte of lexeme {@code index}. */
+  int initial(int index) {
+    return source.text().charAt(lexemes.start(index));
+  }
+
   /** The last lexeme that begins before {@code offset}, or -1. */
   int before(int offset) {
     return lexemes.indexAt(offset) - 1;

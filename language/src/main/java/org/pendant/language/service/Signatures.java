@@ -100,11 +100,19 @@ final class Signatures {
     List<String> lines = new ArrayList<>();
     while (line > 1 && source.lineText(line - 1).strip().startsWith("#")) {
       line--;
-      String words = source.lineText(line).strip().replaceFirst("^#+", "").strip();
+      String words = words(source.lineText(line).strip());
       if (!words.isEmpty()) {
         lines.addFirst(words);
       }
     }
     return ByteText.decoded(String.join("\n", lines));
+  }
+
+  private static String words(String comment) {
+    int start = 0;
+    while (start < comment.length() && comment.charAt(start) == '#') {
+      start++;
+    }
+    return comment.substring(start).strip();
   }
 }

@@ -42,7 +42,7 @@ public final class Completions {
       Document document, Completion completion, int rank, ClientFeatures client) {
     CompletionItem item = new CompletionItem(decoded(completion.label()));
     item.setKind(kind(completion.kind()));
-    item.setSortText(String.format("%05d", rank));
+    item.setSortText(sortText(rank));
     item.setFilterText(decoded(completion.label()));
     String detail = decoded(completion.detail());
     if (!detail.isEmpty()) {
@@ -68,6 +68,12 @@ public final class Completions {
     item.setInsertTextMode(InsertTextMode.AsIs);
     item.setTextEdit(Either.forLeft(new TextEdit(document.range(completion.replaced()), text)));
     return item;
+  }
+
+  /** Five digits, which sort as numbers do; there may be hundreds for each letter that is typed. */
+  private static String sortText(int rank) {
+    String digits = Integer.toString(rank);
+    return "0".repeat(Math.max(0, 5 - digits.length())) + digits;
   }
 
   private static boolean isDeprecated(Catalogue catalogue, Completion completion) {
