@@ -69,6 +69,7 @@ import org.pendant.script.function.Builtins;
 final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final SessionThread turns;
   private final DebugSession session;
+  private final ProgressEvents progress;
   private final StopKinds stops;
   private final Launching launching;
   private final Attaching attaching;
@@ -99,7 +100,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     Builtins<ControlBox> builtins = StandardBuiltins.create();
     StopWishes wishes = new StopWishes();
     session = new DebugSession(turns, client);
-    ProgressEvents progress = new ProgressEvents(session);
+    progress = new ProgressEvents(session);
     BreakpointTable table = new BreakpointTable();
     BreakpointRequests lines = new BreakpointRequests(session, table, builtins);
     DataBreakpoints data = new DataBreakpoints(session, table);
@@ -263,7 +264,12 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
 
   @Override
   public CompletableFuture<Void> cancel(CancelArguments asked) {
-    return turns.request(execution::cancel);
+    return now(
+        () -> {
+          Optional.ofNullable(asked.getRequestId()).ifPresent(execution::cancel);
+          Optional.ofNullable(asked.getProgressId()).ifPresent(progress::cancel);
+          return null;
+        });
   }
 
   @Override

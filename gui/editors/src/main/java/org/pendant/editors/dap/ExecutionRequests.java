@@ -59,10 +59,9 @@ final class ExecutionRequests {
         .orElseGet(() -> Refusals.answer("that line of output is not known any more"));
   }
 
-  /** Gives up what searches the recording. */
-  CompletableFuture<Void> cancel() {
-    past.cancel();
-    return CompletableFuture.completedFuture(null);
+  /** Gives up what a request looks for in the recording. */
+  void cancel(int request) {
+    past.cancel(request);
   }
 
   CompletableFuture<Void> stepOver(int threadNumber, SteppingGranularity granularity) {

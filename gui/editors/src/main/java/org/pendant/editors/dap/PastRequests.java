@@ -1,6 +1,8 @@
 package org.pendant.editors.dap;
 
+import java.util.HashMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SortedMap;
@@ -29,7 +31,7 @@ final class PastRequests {
   private final BreakpointTable table;
   private final ProgressEvents progress;
   private Optional<StandingProgram> live = Optional.empty();
-  private CompletableFuture<?> searching = CompletableFuture.completedFuture(null);
+  private final Map<Integer, CompletableFuture<?>> searching = new HashMap<>();
 
   PastRequests(DebugSession session, BreakpointTable table, ProgressEvents progress) {
     this.progress = progress;
@@ -98,9 +100,9 @@ final class PastRequests {
         });
   }
 
-  /** Gives up the search that is under way. */
-  void cancel() {
-    var _ = searching.cancel(true);
+  /** Gives up the search that the client's request of this number has begun, if it is under way. */
+  void cancel(int request) {
+    Optional.ofNullable(searching.get(request)).ifPresent(search -> search.cancel(true));
   }
 
   /** To the next statement. */
@@ -237,7 +239,16 @@ final class PastRequests {
     CompletableFuture<Arrival> found =
         CompletableFuture.supplyAsync(
             work, task -> Thread.ofVirtual().name("past steps").start(task));
-    searching = found;
+    session
+        .thread()
+        .asked()
+        .ifPresent(
+            request -> {
+              searching.put(request, found);
+              var _ =
+                  found.whenCompleteAsync(
+                      (arrival, fault) -> searching.remove(request), session.thread());
+            });
     return progress
         .of("Searching the recording", true, found)
         // so that a refusal takes its turn as well

@@ -1,5 +1,8 @@
 package org.pendant.editors.dap;
 
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
@@ -15,6 +18,7 @@ final class ProgressEvents {
 
   private final DebugSession session;
   private final Executor later;
+  private final Map<String, CompletableFuture<?>> cancellable = new HashMap<>();
   private int last;
 
   ProgressEvents(DebugSession session) {
@@ -36,9 +40,9 @@ final class ProgressEvents {
   /**
    * Tells of work until it is over, if that takes long.
    *
-   * @param cancellable whether the client may give it up
+   * @param mayGiveUp whether the client may give it up
    */
-  <T> CompletableFuture<T> of(String title, boolean cancellable, CompletableFuture<T> work) {
+  <T> CompletableFuture<T> of(String title, boolean mayGiveUp, CompletableFuture<T> work) {
     if (!session.form().progress()) {
       return work;
     }
@@ -46,22 +50,31 @@ final class ProgressEvents {
     later.execute(
         () -> {
           if (!work.isDone()) {
-            begin(id, title, cancellable);
+            begin(id, title, mayGiveUp);
+            if (mayGiveUp) {
+              cancellable.put(id, work);
+            }
             var _ = work.whenCompleteAsync((value, fault) -> end(id), session.thread());
           }
         });
     return work;
   }
 
-  private void begin(String id, String title, boolean cancellable) {
+  /** Gives up the work that was told of as {@code id}, if the client may do so. */
+  void cancel(String id) {
+    Optional.ofNullable(cancellable.get(id)).ifPresent(work -> work.cancel(true));
+  }
+
+  private void begin(String id, String title, boolean mayGiveUp) {
     ProgressStartEventArguments told = new ProgressStartEventArguments();
     told.setProgressId(id);
     told.setTitle(title);
-    told.setCancellable(cancellable);
+    told.setCancellable(mayGiveUp);
     session.client().progressStart(told);
   }
 
   private void end(String id) {
+    cancellable.remove(id);
     ProgressEndEventArguments told = new ProgressEndEventArguments();
     told.setProgressId(id);
     session.client().progressEnd(told);

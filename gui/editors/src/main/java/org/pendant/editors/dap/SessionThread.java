@@ -1,6 +1,7 @@
 package org.pendant.editors.dap;
 
 import java.util.Map;
+import java.util.OptionalInt;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -15,6 +16,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.eclipse.lsp4j.jsonrpc.MessageConsumer;
 import org.eclipse.lsp4j.jsonrpc.RemoteEndpoint;
+import org.eclipse.lsp4j.jsonrpc.messages.Message;
+import org.eclipse.lsp4j.jsonrpc.messages.RequestMessage;
 
 /**
  * DebugSession thread: does all work of one session in turn: requests, what comes of them, and
@@ -41,6 +44,12 @@ final class SessionThread implements Executor, AutoCloseable {
 
   private final AtomicLong requests = new AtomicLong();
 
+  /** The reader's: the number that the client has given to the request which it takes. */
+  private OptionalInt taking = OptionalInt.empty();
+
+  /** The session's: the number of the request that begins. */
+  private OptionalInt beginning = OptionalInt.empty();
+
   /** A piece of work for an answer. */
   @FunctionalInterface
   interface Work<T> {
@@ -53,8 +62,10 @@ final class SessionThread implements Executor, AutoCloseable {
     long number = requests.incrementAndGet();
     awaited.put(number, answer);
     var _ = answer.whenComplete((value, fault) -> awaited.remove(number));
+    OptionalInt asked = taking;
     taken.add(
         () -> {
+          beginning = asked;
           try {
             work.begin()
                 .whenComplete(
@@ -76,12 +87,32 @@ final class SessionThread implements Executor, AutoCloseable {
   MessageConsumer gated(MessageConsumer consumer) {
     return consumer instanceof RemoteEndpoint
         ? message -> {
+          taking = number(message);
           consumer.consume(message);
           for (Runnable each = taken.poll(); each != null; each = taken.poll()) {
             execute(each);
           }
         }
         : consumer;
+  }
+
+  private static OptionalInt number(Message message) {
+    return message instanceof RequestMessage request
+        ? request.getRawId().map(SessionThread::number, number -> OptionalInt.of(number.intValue()))
+        : OptionalInt.empty();
+  }
+
+  private static OptionalInt number(String id) {
+    try {
+      return OptionalInt.of(Integer.parseInt(id));
+    } catch (NumberFormatException e) {
+      return OptionalInt.empty();
+    }
+  }
+
+  /** For work as it begins: the number that the client has given to its request. */
+  OptionalInt asked() {
+    return beginning;
   }
 
   /** Does something in its turn; nothing once the session is over. */

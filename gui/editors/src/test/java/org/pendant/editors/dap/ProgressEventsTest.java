@@ -1,6 +1,8 @@
 package org.pendant.editors.dap;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -62,5 +64,28 @@ class ProgressEventsTest {
   @Test
   void aClientThatShowsNoProgressIsNotToldOfIt() throws Exception {
     assertEquals(List.of(), told(false, true));
+  }
+
+  @Test
+  void oneOfSeveralIsGivenUp() throws Exception {
+    try (SessionThread thread = new SessionThread()) {
+      DebugSession session = new DebugSession(thread, () -> client);
+      InitializeRequestArguments form = new InitializeRequestArguments();
+      form.setSupportsProgressReporting(true);
+      session.talkTo(ClientForm.of(form), true);
+      ProgressEvents progress = new ProgressEvents(session, Runnable::run);
+      CompletableFuture<String> one = new CompletableFuture<>();
+      CompletableFuture<String> other = new CompletableFuture<>();
+      CompletableFuture<String> launch = new CompletableFuture<>();
+      var _ = progress.of("Searching", true, one);
+      var _ = progress.of("Searching", true, other);
+      var _ = progress.of("Launching", false, launch);
+      progress.cancel("pendant-2");
+      progress.cancel("pendant-3");
+      progress.cancel("pendant-4");
+      assertFalse(one.isDone());
+      assertTrue(other.isCancelled());
+      assertFalse(launch.isDone());
+    }
   }
 }
