@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -56,6 +57,10 @@ final class BuildLockTest {
   }
 
   private Process start(String display, String word) throws IOException {
+    return start(display, word, "");
+  }
+
+  private Process start(String display, String word, String options) throws IOException {
     ProcessBuilder builder =
         new ProcessBuilder(folder.resolve("pendant").toString(), word)
             .directory(folder.toFile())
@@ -63,6 +68,7 @@ final class BuildLockTest {
     builder.environment().remove("PENDANT_CLASSPATH");
     builder.environment().remove("WAYLAND_DISPLAY");
     builder.environment().put("DISPLAY", display);
+    builder.environment().put("PENDANT_JAVA_OPTIONS", options);
     builder.environment().put("PENDANT_JAVA_HOME", folder.resolve("jdk").toString());
     builder.environment().merge("PATH", "", (path, _) -> folder.resolve("maven") + ":" + path);
     return builder.start();
@@ -108,6 +114,24 @@ final class BuildLockTest {
     assertTrue(Files.exists(app.resolve("window-25.aot")));
     assertTrue(Files.exists(app.resolve("pendant-25.aot")));
     assertTrue(Files.exists(app.resolve("editors-25.aot")));
+  }
+
+  @Test
+  void aHeapThatTheUserChoosesForALanguageServerIsTheOnlyChoice() throws Exception {
+    program("jdk/bin/java", "echo $* >>\"$0.words\"");
+    for (String options : new String[] {"", "-Dx=y -Xmx64m"}) {
+      Process process = start("", "lsp", options);
+      assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS));
+      assertEquals(0, process.exitValue());
+    }
+    List<String> words =
+        Files.readAllLines(folder.resolve("jdk/bin/java.words")).stream()
+            .filter(line -> line.endsWith(" lsp"))
+            .toList();
+    assertTrue(words.getFirst().contains(" -Xms80m -Xmn48m "), words.toString());
+    assertTrue(words.getLast().contains(" -Dx=y -Xmx64m "), words.toString());
+    assertFalse(words.getLast().contains("-Xms"), words.toString());
+    assertFalse(words.getLast().contains("-Xmn"), words.toString());
   }
 
   @Test
