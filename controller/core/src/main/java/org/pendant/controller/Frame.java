@@ -15,10 +15,12 @@ import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControlMode;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.LinkDistance;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StateStream;
+import org.pendant.controller.world.ArmSurroundings;
 import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionControl;
@@ -54,6 +56,10 @@ final class Frame {
   private final Consumer<String> warn;
 
   private final StopSnapshot witness = new StopSnapshot();
+
+  /** Made once, since every snapshot hands it on. */
+  private final LinkDistance links;
+
   private final RuntimeStateTracker runtime = new RuntimeStateTracker();
   private ProgramState followed = ProgramState.STOPPED;
   private ProgramStatus program = ProgramStatus.NONE;
@@ -89,6 +95,8 @@ final class Frame {
     this.tracer = tracer;
     this.installed = installed;
     warn = box.log()::warning;
+    ArmSurroundings around = new ArmSurroundings(box.arm().description(), box.arm().scene());
+    links = arm -> around.nearestM(arm.actualPositionRad(), arm.tool().inFlange());
     sampler = new VariableSampler(machine);
     state = snapshot();
     feed.publish(state);
@@ -488,7 +496,7 @@ final class Frame {
         box.arm().simulated().rests(),
         arm,
         readings,
-        new ArmGeometry(arm, readings),
+        new ArmGeometry(arm, readings, links),
         SafetyStatus.of(box, witness.place()),
         programStatus(arm),
         debugger.state(),

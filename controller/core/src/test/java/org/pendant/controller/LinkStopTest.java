@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.quantity.StateQuantities;
+import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyMode;
 import org.pendant.controller.safety.SafetyStop;
@@ -88,5 +90,17 @@ class LinkStopTest {
     RunningProgram running =
         turning(ControllerOptions.headless().withArm(ArmChoice.IDEAL).withScene(SCENE));
     assertEquals(List.of("there"), running.said());
+  }
+
+  @Test
+  void theNearestDistanceIsAQuantityAndIsTheDepthAtTheStop() {
+    StateQuantity distance = StateQuantities.of("link_distance");
+    RunningProgram running = new RunningProgram(ControllerOptions.headless().withScene(SCENE));
+    running.start(TURN);
+    running.advance(100);
+    double apart = distance.number(running.state());
+    assertTrue(apart > 0.05 && apart < 0.2, () -> apart + " m");
+    running.finish();
+    assertEquals(-stop(running).value(), distance.number(running.state()), 1e-12);
   }
 }

@@ -34,12 +34,14 @@ enum NumberGroup {
       "supply",
       12,
       "robot_current momentum deviation collision main_voltage robot_voltage joint_voltage"),
+  /** How near a link is to another or to what stands around it. */
+  LINKS(17, "links", 1, "link_distance"),
   /**
    * What never rests: temperatures of joints, tool and box, energies, the computer's time. By
    * itself it is kept once in a while only, or an arm at rest would fill the ring.
    */
   AMBIENT(
-      17,
+      18,
       "ambient",
       11,
       "temperature tool_temperature box_temperature energy_consumed energy_dissipated");
@@ -63,7 +65,8 @@ enum NumberGroup {
           | TOOL_ACCELERATION.bit()
           | FLANGE_WRENCH.bit()
           | RAW_WRENCH.bit()
-          | SUPPLY.bit();
+          | SUPPLY.bit()
+          | LINKS.bit();
 
   private static final NumberGroup[] GROUPS = values();
   private static final int[] SIZES = Arrays.stream(GROUPS).mapToInt(each -> each.size).toArray();

@@ -48,6 +48,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
   ControllerState of(SegmentCursor at, long frame) {
     ArmState armState = armState(at);
     ArmReadings readings = readings(at);
+    double linkDistanceM = at.number(NumberGroup.LINKS, 0);
     FrameDelta frameDelta = (FrameDelta) at.part(SnapshotPart.NEWS);
     if (at.frame() != frame || !at.changed(SnapshotPart.NEWS)) {
       frameDelta = frameDelta.old();
@@ -60,7 +61,7 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         at.frame() != frame,
         armState,
         readings,
-        new ArmGeometry(armState, readings),
+        new ArmGeometry(armState, readings, arm -> linkDistanceM),
         (SafetyStatus) at.part(SnapshotPart.SAFETY),
         (ProgramStatus) at.part(SnapshotPart.PROGRAM),
         (DebugState) at.part(SnapshotPart.DEBUG),

@@ -51,6 +51,7 @@ import org.pendant.controller.state.ArmReadings;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControlMode;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.LinkDistance;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
@@ -123,6 +124,8 @@ final class RandomStates {
             some(armBefore.map(ArmState::speedScaling), this::number),
             maybe(() -> new MotionFailure(text(), text())));
     ArmReadings readings = some(last.map(ControllerState::readings), this::readings);
+    double linkDistanceM = number();
+    LinkDistance links = each -> linkDistanceM;
     boolean news = random.nextInt(4) == 0;
     List<LogEntry> entries = news ? list(this::entry) : List.of();
     ControllerState state =
@@ -134,7 +137,7 @@ final class RandomStates {
             false,
             arm,
             readings,
-            new ArmGeometry(arm, readings),
+            new ArmGeometry(arm, readings, links),
             some(last.map(ControllerState::safety), this::safety),
             some(last.map(ControllerState::program), this::program),
             some(last.map(ControllerState::debug), this::debug),

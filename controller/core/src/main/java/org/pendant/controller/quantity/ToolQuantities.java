@@ -23,6 +23,11 @@ final class ToolQuantities {
     addTcp(list);
     list.group("Elbow");
     addElbow(list);
+    list.group("Links");
+    list.number("link_distance", "Nearest distance", METRE, s -> s.geometry().linkDistanceM())
+        .explained(
+            "Of a link of the arm from another, or from an object of the scene that stands still;"
+                + " negative where it is inside");
     list.group("Forces");
     addForces(list);
   }

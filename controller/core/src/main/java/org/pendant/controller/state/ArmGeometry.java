@@ -11,6 +11,7 @@ import org.pendant.models.pose.Wrench;
 public final class ArmGeometry {
   private final ArmState arm;
   private final ArmReadings readings;
+  private final LinkDistance links;
 
   // Each is computed at most once by each thread that finds it missing; what they find is equal.
   private Pose actualTcp;
@@ -19,11 +20,31 @@ public final class ArmGeometry {
   private ToolMotion target;
   private Wrench fromCurrents;
   private Wrench baseWrench;
+  private Double linkDistanceM;
 
   /** What follows from a snapshot's parts. */
-  public ArmGeometry(ArmState arm, ArmReadings readings) {
+  public ArmGeometry(ArmState arm, ArmReadings readings, LinkDistance links) {
     this.arm = arm;
     this.readings = readings;
+    this.links = links;
+  }
+
+  /** The same with an arm elsewhere. */
+  ArmGeometry of(ArmState elsewhere) {
+    return new ArmGeometry(elsewhere, readings, links);
+  }
+
+  /**
+   * How far a link of the arm is from another one or from an object that stands still, at the
+   * nearest, m: below 0 by the depth inside. No number where nobody knows.
+   */
+  public double linkDistanceM() {
+    Double known = linkDistanceM;
+    if (known == null) {
+      known = links.nearestM(arm);
+      linkDistanceM = known;
+    }
+    return known;
   }
 
   /** Where the TCP is, in the base frame. */

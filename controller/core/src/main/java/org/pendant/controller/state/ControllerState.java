@@ -107,7 +107,7 @@ public record ControllerState(
         armRests,
         read,
         readings,
-        new ArmGeometry(read, readings),
+        geometry.of(read),
         safety,
         program,
         debug,

@@ -3,6 +3,7 @@ package org.pendant.controller.world;
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
 import org.pendant.models.collision.ArmClearance;
 import org.pendant.models.collision.Capsule;
 import org.pendant.models.collision.LinkCapsules;
@@ -19,6 +20,7 @@ public final class ArmSurroundings {
   private static final double BARE_FLANGE_M = 0.02;
 
   private final ArmClearance clearance;
+  private final double[] q = new double[Joints.COUNT];
   private final List<String> names;
   private final List<ToolPoint> toolPoints;
 
@@ -69,6 +71,24 @@ public final class ArmSurroundings {
   /** Whether a pair is that of wrist 3 and an object, which touch where the flange presses. */
   public boolean presses(int pair) {
     return clearance.body(pair) == LinkCapsules.WRIST_3 && clearance.obstacle(pair) >= 0;
+  }
+
+  /**
+   * How far the two of the nearest pair are apart, m: below 0 by the depth where they overlap. No
+   * number for an arm of which no shape is known. Any thread may ask where nobody uses {@link
+   * #clearance}.
+   */
+  public synchronized double nearestM(Joints positionRad, Pose tcpInFlange) {
+    positionRad.copyTo(q);
+    clearance.at(q);
+    boolean bare = bareFlange(tcpInFlange);
+    double least = Double.POSITIVE_INFINITY;
+    for (int pair = 0; pair < clearance.pairs(); pair++) {
+      if (!bare || !presses(pair)) {
+        least = Math.min(least, clearance.distanceM(pair, least));
+      }
+    }
+    return least == Double.POSITIVE_INFINITY ? Double.NaN : least;
   }
 
   /** The two of a pair, as one that overlaps by so much. */
