@@ -23,6 +23,7 @@ final class BodyContacts {
   private static final double ACCURACY_M_PER_S = 1e-7;
 
   private final List<CellBody> bodies;
+  private final List<BodyHold> holds;
   private final DContactGeomBuffer buffer = new DContactGeomBuffer(MAX_PLACES);
 
   /** Bodies that are awake, in the order in which they were looked at. */
@@ -42,8 +43,9 @@ final class BodyContacts {
   /** For each two bodies: the first of their places in the step before and one, 0 for none. */
   private final int[] beforeOf;
 
-  BodyContacts(List<CellBody> bodies) {
+  BodyContacts(List<CellBody> bodies, List<BodyHold> holds) {
     this.bodies = bodies;
+    this.holds = holds;
     int size = bodies.size();
     awake = new CellBody[size];
     seen = new boolean[size];
@@ -57,11 +59,11 @@ final class BodyContacts {
     awakeCount = 0;
     for (int i = 0; i < awake.length; i++) {
       CellBody body = bodies.get(i);
-      body.touched = false;
-      body.kinematicTouched = false;
+      body.touched = body.hold != null;
+      body.kinematicTouched = body.hold != null;
       seen[i] = false;
       islandOf[i] = i;
-      if (body.awake) {
+      if (body.awake && body.present) {
         awake[awakeCount++] = body;
       }
     }
@@ -69,7 +71,7 @@ final class BodyContacts {
       CellBody one = awake[i];
       seen[one.index] = true;
       for (int other = 0; other < awake.length; other++) {
-        if (!seen[other]) {
+        if (!seen[other] && bodies.get(other).present) {
           meet(one, bodies.get(other), stepS);
         }
       }
@@ -91,13 +93,23 @@ final class BodyContacts {
     for (int i = 0; i < placeCount; i++) {
       beginWithBefore(places.get(i));
     }
-    boolean again = placeCount > 0;
+    for (int i = 0; i < holds.size(); i++) {
+      holds.get(i).begin(stepS);
+    }
+    boolean again = placeCount > 0 || !holds.isEmpty();
     for (int round = 0; round < MAX_ROUNDS && again; round++) {
       again = false;
       for (int i = 0; i < placeCount; i++) {
         ContactPlace place = places.get(round % 2 == 0 ? i : placeCount - 1 - i);
         again |= place.solve() * place.first.inverseMass > ACCURACY_M_PER_S;
       }
+      for (int i = 0; i < holds.size(); i++) {
+        BodyHold hold = holds.get(i);
+        again |= hold.solve() * hold.body.inverseMass > ACCURACY_M_PER_S;
+      }
+    }
+    for (int i = 0; i < holds.size(); i++) {
+      holds.get(i).end(stepS);
     }
     for (int i = 0; i < placeCount; i++) {
       ContactPlace place = places.get(i);
@@ -141,6 +153,9 @@ final class BodyContacts {
     CellBody first = one.free() ? one : other;
     CellBody second = one.free() ? other : one;
     if (!first.free() || first.geom.getAABB().isDisjoint(second.geom.getAABB())) {
+      return;
+    }
+    if (first.hold != null && first.hold.ignores(second)) {
       return;
     }
     if (second.free() && second.index < first.index) {

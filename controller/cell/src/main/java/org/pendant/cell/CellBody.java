@@ -32,6 +32,12 @@ final class CellBody {
 
   boolean awake;
 
+  /** Whether it is there; what is not touches nothing and stays where it is. */
+  boolean present = true;
+
+  /** What holds it; null where nothing does. */
+  BodyHold hold;
+
   /** Whether something touched it in the latest step. */
   boolean touched;
 
@@ -113,9 +119,11 @@ final class CellBody {
     twist[0] += inverseMass * px;
     twist[1] += inverseMass * py;
     twist[2] += inverseMass * pz;
-    double tx = y * pz - z * py;
-    double ty = z * px - x * pz;
-    double tz = x * py - y * px;
+    turn(y * pz - z * py, z * px - x * pz, x * py - y * px);
+  }
+
+  /** Adds an impulse of turning, Nms. */
+  void turn(double tx, double ty, double tz) {
     twist[3] += inverseInertia[0] * tx + inverseInertia[1] * ty + inverseInertia[2] * tz;
     twist[4] += inverseInertia[3] * tx + inverseInertia[4] * ty + inverseInertia[5] * tz;
     twist[5] += inverseInertia[6] * tx + inverseInertia[7] * ty + inverseInertia[8] * tz;

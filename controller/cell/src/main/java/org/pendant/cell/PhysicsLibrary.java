@@ -2,6 +2,7 @@ package org.pendant.cell;
 
 import org.ode4j.ode.DContactGeomBuffer;
 import org.ode4j.ode.DGeom;
+import org.ode4j.ode.DRay;
 import org.ode4j.ode.OdeHelper;
 
 /**
@@ -35,6 +36,11 @@ final class PhysicsLibrary {
           OdeHelper.createPlane(
               null, at[2], at[5], at[8], at[2] * at[9] + at[5] * at[10] + at[8] * at[11]);
     };
+  }
+
+  /** A ray, to be set. */
+  static DRay ray() {
+    return OdeHelper.createRay(null, 1);
   }
 
   /** Where two shapes touch, at {@code most} places at most; answers how many. */

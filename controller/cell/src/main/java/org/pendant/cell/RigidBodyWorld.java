@@ -22,6 +22,9 @@ public final class RigidBodyWorld {
   /** Most bodies. */
   public static final int MAX_BODIES = 200;
 
+  /** So many more may be added. */
+  private static final int MAX_TOOLS = 128;
+
   /** What a step may take. */
   private static final Range STEP = new Range(1e-5, 0.01, "s");
 
@@ -35,7 +38,9 @@ public final class RigidBodyWorld {
   private static final double REST_TIME_S = 0.5;
 
   private final List<CellBody> bodies = new ArrayList<>();
-  private final BodyContacts contacts;
+  private final List<BodyHold> holds = new ArrayList<>();
+  private final BodyRay ray = new BodyRay();
+  private BodyContacts contacts;
   private final double[] gravity = new double[3];
   private double latestStepS = 1;
 
@@ -63,7 +68,88 @@ public final class RigidBodyWorld {
       bodies.add(new CellBody(description, bodies.size()));
     }
     requireApart();
-    contacts = new BodyContacts(bodies);
+    contacts = new BodyContacts(bodies, holds);
+  }
+
+  /**
+   * Adds a body that does not fall, such as one more tool.
+   *
+   * @return its number
+   * @throws IllegalArgumentException if there are too many, or one has its name
+   */
+  public int add(BodyDescription description) {
+    if (bodies.size() >= MAX_BODIES + MAX_TOOLS) {
+      throw new IllegalArgumentException("bodies: may be at most " + (MAX_BODIES + MAX_TOOLS));
+    }
+    for (CellBody body : bodies) {
+      if (body.description.name().equals(description.name())) {
+        throw new IllegalArgumentException("bodies: " + description.name() + " is there twice");
+      }
+    }
+    bodies.add(new CellBody(description, bodies.size()));
+    contacts = new BodyContacts(bodies, holds);
+    return bodies.size() - 1;
+  }
+
+  /** Puts a body away, or back where it was: what is away touches nothing. */
+  public void setPresent(int body, boolean present) {
+    CellBody of = bodies.get(body);
+    of.present = present;
+    if (of.free() && present) {
+      of.wake();
+    } else if (of.free()) {
+      of.sleep();
+    }
+  }
+
+  /**
+   * Holds a free body as it is now. It passes through some bodies meanwhile.
+   *
+   * @param frame12 what carries it, in the base frame; {@link BodyHold#move} says where it goes
+   * @param untouched numbers of the bodies that it passes through
+   * @throws IllegalArgumentException if it is not free, or is held
+   */
+  public BodyHold hold(int body, double[] frame12, HoldLimits limits, int... untouched) {
+    CellBody of = bodies.get(body);
+    if (!of.free() || of.hold != null) {
+      throw new IllegalArgumentException(of.description.name() + ": is not free, or held already");
+    }
+    of.hold = new BodyHold(of, frame12, limits, untouched);
+    holds.add(of.hold);
+    of.wake();
+    return of.hold;
+  }
+
+  /** Lets a body go. */
+  public void release(BodyHold hold) {
+    if (holds.remove(hold)) {
+      hold.body.hold = null;
+      hold.body.wake();
+    }
+  }
+
+  /** Whether something holds a body. */
+  public boolean held(int body) {
+    return bodies.get(body).hold != null;
+  }
+
+  /**
+   * How far a ray goes until it enters a body.
+   *
+   * @param from3 where it begins, in the base frame, m
+   * @param along3 its direction, of length 1
+   * @param lengthM how far it goes at most
+   * @return m; infinite where it does not meet it, or begins inside
+   */
+  public double enters(int body, double[] from3, double[] along3, double lengthM) {
+    CellBody of = bodies.get(body);
+    return of.present ? ray.enters(of.geom, from3, along3, lengthM) : Double.POSITIVE_INFINITY;
+  }
+
+  /** Whether a body may be as near as that to a place of the base frame: its bounds are. */
+  public boolean near(int body, double x, double y, double z, double withinM) {
+    CellBody of = bodies.get(body);
+    return of.present && BodyRay.near(of.geom, x, y, z, withinM);
   }
 
   /** Sets gravity, m/s^2, each -30 to 30, along the base's axes; another one wakes all bodies. */
