@@ -49,6 +49,7 @@ final class ExternalForces {
     tcpInFlange3[0] = tcpInFlange.x();
     tcpInFlange3[1] = tcpInFlange.y();
     tcpInFlange3[2] = tcpInFlange.z();
+    world.setToolCentre(tcpInFlange);
   }
 
   /**

@@ -68,7 +68,12 @@ public final class ControlBox implements Host {
     links =
         new BoxLinks(
             setup.equipment(),
-            new CellDevices(setup.equipment().devices(), signals, kinematics::actualTcpInBase, log),
+            new CellDevices(
+                setup.equipment().devices(),
+                signals,
+                kinematics::actualTcpInBase,
+                arm.world(),
+                log),
             DeterminismGuard.of(setup.connectors(), clock.determinism()),
             signals,
             log);

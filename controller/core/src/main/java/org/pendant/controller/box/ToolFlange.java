@@ -5,6 +5,7 @@ import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.freedrive.Freedrive;
 import org.pendant.controller.safety.SpeedCaps;
+import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.LinkCollisions;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
@@ -19,6 +20,7 @@ import org.pendant.motion.force.ForceMode;
  */
 public final class ToolFlange {
   private final SimulatedArm arm;
+  private final ContactWorld world;
   private final ArmModel model;
   private final FlangeForces forces;
   private final SpeedCaps speedCaps;
@@ -30,6 +32,7 @@ public final class ToolFlange {
   private ToolCentre tool = ToolCentre.FLANGE;
   private boolean cogAtTool;
   private boolean loadKnown;
+  private boolean held;
 
   /**
    * A flange without a tool.
@@ -48,6 +51,7 @@ public final class ToolFlange {
       ControlModes modes) {
     this.arm = arm.simulated();
     collisions = arm.collisions();
+    world = arm.world();
     model = arm.model();
     forces = arm.forces();
     this.speedCaps = speedCaps;
@@ -112,6 +116,10 @@ public final class ToolFlange {
 
   /** Takes a declared payload one frame nearer; before the arm moves. */
   void stepTransition() {
+    if (held != world.holdsBody()) {
+      held = !held;
+      payloadChanged();
+    }
     if (model.changing()) {
       model.stepTransition();
       payloadChanged();
@@ -126,9 +134,12 @@ public final class ToolFlange {
     }
   }
 
-  /** Unless it has been said what truly hangs on the flange, it is what the program declares. */
+  /**
+   * Unless it has been said what truly hangs on the flange, it is what the program declares. What a
+   * gripper holds comes on top: then it is what was declared before it was gripped.
+   */
   private void payloadChanged() {
-    if (!loadKnown) {
+    if (!loadKnown && !held) {
       arm.setLoad(model.payload());
     }
     arm.modelChanged();

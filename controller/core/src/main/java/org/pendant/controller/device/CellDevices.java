@@ -15,6 +15,7 @@ import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.RpcLink;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.json.Json;
 import org.pendant.models.pose.Pose;
 import org.pendant.script.value.ScriptError;
@@ -40,15 +41,22 @@ public final class CellDevices {
   private List<DeviceState> states = List.of();
   private final Supplier<Pose> tcpInBase;
   private Optional<Pose> tcpNow = Optional.empty();
+  private final ContactWorld world;
   private final MessageLog log;
 
   /**
    * The devices of a cell, and a line in the log for each.
    *
    * @param tcpInBase where the tool centre point is
+   * @param world what grippers grip in
    */
   public CellDevices(
-      List<DeviceSetup> setups, Signals signals, Supplier<Pose> tcpInBase, MessageLog log) {
+      List<DeviceSetup> setups,
+      Signals signals,
+      Supplier<Pose> tcpInBase,
+      ContactWorld world,
+      MessageLog log) {
+    this.world = world;
     this.signals = signals;
     this.tcpInBase = tcpInBase;
     this.log = log;
@@ -73,10 +81,15 @@ public final class CellDevices {
           case DeviceSetup.TwoFinger gripper -> new TwoFingerDevice(gripper, signals, log);
           case DeviceSetup.RpcGripper gripper -> new RpcDevice(gripper, log);
           case DeviceSetup.Driven driven -> new DrivenDevice(driven, signals.digital(), log);
-          case DeviceSetup.Vacuum vacuum -> new VacuumDevice(vacuum, signals.digital(), log);
+          case DeviceSetup.Vacuum vacuum ->
+              new VacuumDevice(vacuum, signals.digital(), vacuum.hand().flatMap(world::cup), log);
           case DeviceSetup.Sensor sensor ->
               new SensorDevice(sensor, this::tcpInBase, signals.digital());
         };
+    setup
+        .hand()
+        .flatMap(hand -> world.fingers(hand, setup.strokeM()))
+        .ifPresent(hand -> device.fingers().orElseThrow().among(new BodiesBetween(hand)));
     devices.add(device);
     log.info(device.name() + ": " + device.described());
   }

@@ -60,22 +60,26 @@ public final class DeviceReader {
   }
 
   private DeviceSetup twoFinger(JsonFields fields) throws JsonException {
-    fields.allow(Nearest::among, "type", "name", "activated", "part");
+    fields.allow(Nearest::among, "type", "name", "activated", "part", "fingers");
     boolean atTool = fields.text("type").value().equals("two-finger-tool");
     DeviceSetup.TwoFinger plain = new DeviceSetup.TwoFinger(name(fields), atTool, !atTool, 0);
     return new DeviceSetup.TwoFinger(
         plain.name(),
         atTool,
         fields.optional("activated").isEmpty() ? plain.activated() : fields.flag("activated"),
-        fields.number("part", new Range(0, plain.strokeM(), "m"), 0));
+        fields.number("part", new Range(0, plain.strokeM(), "m"), 0),
+        HandReader.fingers(fields));
   }
 
   private DeviceSetup procedures(JsonFields fields) throws JsonException {
-    fields.allow(Nearest::among, "type", "name", "part");
+    fields.allow(Nearest::among, "type", "name", "part", "fingers");
     String kind = fields.text("type").value();
     DeviceSetup.RpcGripper plain = new DeviceSetup.RpcGripper(name(fields), kind, 0);
     return new DeviceSetup.RpcGripper(
-        plain.name(), kind, fields.number("part", new Range(0, plain.strokeM(), "m"), 0));
+        plain.name(),
+        kind,
+        fields.number("part", new Range(0, plain.strokeM(), "m"), 0),
+        HandReader.fingers(fields));
   }
 
   private DeviceSetup gripper(JsonFields fields) throws JsonException {
@@ -90,7 +94,8 @@ public final class DeviceReader {
         "gripped",
         "stroke",
         "time",
-        "part");
+        "part",
+        "fingers");
     double strokeM = fields.number("stroke", STROKE, 0.05);
     return new DeviceSetup.Driven(
         name(fields),
@@ -102,7 +107,8 @@ public final class DeviceReader {
         input(fields, "gripped"),
         strokeM,
         fields.number("time", TIME, 0.2),
-        fields.number("part", new Range(0, strokeM, "m"), 0));
+        fields.number("part", new Range(0, strokeM, "m"), 0),
+        HandReader.fingers(fields));
   }
 
   private DeviceSetup door(JsonFields fields) throws JsonException {
@@ -117,17 +123,19 @@ public final class DeviceReader {
         Optional.empty(),
         1,
         fields.number("time", TIME, 2),
-        0);
+        0,
+        Optional.empty());
   }
 
   private DeviceSetup vacuum(JsonFields fields) throws JsonException {
-    fields.allow(Nearest::among, "type", "name", "suck", "holds", "time", "part");
+    fields.allow(Nearest::among, "type", "name", "suck", "holds", "time", "part", "cup");
     return new DeviceSetup.Vacuum(
         name(fields),
         SignalFields.signal(fields, "suck"),
         input(fields, "holds"),
         fields.number("time", TIME, 0.15),
-        fields.flag("part"));
+        fields.flag("part"),
+        HandReader.cup(fields));
   }
 
   private DeviceSetup sensor(JsonFields fields, String type) throws JsonException {

@@ -3,6 +3,7 @@ package org.pendant.controller.device;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.io.Signal;
+import org.pendant.controller.world.HandSetup;
 
 /** Setup of a device: what it is and how it begins. */
 public sealed interface DeviceSetup {
@@ -15,6 +16,11 @@ public sealed interface DeviceSetup {
   /** Whether it can hold a part. */
   default boolean holdsParts() {
     return true;
+  }
+
+  /** What it touches bodies with; empty where it grips none. */
+  default Optional<HandSetup> hand() {
+    return Optional.empty();
   }
 
   /** How wide a part may be that it holds, m. */
@@ -41,10 +47,17 @@ public sealed interface DeviceSetup {
    *     otherwise
    * @param activated whether it was activated before programs begin
    * @param partM width of a part between its fingers, 0 for none
+   * @param hand its fingertips
    */
-  record TwoFinger(String name, boolean atTool, boolean activated, double partM)
+  record TwoFinger(
+      String name, boolean atTool, boolean activated, double partM, Optional<HandSetup> hand)
       implements DeviceSetup {
     private static final double STROKE_M = 0.085;
+
+    /** One whose fingertips are at the tool centre point. */
+    public TwoFinger(String name, boolean atTool, boolean activated, double partM) {
+      this(name, atTool, activated, partM, Optional.of(HandSetup.FINGERS));
+    }
 
     @Override
     public double strokeM() {
@@ -57,10 +70,17 @@ public sealed interface DeviceSetup {
    *
    * @param kind rg or 2fg
    * @param partM width of a part between its fingers, 0 for none
+   * @param hand its fingertips
    */
-  record RpcGripper(String name, String kind, double partM) implements DeviceSetup {
+  record RpcGripper(String name, String kind, double partM, Optional<HandSetup> hand)
+      implements DeviceSetup {
     private static final double RG_STROKE_M = 0.110;
     private static final double TWO_FG_STROKE_M = 0.039;
+
+    /** One whose fingertips are at the tool centre point. */
+    public RpcGripper(String name, String kind, double partM) {
+      this(name, kind, partM, Optional.of(HandSetup.FINGERS));
+    }
 
     @Override
     public double strokeM() {
@@ -81,6 +101,7 @@ public sealed interface DeviceSetup {
    * @param strokeM how far it opens
    * @param timeS how long it takes from end to end
    * @param partM width of a part in it, 0 for none
+   * @param hand the fingertips of a gripper; empty for a door
    */
   record Driven(
       String name,
@@ -92,7 +113,8 @@ public sealed interface DeviceSetup {
       Optional<Signal> gripped,
       double strokeM,
       double timeS,
-      double partM)
+      double partM,
+      Optional<HandSetup> hand)
       implements DeviceSetup {}
 
   /**
@@ -102,8 +124,15 @@ public sealed interface DeviceSetup {
    * @param holds the input that tells that it holds something, where there is one
    * @param timeS how long the vacuum takes to build up and to go
    * @param part whether there is a part to hold
+   * @param hand its cup
    */
-  record Vacuum(String name, Signal suck, Optional<Signal> holds, double timeS, boolean part)
+  record Vacuum(
+      String name,
+      Signal suck,
+      Optional<Signal> holds,
+      double timeS,
+      boolean part,
+      Optional<HandSetup> hand)
       implements DeviceSetup {
     @Override
     public double strokeM() {

@@ -1,13 +1,16 @@
 package org.pendant.controller.device;
 
+import java.util.Optional;
 import org.pendant.controller.io.DigitalIo;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.world.CupHand;
 import org.pendant.models.time.FrameTime;
 
 /** Vacuum device: a gripper that sucks. It holds a part when its vacuum has built up. */
 final class VacuumDevice implements CellDevice {
   private final DeviceSetup.Vacuum setup;
   private final DigitalIo io;
+  private final Optional<CupHand> cup;
   private final MessageLog log;
   private final SensorLine holds;
   private final long fullFrames;
@@ -15,9 +18,10 @@ final class VacuumDevice implements CellDevice {
   private boolean part;
   private boolean held;
 
-  VacuumDevice(DeviceSetup.Vacuum setup, DigitalIo io, MessageLog log) {
+  VacuumDevice(DeviceSetup.Vacuum setup, DigitalIo io, Optional<CupHand> cup, MessageLog log) {
     this.setup = setup;
     this.io = io;
+    this.cup = cup;
     this.log = log;
     holds = new SensorLine(io, setup.holds());
     fullFrames = FrameTime.framesFor(setup.timeS());
@@ -63,17 +67,33 @@ final class VacuumDevice implements CellDevice {
   @Override
   public void step() {
     boolean sucks = io.level(setup.suck().bank(), setup.suck().index());
-    if (part && sucks) {
+    boolean lost = cup.isPresent() && cup.get().losesWhatIsTooMuch();
+    boolean there = !lost && (part || ((sucks || frames > 0) && seals()));
+    if (there && sucks) {
       frames = Math.min(frames + 1, fullFrames);
     } else {
       // without a part there is no vacuum; a part that is let go comes off as the vacuum goes
-      frames = part ? Math.max(frames - 1, 0) : 0;
+      frames = there ? Math.max(frames - 1, 0) : 0;
     }
-    boolean now = part && (held ? frames > 0 : sucks && frames >= fullFrames);
+    boolean now = there && (held ? frames > 0 : sucks && frames >= fullFrames);
     if (now != held) {
       held = now;
-      log.info(setup.name() + (held ? ": part held" : ": part let go"));
+      log.info(setup.name() + (held ? ": part held" : lost ? ": part lost" : ": part let go"));
+      work();
     }
     holds.tell(held);
+  }
+
+  private boolean seals() {
+    return cup.isPresent() && cup.get().seals();
+  }
+
+  /** Holds the body at its cup, or lets it go; a part that was put there is no body. */
+  private void work() {
+    if (cup.isPresent() && held && !part) {
+      cup.get().grip();
+    } else if (cup.isPresent()) {
+      cup.get().release();
+    }
   }
 }

@@ -3,7 +3,9 @@ package org.pendant.controller.world;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.models.json.Range;
+import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
@@ -35,6 +37,7 @@ public final class ContactWorld {
 
   private List<MovedObject> moved = List.of();
   private boolean moving;
+  private Pose tcpInFlange = Pose.ZERO;
   private final HandGrip grip = new HandGrip();
   private Wrench applied = Wrench.ZERO;
 
@@ -112,13 +115,48 @@ public final class ContactWorld {
   public void advance(
       double[] flange12, double[] tcpInFlange3, double[] flangeTwist6, double stepS) {
     if (free != null) {
-      free.advance(flange12, tcpInFlange3, toolPoints.isEmpty(), flangeTwist6, stepS);
+      free.advance(flange12, tcpInFlange3, tcpInFlange, toolPoints.isEmpty(), flangeTwist6, stepS);
     }
   }
 
   /** Whether an object moves, or is held up by the tool. */
   public boolean bodiesMove() {
     return free != null && free.move();
+  }
+
+  /**
+   * Fingers that grip objects with a mass.
+   *
+   * @param setup of pads
+   * @param strokeM how far they open
+   * @return empty where no object can move
+   */
+  public Optional<FingerHand> fingers(HandSetup setup, double strokeM) {
+    return free != null && setup.grip() instanceof HandSetup.Grip.Pads pads
+        ? Optional.of(free.fingers(setup, pads, strokeM, toolPoints.isEmpty()))
+        : Optional.empty();
+  }
+
+  /**
+   * A vacuum cup that holds objects with a mass.
+   *
+   * @param setup of a cup
+   * @return empty where no object can move
+   */
+  public Optional<CupHand> cup(HandSetup setup) {
+    return free != null && setup.grip() instanceof HandSetup.Grip.Cup cup
+        ? Optional.of(free.cup(setup, cup))
+        : Optional.empty();
+  }
+
+  /** Whether a gripper holds an object: its weight is on the flange besides the load. */
+  public boolean holdsBody() {
+    return free != null && free.anyHeld();
+  }
+
+  /** Says where the active tool centre point is, in the flange's frame. */
+  public void setToolCentre(Pose tcpInFlange) {
+    this.tcpInFlange = tcpInFlange;
   }
 
   /** Sets what bodies fall with, m/s^2, along the axes of the base. */

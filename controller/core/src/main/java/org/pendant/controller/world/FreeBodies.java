@@ -26,6 +26,11 @@ final class FreeBodies {
   /** Force and torque on the flange's origin, along the base's axes, in the latest step. */
   private final double[] felt6 = new double[6];
 
+  private final List<Hand> hands = new ArrayList<>();
+
+  /** Numbers of the bodies of the tool: its points, and the fingers of hands. */
+  private final List<Integer> tools = new ArrayList<>();
+
   private final double[] ball12 = new double[Transforms.SIZE];
   private final double[] ballTwist6 = new double[6];
   private final double[] ballWrench6 = new double[6];
@@ -44,6 +49,7 @@ final class FreeBodies {
     }
     for (int i = 0; i < points.size(); i++) {
       double radiusM = Math.max(MIN_POINT_M, points.get(i).radiusM());
+      tools.add(all.size());
       // a line break is in no object's name
       all.add(
           BodyDescription.kinematic(
@@ -80,7 +86,15 @@ final class FreeBodies {
    * @param onlyTcp whether the tool centre point is what touches
    */
   void advance(
-      double[] flange12, double[] tcpInFlange3, boolean onlyTcp, double[] twist6, double stepS) {
+      double[] flange12,
+      double[] tcpInFlange3,
+      Pose tcpInFlange,
+      boolean onlyTcp,
+      double[] twist6,
+      double stepS) {
+    for (Hand hand : hands) {
+      hand.place(flange12, tcpInFlange, twist6);
+    }
     for (int i = 0; i < points.size(); i++) {
       Vector3 at = points.get(i).pointInFlangeM();
       double x = onlyTcp ? tcpInFlange3[0] : at.x();
@@ -123,6 +137,87 @@ final class FreeBodies {
       felt6[4] += armZ * ballWrench6[0] - armX * ballWrench6[2];
       felt6[5] += armX * ballWrench6[1] - armY * ballWrench6[0];
     }
+    for (int i = 0; i < hands.size(); i++) {
+      hands.get(i).addWrench(flange12, felt6);
+    }
+  }
+
+  /**
+   * Fingers among the bodies. The tool centre point, which lies between them, touches none of these
+   * any more where the scene names no tool points.
+   */
+  FingerHand fingers(HandSetup setup, HandSetup.Grip.Pads pads, double strokeM, boolean onlyTcp) {
+    FingerHand hand = new FingerHand(setup, pads, strokeM, this);
+    hands.add(hand);
+    if (onlyTcp) {
+      bodies.setPresent(objects.size(), false);
+    }
+    return hand;
+  }
+
+  /** A vacuum cup among the bodies. */
+  CupHand cup(HandSetup setup, HandSetup.Grip.Cup cup) {
+    CupHand hand = new CupHand(setup, cup, this);
+    hands.add(hand);
+    return hand;
+  }
+
+  /** Whether a hand holds something. */
+  boolean anyHeld() {
+    for (int i = 0; i < hands.size(); i++) {
+      if (hands.get(i).holds()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  RigidBodyWorld bodies() {
+    return bodies;
+  }
+
+  /** Adds a body that is part of the tool; answers its number. */
+  int addTool(BodyDescription tool) {
+    int number = bodies.add(tool);
+    tools.add(number);
+    return number;
+  }
+
+  /** Numbers of all bodies that are part of the tool. */
+  int[] tools() {
+    return tools.stream().mapToInt(Integer::intValue).toArray();
+  }
+
+  /** Coefficient of friction of a body. */
+  double friction(int body) {
+    return bodies.description(body).surface().friction();
+  }
+
+  /** The objects with a mass that may be as near as that to a place of the base frame. */
+  List<Integer> near(double[] place3, double withinM) {
+    List<Integer> near = new ArrayList<>();
+    for (int i = 0; i < objects.size(); i++) {
+      if (objects.get(i).massKg() > 0 && bodies.near(i, place3[0], place3[1], place3[2], withinM)) {
+        near.add(i);
+      }
+    }
+    return near;
+  }
+
+  /** The object with a mass that a ray enters first, -1 for none. */
+  int firstAlong(double[] from3, double[] along3, double lengthM) {
+    int first = -1;
+    double least = lengthM;
+    for (int i = 0; i < objects.size(); i++) {
+      if (objects.get(i).massKg() > 0 && bodies.near(i, from3[0], from3[1], from3[2], lengthM)) {
+        double way = bodies.enters(i, from3, along3, lengthM);
+        if (way <= least) {
+          least = way;
+          first = i;
+        }
+      }
+    }
+    return first;
   }
 
   /** Adds what the tool feels of them. */
@@ -134,6 +229,11 @@ final class FreeBodies {
 
   /** Whether one of them moves or is touched. */
   boolean move() {
+    for (int i = 0; i < hands.size(); i++) {
+      if (hands.get(i).busy()) {
+        return true;
+      }
+    }
     for (int i = 0; i < objects.size(); i++) {
       if (objects.get(i).massKg() > 0 && !bodies.sleeping(i)) {
         return true;

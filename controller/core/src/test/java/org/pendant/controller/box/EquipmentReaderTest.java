@@ -55,6 +55,12 @@ class EquipmentReaderTest {
             + " part?",
         "{'devices': [{'type': 'two-finger', 'part': 30}]} | 1:45: part is 30 m, must be 0 to"
             + " 0.085 m",
+        "{'devices': [{'type': 'rg', 'fingers': {'friction': 3}}]} | 1:53: friction is 3, must be 0"
+            + " to 2",
+        "{'devices': [{'type': 'rg', 'fingers': {'at': [0, 9, 0, 0, 0, 0]}}]} | 1:51: at[1] is 9 m,"
+            + " must be -4 to 4 m",
+        "{'devices': [{'type': 'vacuum', 'suck': 'digital_out[0]', 'cup': {'force': 0}}]} | 1:76:"
+            + " force is 0 N, must be 1 to 1000 N",
         "{'devices': [{'type': 'two-finger', 'activated': 1}]} | 1:50: activated is 1, must be"
             + " true or false",
         "{'devices': [{'type': 'two-finger'}, {'type': 'two-finger'}]} | 1:47: name is"

@@ -12,9 +12,10 @@ public interface FingerSpace {
    * The opening at which fingers that close from here meet something.
    *
    * @param openingM how far they are open
+   * @param forceN how hard they press
    * @return m, at most {@code openingM}; 0 where nothing is between them
    */
-  default double closesToM(double openingM) {
+  default double closesToM(double openingM, double forceN) {
     return 0;
   }
 

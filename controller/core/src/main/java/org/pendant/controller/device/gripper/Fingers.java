@@ -9,6 +9,7 @@ import org.pendant.models.time.FrameTime;
 public final class Fingers {
   private final double strokeM;
   private FingerSpace space = FingerSpace.FREE;
+  private FingerSpace around = FingerSpace.FREE;
   private double openingM;
   private double targetM;
   private double speedMPerS;
@@ -62,9 +63,17 @@ public final class Fingers {
     return space instanceof PartBetween part ? part.widthM() : 0;
   }
 
-  /** From now on this is in their way. */
+  /** From now on this is in their way; for {@link FingerSpace#FREE} what they are among. */
   public void put(FingerSpace between) {
-    space = between;
+    space = between.equals(FingerSpace.FREE) ? around : between;
+  }
+
+  /** They are among bodies of the cell, which are in their way where nothing else was put. */
+  public void among(FingerSpace bodies) {
+    if (space.equals(around)) {
+      space = bodies;
+    }
+    around = bodies;
   }
 
   /**
@@ -97,6 +106,9 @@ public final class Fingers {
       move(speedMPerS * FrameTime.FRAME_S);
     }
     space.press(openingM, pressN());
+    if (!space.equals(around)) {
+      around.press(openingM, 0);
+    }
   }
 
   private void move(double wayM) {
@@ -104,7 +116,7 @@ public final class Fingers {
         direction < 0 ? Math.max(targetM, openingM - wayM) : Math.min(targetM, openingM + wayM);
     double reached =
         direction < 0
-            ? Math.max(wanted, space.closesToM(openingM))
+            ? Math.max(wanted, space.closesToM(openingM, forceN))
             : Math.min(wanted, space.opensToM(openingM));
     openingM = reached;
     if (reached != wanted) {

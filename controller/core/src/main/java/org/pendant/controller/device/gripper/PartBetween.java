@@ -10,7 +10,7 @@ public record PartBetween(double widthM) implements FingerSpace {
   private static final double SLACK_M = 1e-6;
 
   @Override
-  public double closesToM(double openingM) {
+  public double closesToM(double openingM, double forceN) {
     return widthM <= openingM + SLACK_M ? Math.min(widthM, openingM) : 0;
   }
 

@@ -1,0 +1,78 @@
+package org.pendant.controller.world;
+
+import java.util.Optional;
+import org.pendant.models.json.Range;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Hand setup: the part of a gripper that touches what it grips.
+ *
+ * @param atInFlange where its middle is, in the flange's frame: z goes on to what it grips, fingers
+ *     close along y; empty for the active tool centre point
+ * @param grip what it grips with
+ * @param friction its coefficient of friction, 0 to 2; with a body it is the geometric mean of both
+ */
+public record HandSetup(Optional<Pose> atInFlange, Grip grip, double friction) {
+  /** What friction may be. */
+  public static final Range FRICTION = Material.FRICTION;
+
+  /** What lengths of a hand may be. */
+  public static final Range LENGTH = new Range(0.001, 0.5, "m");
+
+  /** How hard a cup may hold. */
+  public static final Range FORCE = new Range(1, 1000, "N");
+
+  /** Rubber. */
+  public static final double RUBBER = 0.8;
+
+  /** What a hand grips with. */
+  public sealed interface Grip {
+    /**
+     * Two fingers with flat pads.
+     *
+     * @param widthM of a pad across the way of the fingers, along x, m
+     * @param lengthM of a pad along z, m
+     */
+    record Pads(double widthM, double lengthM) implements Grip {
+      /** Those of a common gripper. */
+      public static final Pads DEFAULT = new Pads(0.022, 0.022);
+
+      /** Checks the numbers. */
+      public Pads {
+        LENGTH.require("width", widthM);
+        LENGTH.require("length", lengthM);
+      }
+    }
+
+    /**
+     * A vacuum cup.
+     *
+     * @param radiusM of its lip, m
+     * @param reachM how far from it a surface may be that it seals on, m
+     * @param forceN how hard it holds, N
+     */
+    record Cup(double radiusM, double reachM, double forceN) implements Grip {
+      /** That of a common gripper. */
+      public static final Cup DEFAULT = new Cup(0.015, 0.005, 60);
+
+      /** Checks the numbers. */
+      public Cup {
+        LENGTH.require("radius", radiusM);
+        LENGTH.require("reach", reachM);
+        FORCE.require("force", forceN);
+      }
+    }
+  }
+
+  /** Checks the friction. */
+  public HandSetup {
+    FRICTION.require("friction", friction);
+  }
+
+  /** Fingers at the tool centre point. */
+  public static final HandSetup FINGERS =
+      new HandSetup(Optional.empty(), Grip.Pads.DEFAULT, RUBBER);
+
+  /** A cup at the tool centre point. */
+  public static final HandSetup CUP = new HandSetup(Optional.empty(), Grip.Cup.DEFAULT, RUBBER);
+}
