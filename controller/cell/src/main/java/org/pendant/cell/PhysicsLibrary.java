@@ -1,8 +1,11 @@
 package org.pendant.cell;
 
+import org.ode4j.math.DMatrix3;
+import org.ode4j.math.DVector3;
 import org.ode4j.ode.DContactGeomBuffer;
 import org.ode4j.ode.DGeom;
 import org.ode4j.ode.DRay;
+import org.ode4j.ode.DRotation;
 import org.ode4j.ode.OdeHelper;
 
 /**
@@ -13,6 +16,9 @@ import org.ode4j.ode.OdeHelper;
  * symmetrical stacks, and the other draws random numbers that all worlds of a process share.
  */
 final class PhysicsLibrary {
+  /** The thinnest box, m. */
+  private static final double THIN_M = 1e-6;
+
   static {
     OdeHelper.initODE2(0);
   }
@@ -36,6 +42,34 @@ final class PhysicsLibrary {
           OdeHelper.createPlane(
               null, at[2], at[5], at[8], at[2] * at[9] + at[5] * at[10] + at[8] * at[11]);
     };
+  }
+
+  /** A ball that is swept along a line. */
+  static DGeom line(double[] from3, double[] to3, double radiusM) {
+    double x = to3[0] - from3[0];
+    double y = to3[1] - from3[1];
+    double z = to3[2] - from3[2];
+    double length = Math.sqrt(x * x + y * y + z * z);
+    DGeom line =
+        length > 0 ? OdeHelper.createCapsule(radiusM, length) : OdeHelper.createSphere(radiusM);
+    line.setPosition(from3[0] + x / 2, from3[1] + y / 2, from3[2] + z / 2);
+    if (length > 0) {
+      DMatrix3 along = new DMatrix3();
+      DRotation.dRFromZAxis(along, new DVector3(x / length, y / length, z / length));
+      line.setRotation(along);
+    }
+    return line;
+  }
+
+  /** A box along the axes of the base. */
+  static DGeom block(double[] min3, double[] max3) {
+    DGeom block =
+        OdeHelper.createBox(
+            Math.max(THIN_M, max3[0] - min3[0]),
+            Math.max(THIN_M, max3[1] - min3[1]),
+            Math.max(THIN_M, max3[2] - min3[2]));
+    block.setPosition((min3[0] + max3[0]) / 2, (min3[1] + max3[1]) / 2, (min3[2] + max3[2]) / 2);
+    return block;
   }
 
   /** A ray, to be set. */

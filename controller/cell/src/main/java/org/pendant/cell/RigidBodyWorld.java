@@ -43,6 +43,7 @@ public final class RigidBodyWorld {
   private BodyContacts contacts;
   private final double[] gravity = new double[3];
   private double latestStepS = 1;
+  private long changes;
 
   /**
    * Sets bodies up.
@@ -95,6 +96,7 @@ public final class RigidBodyWorld {
   public void setPresent(int body, boolean present) {
     CellBody of = bodies.get(body);
     of.present = present;
+    changes++;
     if (of.free() && present) {
       of.wake();
     } else if (of.free()) {
@@ -170,6 +172,21 @@ public final class RigidBodyWorld {
     }
   }
 
+  /**
+   * Watches whether a free body is within a ball that is swept along a line.
+   *
+   * @param from3 one end, in the base frame, m
+   * @param to3 the other; the same one for a ball
+   */
+  public BodyProbe watchLine(double[] from3, double[] to3, double radiusM) {
+    return new BodyProbe(PhysicsLibrary.line(from3, to3, radiusM), bodies, () -> changes);
+  }
+
+  /** Watches whether a free body is within a box along the axes of the base, m. */
+  public BodyProbe watchBox(double[] min3, double[] max3) {
+    return new BodyProbe(PhysicsLibrary.block(min3, max3), bodies, () -> changes);
+  }
+
   /** How many bodies there are; they are numbered from 0 in the order of their descriptions. */
   public int size() {
     return bodies.size();
@@ -190,6 +207,7 @@ public final class RigidBodyWorld {
     latestStepS = stepS;
     contacts.find(stepS);
     int count = contacts.awakeCount();
+    changes++;
     for (int i = 0; i < count; i++) {
       CellBody body = contacts.awake(i);
       if (body.free()) {

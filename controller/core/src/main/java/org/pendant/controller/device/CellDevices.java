@@ -84,7 +84,8 @@ public final class CellDevices {
           case DeviceSetup.Vacuum vacuum ->
               new VacuumDevice(vacuum, signals.digital(), vacuum.hand().flatMap(world::cup), log);
           case DeviceSetup.Sensor sensor ->
-              new SensorDevice(sensor, this::tcpInBase, signals.digital());
+              new SensorDevice(
+                  sensor, this::tcpInBase, sensor.zone().watch(world), signals.digital());
         };
     setup
         .hand()

@@ -141,7 +141,7 @@ public sealed interface DeviceSetup {
   }
 
   /**
-   * Sensor that sees the tool centre point.
+   * Sensor that sees the tool centre point and bodies.
    *
    * @param signal the input that tells
    * @param zone where it sees something

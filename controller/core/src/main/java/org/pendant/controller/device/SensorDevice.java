@@ -2,17 +2,24 @@ package org.pendant.controller.device;
 
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.pendant.cell.BodyProbe;
 import org.pendant.controller.io.DigitalIo;
 import org.pendant.models.pose.Pose;
 
-/** Sensor device: tells by an input whether it sees the tool centre point. */
+/** Sensor device: tells by an input whether it sees the tool centre point or a body. */
 final class SensorDevice implements CellDevice {
   private final DeviceSetup.Sensor setup;
   private final Supplier<Pose> tcpInBase;
+  private final Optional<BodyProbe> bodies;
   private final SensorLine line;
   private boolean sees;
 
-  SensorDevice(DeviceSetup.Sensor setup, Supplier<Pose> tcpInBase, DigitalIo io) {
+  SensorDevice(
+      DeviceSetup.Sensor setup,
+      Supplier<Pose> tcpInBase,
+      Optional<BodyProbe> bodies,
+      DigitalIo io) {
+    this.bodies = bodies;
     this.setup = setup;
     this.tcpInBase = tcpInBase;
     line = new SensorLine(io, Optional.of(setup.signal()));
@@ -46,7 +53,9 @@ final class SensorDevice implements CellDevice {
   @Override
   public void step() {
     Pose tcp = tcpInBase.get();
-    sees = setup.zone().holds(tcp.x(), tcp.y(), tcp.z());
+    sees =
+        setup.zone().holds(tcp.x(), tcp.y(), tcp.z())
+            || (bodies.isPresent() && bodies.get().sees());
     line.tell(sees != setup.inverted());
   }
 }

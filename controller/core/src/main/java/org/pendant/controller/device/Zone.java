@@ -1,5 +1,10 @@
 package org.pendant.controller.device;
 
+import java.util.Optional;
+import org.pendant.cell.BodyProbe;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.controller.world.Vector3;
+
 /** Zone: where a sensor sees something. Lengths in m, in the base frame. */
 public sealed interface Zone {
   /**
@@ -9,7 +14,14 @@ public sealed interface Zone {
    * @param y m
    * @param z m
    */
-  record Place(double x, double y, double z) {}
+  record Place(double x, double y, double z) {
+    private Vector3 vector() {
+      return new Vector3(x, y, z);
+    }
+  }
+
+  /** Watches whether a body of a world is in it; empty where none can move. */
+  Optional<BodyProbe> watch(ContactWorld world);
 
   /** Whether a point of the base frame is in it. */
   boolean holds(double x, double y, double z);
@@ -36,6 +48,11 @@ public sealed interface Zone {
           z - from.z - share * alongZ,
           radiusM);
     }
+
+    @Override
+    public Optional<BodyProbe> watch(ContactWorld world) {
+      return world.watchLine(from.vector(), to.vector(), radiusM);
+    }
   }
 
   /**
@@ -49,6 +66,11 @@ public sealed interface Zone {
     public boolean holds(double x, double y, double z) {
       return near(x - at.x, y - at.y, z - at.z, rangeM);
     }
+
+    @Override
+    public Optional<BodyProbe> watch(ContactWorld world) {
+      return world.watchLine(at.vector(), at.vector(), rangeM);
+    }
   }
 
   /**
@@ -61,6 +83,11 @@ public sealed interface Zone {
     @Override
     public boolean holds(double x, double y, double z) {
       return x >= min.x && x <= max.x && y >= min.y && y <= max.y && z >= min.z && z <= max.z;
+    }
+
+    @Override
+    public Optional<BodyProbe> watch(ContactWorld world) {
+      return world.watchBox(min.vector(), max.vector());
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.cell.BodyProbe;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
@@ -147,6 +148,28 @@ public final class ContactWorld {
     return free != null && setup.grip() instanceof HandSetup.Grip.Cup cup
         ? Optional.of(free.cup(setup, cup))
         : Optional.empty();
+  }
+
+  /**
+   * Watches whether an object with a mass is within a ball that is swept along a line, m.
+   *
+   * @return empty where no object can move
+   */
+  public Optional<BodyProbe> watchLine(Vector3 from, Vector3 to, double radiusM) {
+    return free == null
+        ? Optional.empty()
+        : Optional.of(free.bodies().watchLine(from.toArray(), to.toArray(), radiusM));
+  }
+
+  /**
+   * Watches whether an object with a mass is within a box along the axes of the base, m.
+   *
+   * @return empty where no object can move
+   */
+  public Optional<BodyProbe> watchBox(Vector3 min, Vector3 max) {
+    return free == null
+        ? Optional.empty()
+        : Optional.of(free.bodies().watchBox(min.toArray(), max.toArray()));
   }
 
   /** Whether a gripper holds an object: its weight is on the flange besides the load. */

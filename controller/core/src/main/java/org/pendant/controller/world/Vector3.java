@@ -17,6 +17,10 @@ public record Vector3(double x, double y, double z) {
     return Math.sqrt(x * x + y * y + z * z);
   }
 
+  double[] toArray() {
+    return new double[] {x, y, z};
+  }
+
   /** The same direction with length 1. */
   Vector3 unit() {
     double length = length();

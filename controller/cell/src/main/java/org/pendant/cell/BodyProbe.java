@@ -1,0 +1,44 @@
+package org.pendant.cell;
+
+import java.util.List;
+import java.util.function.LongSupplier;
+import org.ode4j.ode.DContactGeomBuffer;
+import org.ode4j.ode.DGeom;
+
+/** Body probe: a part of space that sees whether a free body is in it, and changes nothing. */
+public final class BodyProbe {
+  private final DGeom space;
+  private final List<CellBody> bodies;
+  private final LongSupplier changes;
+  private final DContactGeomBuffer found = new DContactGeomBuffer(1);
+  private long known = -1;
+  private boolean sees;
+
+  BodyProbe(DGeom space, List<CellBody> bodies, LongSupplier changes) {
+    this.space = space;
+    this.bodies = bodies;
+    this.changes = changes;
+  }
+
+  /** Whether there is a free body in it now. */
+  public boolean sees() {
+    if (known != changes.getAsLong()) {
+      known = changes.getAsLong();
+      sees = look();
+    }
+    return sees;
+  }
+
+  private boolean look() {
+    for (int i = 0; i < bodies.size(); i++) {
+      CellBody body = bodies.get(i);
+      if (body.free()
+          && body.present
+          && !space.getAABB().isDisjoint(body.geom.getAABB())
+          && PhysicsLibrary.touch(space, body.geom, 1, found) > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+}
