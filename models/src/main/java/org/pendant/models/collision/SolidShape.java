@@ -76,8 +76,8 @@ public sealed interface SolidShape {
     }
   }
 
-  /** A block, at any angle. */
-  final class Block implements SolidShape {
+  /** A solid at any angle, whose surface is known along its own axes. */
+  abstract sealed class Posed implements SolidShape {
     /** What a step of the search leaves of the part of the line where the nearest point may be. */
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
 
@@ -85,17 +85,13 @@ public sealed interface SolidShape {
     private static final double ACCURACY_M = 1e-7;
 
     private final double[] inBase = new double[Transforms.SIZE];
-    private final double halfX;
-    private final double halfY;
-    private final double halfZ;
 
-    /** A block around the origin of a pose, with the lengths of its sides. */
-    public Block(Pose inBase, double sizeX, double sizeY, double sizeZ) {
+    private Posed(Pose inBase) {
       Transforms.of(inBase, this.inBase);
-      halfX = sizeX / 2;
-      halfY = sizeY / 2;
-      halfZ = sizeZ / 2;
     }
+
+    /** As {@link #toPoint}, along its own axes. */
+    abstract double ownToPoint(double x, double y, double z);
 
     @Override
     public double toPoint(double x, double y, double z) {
@@ -146,8 +142,24 @@ public sealed interface SolidShape {
           + inBase[3 + axis] * (y - inBase[10])
           + inBase[6 + axis] * (z - inBase[11]);
     }
+  }
 
-    private double ownToPoint(double x, double y, double z) {
+  /** A block, at any angle. */
+  final class Block extends Posed {
+    private final double halfX;
+    private final double halfY;
+    private final double halfZ;
+
+    /** A block around the origin of a pose, with the lengths of its sides. */
+    public Block(Pose inBase, double sizeX, double sizeY, double sizeZ) {
+      super(inBase);
+      halfX = sizeX / 2;
+      halfY = sizeY / 2;
+      halfZ = sizeZ / 2;
+    }
+
+    @Override
+    double ownToPoint(double x, double y, double z) {
       double beyondX = Math.abs(x) - halfX;
       double beyondY = Math.abs(y) - halfY;
       double beyondZ = Math.abs(z) - halfZ;
@@ -159,6 +171,36 @@ public sealed interface SolidShape {
       double outY = Math.max(beyondY, 0);
       double outZ = Math.max(beyondZ, 0);
       return Math.sqrt(outX * outX + outY * outY + outZ * outZ);
+    }
+  }
+
+  /** A round bar along the z of its pose, at any angle. */
+  final class Rod extends Posed {
+    private final double radius;
+    private final double half;
+    private final boolean capsule;
+
+    /** A bar around the origin of a pose; the half balls at the ends of a capsule come on top. */
+    public Rod(Pose inBase, double radius, double length, boolean capsule) {
+      super(inBase);
+      this.radius = radius;
+      half = length / 2;
+      this.capsule = capsule;
+    }
+
+    @Override
+    double ownToPoint(double x, double y, double z) {
+      double fromAxis = Math.sqrt(x * x + y * y);
+      double beyondZ = Math.abs(z) - half;
+      double outZ = Math.max(beyondZ, 0);
+      if (capsule) {
+        return Math.sqrt(fromAxis * fromAxis + outZ * outZ) - radius;
+      }
+      double beyondR = fromAxis - radius;
+      double outR = Math.max(beyondR, 0);
+      return beyondR <= 0 && beyondZ <= 0
+          ? Math.max(beyondR, beyondZ)
+          : Math.sqrt(outR * outR + outZ * outZ);
     }
   }
 }

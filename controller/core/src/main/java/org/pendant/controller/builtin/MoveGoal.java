@@ -90,6 +90,7 @@ final class MoveGoal {
       if (each.name().equals(name)) {
         return switch (each) {
           case SceneObject.Box box -> box.poseInBase();
+          case SceneObject.Rod rod -> rod.poseInBase();
           case SceneObject.Sphere sphere -> at(sphere.centreInBaseM());
           case SceneObject.Plane plane -> at(plane.pointInBaseM());
         };

@@ -119,6 +119,8 @@ public final class ArmSurroundings {
         Vector3 size = box.sizeM();
         yield new SolidShape.Block(box.poseInBase(), size.x(), size.y(), size.z());
       }
+      case SceneObject.Rod rod ->
+          new SolidShape.Rod(rod.poseInBase(), rod.radiusM(), rod.lengthM(), rod.capsule());
       case SceneObject.Sphere ball -> {
         Vector3 at = ball.centreInBaseM();
         yield new SolidShape.Ball(at.x(), at.y(), at.z(), ball.radiusM());

@@ -249,7 +249,8 @@ final class FreeBodies {
 
   private static BodyDescription body(SceneObject object) {
     Material material = object.material();
-    BodySurface surface = new BodySurface(material.friction(), 0, material.stiffnessNPerM());
+    BodySurface surface =
+        new BodySurface(material.friction(), material.restitution(), material.stiffnessNPerM());
     return switch (object) {
       case SceneObject.Plane plane ->
           BodyDescription.fixed(plane.name(), new BodyShape.HalfSpace(), standing(plane), surface);
@@ -257,6 +258,14 @@ final class FreeBodies {
         Vector3 size = box.sizeM();
         yield body(box, new BodyShape.Box(size.x(), size.y(), size.z()), box.poseInBase(), surface);
       }
+      case SceneObject.Rod rod ->
+          body(
+              rod,
+              rod.capsule()
+                  ? new BodyShape.Capsule(rod.radiusM(), rod.lengthM())
+                  : new BodyShape.Cylinder(rod.radiusM(), rod.lengthM()),
+              rod.poseInBase(),
+              surface);
       case SceneObject.Sphere ball -> {
         Vector3 at = ball.centreInBaseM();
         yield body(

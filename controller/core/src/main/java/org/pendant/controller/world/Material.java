@@ -20,11 +20,15 @@ import org.pendant.models.json.Range;
  * @param dampingSPerM Hunt and Crossley's e, 0 to 2 s/m: the share of the speed that a slow impact
  *     loses, for each m/s of it
  * @param friction Coulomb's coefficient, 0 to 2
+ * @param restitution share of its speed with which an object that has a mass comes back from it, 0
+ *     to 1; the larger one of two counts
  */
-public record Material(double stiffnessNPerM, double dampingSPerM, double friction) {
+public record Material(
+    double stiffnessNPerM, double dampingSPerM, double friction, double restitution) {
   static final Range STIFFNESS = new Range(10, 2e5, "N/m");
   static final Range DAMPING = new Range(0, 2, "s/m");
   static final Range FRICTION = new Range(0, 2, "");
+  static final Range RESTITUTION = new Range(0, 1, "");
 
   /** Sliding slower than this meets less than the full friction, m/s. */
   static final double CREEP_M_PER_S = 1e-3;
@@ -44,6 +48,12 @@ public record Material(double stiffnessNPerM, double dampingSPerM, double fricti
     STIFFNESS.require("stiffness", stiffnessNPerM);
     DAMPING.require("damping", dampingSPerM);
     FRICTION.require("friction", friction);
+    RESTITUTION.require("restitution", restitution);
+  }
+
+  /** One from which nothing bounces. */
+  public Material(double stiffnessNPerM, double dampingSPerM, double friction) {
+    this(stiffnessNPerM, dampingSPerM, friction, 0);
   }
 
   /**

@@ -33,6 +33,9 @@ public final class MovedScene {
       case SceneObject.Plane plane -> plane;
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), pose, box.sizeM(), box.material());
+      case SceneObject.Rod rod ->
+          new SceneObject.Rod(
+              rod.name(), pose, rod.radiusM(), rod.lengthM(), rod.capsule(), rod.material(), 0);
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               ball.name(),

@@ -83,6 +83,47 @@ public sealed interface SceneObject {
   }
 
   /**
+   * A round bar along its own z.
+   *
+   * @param name how it is called
+   * @param poseInBase its centre, m, each -10 to 10, and orientation, rad, each -100 to 100
+   * @param radiusM its radius, m, 0.001 to 10
+   * @param lengthM its length, m, 0.001 to 10; that of a capsule without its ends
+   * @param capsule whether it has half a ball at each end, rather than being flat there
+   * @param material what it is of
+   * @param massKg 0 where it stands still; else it can move, kg, 0.001 to 1000
+   */
+  record Rod(
+      String name,
+      Pose poseInBase,
+      double radiusM,
+      double lengthM,
+      boolean capsule,
+      Material material,
+      double massKg)
+      implements SceneObject {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Rod {
+      ObjectName.require(name);
+      for (int i = 0; i < Pose.SIZE; i++) {
+        Box.poseRange(i).require("pose[" + i + "]", poseInBase.get(i));
+      }
+      SceneRange.SIZE.require("radius", radiusM);
+      SceneRange.SIZE.require("length", lengthM);
+      SceneRange.requireMass(massKg);
+    }
+
+    /** The type of it in a file. */
+    public String type() {
+      return capsule ? "capsule" : "cylinder";
+    }
+  }
+
+  /**
    * A ball.
    *
    * @param name how it is called

@@ -95,9 +95,13 @@ public final class SceneReader {
           case "plane" -> plane(new JsonFields(each, "a plane"));
           case "box" -> box(new JsonFields(each, "a box"));
           case "sphere" -> sphere(new JsonFields(each, "a sphere"));
+          case "cylinder", "capsule" -> rod(new JsonFields(each, "a " + type.value()));
           default ->
               throw type.place()
-                  .refusal("type is " + type.described() + ", must be plane, box or sphere");
+                  .refusal(
+                      "type is "
+                          + type.described()
+                          + ", must be plane, box, sphere, cylinder or capsule");
         };
     Json.Text name = fields.text("name");
     FilePosition first = places.putIfAbsent(object.name(), name.place());
@@ -129,18 +133,33 @@ public final class SceneReader {
 
   private static SceneObject box(JsonFields fields) throws JsonException {
     fields.allow(Nearest::among, "type", "name", "pose", "size", "mass", "material");
-    String name = name(fields);
+    return new SceneObject.Box(
+        name(fields),
+        pose(fields),
+        Vector3.read(fields, "size", SceneRange.SIZE),
+        material(fields),
+        mass(fields));
+  }
+
+  private static SceneObject rod(JsonFields fields) throws JsonException {
+    fields.allow(Nearest::among, "type", "name", "pose", "radius", "length", "mass", "material");
+    return new SceneObject.Rod(
+        name(fields),
+        pose(fields),
+        fields.number("radius", SceneRange.SIZE),
+        fields.number("length", SceneRange.SIZE),
+        fields.text("type").value().equals("capsule"),
+        material(fields),
+        mass(fields));
+  }
+
+  private static Pose pose(JsonFields fields) throws JsonException {
     List<Json> six = fields.numbers("pose", Pose.SIZE);
     double[] pose = new double[Pose.SIZE];
     for (int i = 0; i < pose.length; i++) {
       pose[i] = JsonFields.number("pose[" + i + "]", six.get(i), SceneObject.Box.poseRange(i));
     }
-    return new SceneObject.Box(
-        name,
-        Pose.of(pose),
-        Vector3.read(fields, "size", SceneRange.SIZE),
-        material(fields),
-        mass(fields));
+    return Pose.of(pose);
   }
 
   private static SceneObject sphere(JsonFields fields) throws JsonException {
@@ -172,11 +191,12 @@ public final class SceneReader {
       return Material.DEFAULT;
     }
     JsonFields fields = new JsonFields(value.get(), "a material");
-    fields.allow(Nearest::among, "stiffness", "damping", "friction");
+    fields.allow(Nearest::among, "stiffness", "damping", "friction", "restitution");
     return new Material(
         fields.number("stiffness", Material.STIFFNESS, Material.DEFAULT.stiffnessNPerM()),
         fields.number("damping", Material.DAMPING, Material.DEFAULT.dampingSPerM()),
-        fields.number("friction", Material.FRICTION, Material.DEFAULT.friction()));
+        fields.number("friction", Material.FRICTION, Material.DEFAULT.friction()),
+        fields.number("restitution", Material.RESTITUTION, 0));
   }
 
   private static ToolPoint toolPoint(JsonFields fields) throws JsonException {

@@ -72,6 +72,17 @@ public final class SceneWriter {
                   + pose(box.poseInBase())
                   + ", \"size\": "
                   + vector(box.sizeM());
+          case SceneObject.Rod rod ->
+              "{\"type\": \""
+                  + rod.type()
+                  + "\", "
+                  + name
+                  + "\"pose\": "
+                  + pose(rod.poseInBase())
+                  + ", \"radius\": "
+                  + JsonValues.number(rod.radiusM())
+                  + ", \"length\": "
+                  + JsonValues.number(rod.lengthM());
           case SceneObject.Sphere sphere ->
               "{\"type\": \"sphere\", "
                   + name
@@ -95,6 +106,9 @@ public final class SceneWriter {
         + JsonValues.number(material.dampingSPerM())
         + ", \"friction\": "
         + JsonValues.number(material.friction())
+        + (material.restitution() > 0
+            ? ", \"restitution\": " + JsonValues.number(material.restitution())
+            : "")
         + "}";
   }
 

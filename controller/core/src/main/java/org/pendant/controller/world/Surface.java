@@ -11,6 +11,7 @@ sealed interface Surface {
       case SceneObject.Plane plane -> new Flat(plane);
       case SceneObject.Box box -> new Block(box);
       case SceneObject.Sphere sphere -> new Ball(sphere);
+      case SceneObject.Rod rod -> new Bar(rod);
     };
   }
 
@@ -132,6 +133,58 @@ sealed interface Surface {
       for (int row = 0; row < 3; row++) {
         normalInBase[row] = inBase[3 * row] * x + inBase[3 * row + 1] * y + inBase[3 * row + 2] * z;
       }
+    }
+  }
+
+  /**
+   * The surface of a round bar. As that of a block it is a core with a skin of even thickness
+   * around: the core of a capsule is a line, that of a cylinder a thinner and shorter one. On its
+   * axis the way out along x is taken.
+   */
+  final class Bar implements Surface {
+    private final double[] inBase = new double[Transforms.SIZE];
+    private final double coreM;
+    private final double halfCoreM;
+    private final double skinM;
+
+    Bar(SceneObject.Rod rod) {
+      Transforms.of(rod.poseInBase(), inBase);
+      double thinnestM = Math.min(2 * rod.radiusM(), rod.lengthM());
+      skinM = rod.capsule() ? rod.radiusM() : Math.min(Block.SKIN_M, Block.SKIN_SHARE * thinnestM);
+      coreM = rod.radiusM() - skinM;
+      halfCoreM = rod.lengthM() / 2 - (rod.capsule() ? 0 : skinM);
+    }
+
+    @Override
+    public double distanceM(double x, double y, double z, double[] normalInBase) {
+      double dx = x - inBase[9];
+      double dy = y - inBase[10];
+      double dz = z - inBase[11];
+      double ownX = inBase[0] * dx + inBase[3] * dy + inBase[6] * dz;
+      double ownY = inBase[1] * dx + inBase[4] * dy + inBase[7] * dz;
+      double ownZ = inBase[2] * dx + inBase[5] * dy + inBase[8] * dz;
+      double fromAxisM = Math.sqrt(ownX * ownX + ownY * ownY);
+      double alongX = fromAxisM > 0 ? ownX / fromAxisM : 1;
+      double alongY = fromAxisM > 0 ? ownY / fromAxisM : 0;
+      double beyondR = fromAxisM - coreM;
+      double beyondZ = Math.abs(ownZ) - halfCoreM;
+      double outR = Math.max(beyondR, 0);
+      double outZ = Math.max(beyondZ, 0);
+      double fromCoreM = Math.sqrt(outR * outR + outZ * outZ);
+      double shareR = beyondR >= beyondZ ? 1 : 0;
+      double shareZ = 1 - shareR;
+      if (fromCoreM > 0) {
+        shareR = outR / fromCoreM;
+        shareZ = outZ / fromCoreM;
+      }
+      double nx = shareR * alongX;
+      double ny = shareR * alongY;
+      double nz = Math.copySign(shareZ, ownZ);
+      for (int row = 0; row < 3; row++) {
+        normalInBase[row] =
+            inBase[3 * row] * nx + inBase[3 * row + 1] * ny + inBase[3 * row + 2] * nz;
+      }
+      return (fromCoreM > 0 ? fromCoreM : Math.max(beyondR, beyondZ)) - skinM;
     }
   }
 }

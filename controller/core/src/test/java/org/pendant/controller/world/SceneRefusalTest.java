@@ -157,7 +157,8 @@ final class SceneRefusalTest {
         "scene.json:1:12: unknown key \"r\", a tool point may have point, radius",
         "{\"tool\": [{\"r\": 1}]}");
     assertRefused(
-        "scene.json:2:62: unknown key \"mu\", a material may have stiffness, damping, friction",
+        "scene.json:2:62: unknown key \"mu\", a material may have stiffness, damping, friction,"
+            + " restitution",
         sphere("\"centre\": [0, 0, 0], \"radius\": 1, \"material\": {\"damping\": 1, \"mu\": 1}"));
   }
 
@@ -222,7 +223,7 @@ final class SceneRefusalTest {
   @Test
   void typesThatDoNotExist() {
     assertRefused(
-        "scene.json:1:23: type is \"ball\", must be plane, box or sphere",
+        "scene.json:1:23: type is \"ball\", must be plane, box, sphere, cylinder or" + " capsule",
         object("\"type\": \"ball\""));
   }
 

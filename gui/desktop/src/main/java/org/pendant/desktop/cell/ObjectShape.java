@@ -14,6 +14,7 @@ final class ObjectShape {
     return switch (object) {
       case SceneObject.Plane _ -> "plane";
       case SceneObject.Box _ -> "box";
+      case SceneObject.Rod rod -> rod.type();
       case SceneObject.Sphere _ -> "ball";
     };
   }
@@ -24,6 +25,7 @@ final class ObjectShape {
           new SceneObject.Plane(name, plane.pointInBaseM(), plane.normalInBase(), plane.material());
       case SceneObject.Box box ->
           new SceneObject.Box(name, box.poseInBase(), box.sizeM(), box.material(), box.massKg());
+      case SceneObject.Rod rod -> with(rod, name, rod.poseInBase(), rod.material(), rod.massKg());
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               name, ball.centreInBaseM(), ball.radiusM(), ball.material(), ball.massKg());
@@ -36,6 +38,7 @@ final class ObjectShape {
           new SceneObject.Plane(plane.name(), plane.pointInBaseM(), plane.normalInBase(), material);
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), material, box.massKg());
+      case SceneObject.Rod rod -> with(rod, rod.name(), rod.poseInBase(), material, rod.massKg());
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               ball.name(), ball.centreInBaseM(), ball.radiusM(), material, ball.massKg());
@@ -48,6 +51,8 @@ final class ObjectShape {
       case SceneObject.Plane plane -> plane.pointInBaseM();
       case SceneObject.Box box ->
           new Vector3(box.poseInBase().x(), box.poseInBase().y(), box.poseInBase().z());
+      case SceneObject.Rod rod ->
+          new Vector3(rod.poseInBase().x(), rod.poseInBase().y(), rod.poseInBase().z());
       case SceneObject.Sphere ball -> ball.centreInBaseM();
     };
   }
@@ -66,6 +71,15 @@ final class ObjectShape {
             box.material(),
             box.massKg());
       }
+      case SceneObject.Rod rod -> {
+        Pose pose = rod.poseInBase();
+        yield with(
+            rod,
+            rod.name(),
+            new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
+            rod.material(),
+            rod.massKg());
+      }
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               ball.name(), placeM, ball.radiusM(), ball.material(), ball.massKg());
@@ -78,9 +92,16 @@ final class ObjectShape {
       case SceneObject.Plane plane -> plane;
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), box.material(), massKg);
+      case SceneObject.Rod rod -> with(rod, rod.name(), rod.poseInBase(), rod.material(), massKg);
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               ball.name(), ball.centreInBaseM(), ball.radiusM(), ball.material(), massKg);
     };
+  }
+
+  private static SceneObject with(
+      SceneObject.Rod rod, String name, Pose pose, Material material, double massKg) {
+    return new SceneObject.Rod(
+        name, pose, rod.radiusM(), rod.lengthM(), rod.capsule(), material, massKg);
   }
 }

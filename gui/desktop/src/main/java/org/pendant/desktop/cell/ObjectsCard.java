@@ -70,11 +70,23 @@ final class ObjectsCard {
                 new Vector3(IN_FRONT_M, besideM(), 0.05),
                 0.05,
                 Material.DEFAULT));
+    items.adder(
+        "Add cylinder",
+        () ->
+            new SceneObject.Rod(
+                items.freshName("Cylinder"),
+                new Pose(IN_FRONT_M, besideM(), 0.05, 0, 0, 0),
+                0.03,
+                0.1,
+                false,
+                Material.DEFAULT,
+                0));
     PartsForm<SceneObject> form = items.form().in(measures);
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
     form.section(SceneObject.Box.class::isInstance, () -> addBox(form, rotation));
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
     form.section(SceneObject.Sphere.class::isInstance, () -> addBall(form));
+    form.section(SceneObject.Rod.class::isInstance, () -> addRod(form, rotation));
     form.section(
         object -> !(object instanceof SceneObject.Plane),
         () -> {
@@ -162,6 +174,42 @@ final class ObjectsCard {
                 : object);
   }
 
+  private static void addRod(PartsForm<SceneObject> form, RotationChoice rotation) {
+    form.heading("Centre and orientation, in the base");
+    PoseRows.addTo(
+        form,
+        "pose",
+        rotation,
+        object -> object instanceof SceneObject.Rod rod ? rod.poseInBase() : Pose.ZERO,
+        (object, pose) ->
+            object instanceof SceneObject.Rod rod
+                ? sized(rod, pose, rod.radiusM(), rod.lengthM())
+                : object,
+        object -> true);
+    form.heading("Along its own z");
+    form.numberRow(
+        "Radius",
+        Measure.MILLIMETRE,
+        object -> object instanceof SceneObject.Rod rod ? rod.radiusM() : 1,
+        (object, radiusM) ->
+            object instanceof SceneObject.Rod rod
+                ? sized(rod, rod.poseInBase(), radiusM, rod.lengthM())
+                : object);
+    form.numberRow(
+        "Length",
+        Measure.MILLIMETRE,
+        object -> object instanceof SceneObject.Rod rod ? rod.lengthM() : 1,
+        (object, lengthM) ->
+            object instanceof SceneObject.Rod rod
+                ? sized(rod, rod.poseInBase(), rod.radiusM(), lengthM)
+                : object);
+  }
+
+  private static SceneObject sized(SceneObject.Rod rod, Pose pose, double radiusM, double lengthM) {
+    return new SceneObject.Rod(
+        rod.name(), pose, radiusM, lengthM, rod.capsule(), rod.material(), rod.massKg());
+  }
+
   private static void addMaterial(PartsForm<SceneObject> form) {
     form.heading("Surface");
     form.numberRow(
@@ -171,7 +219,8 @@ final class ObjectsCard {
         (object, stiffness) -> {
           Material now = object.material();
           return ObjectShape.of(
-              object, new Material(stiffness, now.dampingSPerM(), now.friction()));
+              object,
+              new Material(stiffness, now.dampingSPerM(), now.friction(), now.restitution()));
         });
     form.numberRow(
         "Damping",
@@ -180,7 +229,8 @@ final class ObjectsCard {
         (object, damping) -> {
           Material now = object.material();
           return ObjectShape.of(
-              object, new Material(now.stiffnessNPerM(), damping, now.friction()));
+              object,
+              new Material(now.stiffnessNPerM(), damping, now.friction(), now.restitution()));
         });
     form.numberRow(
         "Friction",
@@ -189,7 +239,18 @@ final class ObjectsCard {
         (object, friction) -> {
           Material now = object.material();
           return ObjectShape.of(
-              object, new Material(now.stiffnessNPerM(), now.dampingSPerM(), friction));
+              object,
+              new Material(now.stiffnessNPerM(), now.dampingSPerM(), friction, now.restitution()));
+        });
+    form.numberRow(
+        "Restitution",
+        Measure.PLAIN,
+        object -> object.material().restitution(),
+        (object, restitution) -> {
+          Material now = object.material();
+          return ObjectShape.of(
+              object,
+              new Material(now.stiffnessNPerM(), now.dampingSPerM(), now.friction(), restitution));
         });
   }
 

@@ -57,6 +57,12 @@ final class ObjectHit {
             ? hits.x
             : Double.POSITIVE_INFINITY;
       }
+      case SceneObject.Rod rod -> {
+        Matrix4d toRod = frame(rod.poseInBase()).invert();
+        toRod.transformPosition(from);
+        toRod.transformDirection(along);
+        yield rodDistanceM(from, along, rod);
+      }
       case SceneObject.Box box -> {
         Matrix4d toBox = frame(box.poseInBase()).invert();
         toBox.transformPosition(from);
@@ -68,6 +74,35 @@ final class ObjectHit {
             : Double.POSITIVE_INFINITY;
       }
     };
+  }
+
+  /** Of a rod at the origin along z: its mantle, and discs or balls at its ends. */
+  private static double rodDistanceM(Vector3d from, Vector3d along, SceneObject.Rod rod) {
+    double half = rod.lengthM() / 2;
+    double r = rod.radiusM();
+    double nearest = Double.POSITIVE_INFINITY;
+    double a = along.x * along.x + along.y * along.y;
+    double b = from.x * along.x + from.y * along.y;
+    double root = b * b - a * (from.x * from.x + from.y * from.y - r * r);
+    if (a > 0 && root >= 0) {
+      double t = (-b - Math.sqrt(root)) / a;
+      if (t >= 0 && Math.abs(from.z + t * along.z) <= half) {
+        nearest = t;
+      }
+    }
+    for (int end = -1; end <= 1; end += 2) {
+      Vector2d hits = new Vector2d();
+      if (rod.capsule()
+          && Intersectiond.intersectRaySphere(
+              from, along, new Vector3d(0, 0, end * half), r * r, hits)) {
+        nearest = Math.min(nearest, hits.x);
+      }
+      double t = (end * half - from.z) / along.z;
+      if (!rod.capsule() && t >= 0 && Math.hypot(from.x + t * along.x, from.y + t * along.y) <= r) {
+        nearest = Math.min(nearest, t);
+      }
+    }
+    return nearest;
   }
 
   private static Matrix4d frame(Pose pose) {

@@ -69,6 +69,15 @@ public record SceneBounds(List<Ball> balls) {
               Vector3 centre = new Vector3(pose.x(), pose.y(), pose.z());
               yield Optional.of(new Ball(centre, box.sizeM().length() / 2));
             }
+            case SceneObject.Rod rod -> {
+              Pose pose = rod.poseInBase();
+              Vector3 centre = new Vector3(pose.x(), pose.y(), pose.z());
+              double half = rod.lengthM() / 2;
+              yield Optional.of(
+                  new Ball(
+                      centre,
+                      rod.capsule() ? half + rod.radiusM() : Math.hypot(half, rod.radiusM())));
+            }
             case SceneObject.Plane plane -> Optional.empty();
           };
       ball.filter(each -> each.centreM().length() + each.radiusM() < nearM).ifPresent(balls::add);

@@ -13,6 +13,9 @@ import org.pendant.models.pose.Pose;
  * otherwise.
  */
 public final class WorldMesh {
+  /** Of its radius: how far the end of a capsule is rounded; all of it would leave no corner. */
+  private static final double ROUND = 0.999;
+
   private static final double WIDEST_BEVEL_M = 0.003;
   private static final double BEVEL_SHARE = 0.08;
   private static final int MERIDIANS = 48;
@@ -32,6 +35,7 @@ public final class WorldMesh {
       switch (object) {
         case SceneObject.Box box -> addBox(mesh, box);
         case SceneObject.Sphere sphere -> addSphere(mesh, sphere);
+        case SceneObject.Rod rod -> addRod(mesh, rod);
         case SceneObject.Plane plane -> {
           // Drawn as a surface with a grid.
         }
@@ -55,6 +59,24 @@ public final class WorldMesh {
     Vector3f axis = new Vector3f((float) pose.rx(), (float) pose.ry(), (float) pose.rz());
     float angle = axis.length();
     return angle > 0 ? frame.rotate(angle, axis.div(angle)) : frame;
+  }
+
+  private static void addRod(MeshBuilder mesh, SceneObject.Rod rod) {
+    double half = rod.lengthM() / 2;
+    mesh.at(frame(rod.poseInBase()));
+    if (rod.capsule()) {
+      LatheProfile profile =
+          new LatheProfile()
+              .to(0, -half - rod.radiusM())
+              .to(rod.radiusM(), -half - rod.radiusM(), ROUND * rod.radiusM())
+              .to(rod.radiusM(), half + rod.radiusM(), ROUND * rod.radiusM())
+              .to(0, half + rod.radiusM());
+      Lathe.turn(mesh, profile, MERIDIANS);
+    } else {
+      double thinnest = 2 * Math.min(rod.radiusM(), half);
+      double edge = Math.min(WIDEST_BEVEL_M, BEVEL_SHARE * thinnest);
+      Lathe.cylinder(mesh, rod.radiusM(), -half, half, edge, MERIDIANS);
+    }
   }
 
   private static void addSphere(MeshBuilder mesh, SceneObject.Sphere sphere) {
