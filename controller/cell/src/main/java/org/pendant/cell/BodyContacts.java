@@ -175,7 +175,7 @@ final class BodyContacts {
     second.touched = true;
     if (second.free()) {
       islandOf[island(second.index)] = island(first.index);
-    } else if (second.kinematic()) {
+    } else if (second.kinematic() || second.runs()) {
       first.kinematicTouched = true;
     }
     for (int i = 0; i < count; i++) {

@@ -35,6 +35,9 @@ final class CellBody {
   /** Whether it is there; what is not touches nothing and stays where it is. */
   boolean present = true;
 
+  /** Speed of its surface along itself, as of a belt, m/s, along the base's axes. */
+  final double[] belt = new double[3];
+
   /** What holds it; null where nothing does. */
   BodyHold hold;
 
@@ -94,6 +97,18 @@ final class CellBody {
         }
       }
     }
+  }
+
+  /** Whether its surface runs. */
+  boolean runs() {
+    return belt[0] != 0 || belt[1] != 0 || belt[2] != 0;
+  }
+
+  /** Is where it was at first, at rest. */
+  void putBack() {
+    Transforms.of(description.poseInBase(), pose);
+    Arrays.fill(twist, 0);
+    moved();
   }
 
   void wake() {

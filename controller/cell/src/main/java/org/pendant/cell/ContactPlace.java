@@ -54,6 +54,11 @@ final class ContactPlace {
   private double leavingSpeed;
   private double friction;
 
+  /** Speed of the second body's surface along the tangents, m/s. */
+  private double belt1;
+
+  private double belt2;
+
   private final double[] turned = new double[3];
 
   /** Takes over what was found, one of {@code places} between these two. */
@@ -72,6 +77,8 @@ final class ContactPlace {
       onFirst[i] = one.pose[i] * arm1[0] + one.pose[3 + i] * arm1[1] + one.pose[6 + i] * arm1[2];
     }
     setTangents();
+    belt1 = dot(other.belt, tangent1);
+    belt2 = dot(other.belt, tangent2);
     BodySurface a = one.description.surface();
     BodySurface b = other.description.surface();
     friction = Math.sqrt(a.friction() * b.friction());
@@ -124,8 +131,8 @@ final class ContactPlace {
 
   /** Corrects the impulse; answers by how much, Ns. */
   double solve() {
-    double t1 = tangentImpulse1 - tangentMass * speed(tangent1);
-    double t2 = tangentImpulse2 - tangentMass * speed(tangent2);
+    double t1 = tangentImpulse1 - tangentMass * (speed(tangent1) - belt1);
+    double t2 = tangentImpulse2 - tangentMass * (speed(tangent2) - belt2);
     double most = friction * normalImpulse;
     double size = Math.sqrt(t1 * t1 + t2 * t2);
     if (size > most) {
@@ -238,6 +245,10 @@ final class ContactPlace {
         y * tangent1[2] - z * tangent1[1],
         z * tangent1[0] - x * tangent1[2],
         x * tangent1[1] - y * tangent1[0]);
+  }
+
+  private static double dot(double[] one, double[] other) {
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
   }
 
   private static void set(double[] vector, double x, double y, double z) {

@@ -23,7 +23,7 @@ public final class RigidBodyWorld {
   public static final int MAX_BODIES = 200;
 
   /** So many more may be added. */
-  private static final int MAX_TOOLS = 128;
+  private static final int MAX_MORE = 300;
 
   /** What a step may take. */
   private static final Range STEP = new Range(1e-5, 0.01, "s");
@@ -73,14 +73,14 @@ public final class RigidBodyWorld {
   }
 
   /**
-   * Adds a body that does not fall, such as one more tool.
+   * Adds a body: one more tool, or one that is {@link #setPresent put away} until it is needed.
    *
    * @return its number
    * @throws IllegalArgumentException if there are too many, or one has its name
    */
   public int add(BodyDescription description) {
-    if (bodies.size() >= MAX_BODIES + MAX_TOOLS) {
-      throw new IllegalArgumentException("bodies: may be at most " + (MAX_BODIES + MAX_TOOLS));
+    if (bodies.size() >= MAX_BODIES + MAX_MORE) {
+      throw new IllegalArgumentException("bodies: may be at most " + (MAX_BODIES + MAX_MORE));
     }
     for (CellBody body : bodies) {
       if (body.description.name().equals(description.name())) {
@@ -102,6 +102,57 @@ public final class RigidBodyWorld {
     } else if (of.free()) {
       of.sleep();
     }
+  }
+
+  /** Whether a body is there. */
+  public boolean present(int body) {
+    return bodies.get(body).present;
+  }
+
+  /**
+   * Puts a body that is away back where it was at first, unless another one is in the way.
+   *
+   * @return whether it is there
+   */
+  public boolean putBack(int body) {
+    CellBody of = bodies.get(body);
+    of.putBack();
+    for (CellBody other : bodies) {
+      if (other != of && other.present && overlap(of, other)) {
+        return false;
+      }
+    }
+    setPresent(body, true);
+    return true;
+  }
+
+  /**
+   * Has the surface of a fixed body run along itself, as that of a belt does; what lies on it is
+   * taken along by friction.
+   *
+   * @param x m/s along the base's x, as the others; what is at right angles to a face does nothing
+   *     there
+   */
+  public void runSurface(int body, double x, double y, double z) {
+    CellBody of = bodies.get(body);
+    if (of.description.motion() != BodyMotion.FIXED) {
+      throw new IllegalArgumentException(of.description.name() + ": is not fixed");
+    }
+    of.belt[0] = x;
+    of.belt[1] = y;
+    of.belt[2] = z;
+    for (CellBody other : bodies) {
+      if (other.free() && other.present && !other.geom.getAABB().isDisjoint(of.geom.getAABB())) {
+        other.wake();
+      }
+    }
+  }
+
+  private static boolean overlap(CellBody one, CellBody other) {
+    DContactGeomBuffer found = new DContactGeomBuffer(1);
+    return !one.geom.getAABB().isDisjoint(other.geom.getAABB())
+        && PhysicsLibrary.touch(one.geom, other.geom, 1, found) > 0
+        && found.get(0).depth > MAX_OVERLAP_M;
   }
 
   /**

@@ -73,6 +73,7 @@ public final class ControlBox implements Host {
                 signals,
                 kinematics::actualTcpInBase,
                 arm.world(),
+                (encoder, ticksPerS) -> offsets.encoders().get(encoder).run(ticksPerS),
                 log),
             DeterminismGuard.of(setup.connectors(), clock.determinism()),
             signals,

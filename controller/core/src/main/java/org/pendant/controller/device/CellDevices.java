@@ -42,6 +42,7 @@ public final class CellDevices {
   private final Supplier<Pose> tcpInBase;
   private Optional<Pose> tcpNow = Optional.empty();
   private final ContactWorld world;
+  private final EncoderTicks encoders;
   private final MessageLog log;
 
   /**
@@ -49,14 +50,17 @@ public final class CellDevices {
    *
    * @param tcpInBase where the tool centre point is
    * @param world what grippers grip in
+   * @param encoders what belts turn
    */
   public CellDevices(
       List<DeviceSetup> setups,
       Signals signals,
       Supplier<Pose> tcpInBase,
       ContactWorld world,
+      EncoderTicks encoders,
       MessageLog log) {
     this.world = world;
+    this.encoders = encoders;
     this.signals = signals;
     this.tcpInBase = tcpInBase;
     this.log = log;
@@ -83,6 +87,12 @@ public final class CellDevices {
           case DeviceSetup.Driven driven -> new DrivenDevice(driven, signals.digital(), log);
           case DeviceSetup.Vacuum vacuum ->
               new VacuumDevice(vacuum, signals.digital(), vacuum.hand().flatMap(world::cup), log);
+          case DeviceSetup.Belt belt ->
+              new BeltDevice(belt, world.belt(belt.object()), encoders, signals.digital());
+          case DeviceSetup.Source source ->
+              new SourceDevice(
+                  source, world.pool(source.object(), source.count()), signals.digital(), log);
+          case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Sensor sensor ->
               new SensorDevice(
                   sensor, this::tcpInBase, sensor.zone().watch(world), signals.digital());

@@ -22,7 +22,11 @@ public final class DeviceReader {
 
   private final Map<String, FilePosition> places = new HashMap<>();
 
-  private DeviceReader() {}
+  private final PartReader parts;
+
+  private DeviceReader(PartReader parts) {
+    this.parts = parts;
+  }
 
   /**
    * Reads the section {@code devices}.
@@ -30,7 +34,7 @@ public final class DeviceReader {
    * @throws JsonException for the first thing that is wrong, with its place
    */
   public static List<DeviceSetup> read(JsonFields scene) throws JsonException {
-    DeviceReader reader = new DeviceReader();
+    DeviceReader reader = new DeviceReader(PartReader.of(scene));
     List<DeviceSetup> devices = new ArrayList<>();
     for (Json each : scene.array("devices", CellDevices.MAX)) {
       devices.add(reader.device(each));
@@ -48,6 +52,9 @@ public final class DeviceReader {
       case "door" -> door(fields);
       case "vacuum" -> vacuum(fields);
       case "light-barrier", "proximity", "area" -> sensor(fields, type.value());
+      case "belt" -> parts.belt(name(fields), fields);
+      case "source" -> parts.source(name(fields), fields);
+      case "sink" -> parts.sink(name(fields), fields);
       default ->
           throw type.place()
               .refusal(
@@ -55,7 +62,8 @@ public final class DeviceReader {
                       + type.described()
                       + ", must be "
                       + String.join(", ", DeviceSetup.KINDS)
-                      + ", gripper, vacuum, door, light-barrier, proximity or area");
+                      + ", gripper, vacuum, door, light-barrier, proximity, area, belt, source or"
+                      + " sink");
     };
   }
 

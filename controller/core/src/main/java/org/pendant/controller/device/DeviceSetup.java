@@ -141,6 +141,74 @@ public sealed interface DeviceSetup {
   }
 
   /**
+   * Belt: a box of the scene whose surface runs along its x.
+   *
+   * @param object name of the box
+   * @param speedMPerS while it runs
+   * @param accelerationMPerS2 with which it starts and stops
+   * @param run the output that has it run; without one it always does
+   * @param encoder which one it turns, 0 or 1; -1 for none
+   * @param ticksPerM of this encoder
+   */
+  record Belt(
+      String name,
+      String object,
+      double speedMPerS,
+      double accelerationMPerS2,
+      Optional<Signal> run,
+      int encoder,
+      double ticksPerM)
+      implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * Source of parts, which puts copies of an object where that was at first.
+   *
+   * @param object name of the object
+   * @param everyS time between two; 0 where only {@code when} has one come
+   * @param when the signal whose rise has one come, where there is one
+   * @param count how many there are at most, the object itself among them
+   */
+  record Source(String name, String object, double everyS, Optional<Signal> when, int count)
+      implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * Sink of parts, which takes away what has its middle in an area.
+   *
+   * @param area where
+   */
+  record Sink(String name, Zone.Area area) implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
    * Sensor that sees the tool centre point and bodies.
    *
    * @param signal the input that tells

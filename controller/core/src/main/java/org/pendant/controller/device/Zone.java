@@ -15,7 +15,7 @@ public sealed interface Zone {
    * @param z m
    */
   record Place(double x, double y, double z) {
-    private Vector3 vector() {
+    Vector3 vector() {
       return new Vector3(x, y, z);
     }
   }

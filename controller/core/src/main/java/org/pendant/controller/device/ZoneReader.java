@@ -37,7 +37,7 @@ final class ZoneReader {
     };
   }
 
-  private static Zone area(JsonFields fields) throws JsonException {
+  static Zone.Area area(JsonFields fields) throws JsonException {
     Zone.Place min = place(fields, "min");
     Zone.Place max = place(fields, "max");
     if (max.x() < min.x() || max.y() < min.y() || max.z() < min.z()) {

@@ -7,7 +7,6 @@ import java.util.Optional;
 import org.pendant.cell.BodyProbe;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
-import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
 
 /**
@@ -38,6 +37,7 @@ public final class ContactWorld {
 
   private List<MovedObject> moved = List.of();
   private boolean moving;
+  private long comings;
   private Pose tcpInFlange = Pose.ZERO;
   private final HandGrip grip = new HandGrip();
   private Wrench applied = Wrench.ZERO;
@@ -172,6 +172,26 @@ public final class ContactWorld {
         : Optional.of(free.bodies().watchBox(min.toArray(), max.toArray()));
   }
 
+  /** A box of a name that stands still, as a belt; empty where there is none, or nothing moves. */
+  public Optional<BeltSurface> belt(String box) {
+    return free == null ? Optional.empty() : free.belt(box);
+  }
+
+  /**
+   * An object of a name that has a mass, and copies of it that are away.
+   *
+   * @param count how many there are together
+   * @return empty where there is none
+   */
+  public Optional<PartPool> pool(String object, int count) {
+    return free == null ? Optional.empty() : free.pool(object, count);
+  }
+
+  /** Takes away what nothing holds and has its middle in a box, m; answers how many. */
+  public int takeAway(Vector3 min, Vector3 max) {
+    return free == null ? 0 : free.takeAway(min, max);
+  }
+
   /** Whether a gripper holds an object: its weight is on the flange besides the load. */
   public boolean holdsBody() {
     return free != null && free.anyHeld();
@@ -210,17 +230,11 @@ public final class ContactWorld {
    * where there are none.
    */
   public List<MovedObject> moved() {
-    if (free != null && (moved.isEmpty() || free.move() || moving)) {
+    if (free != null && (moved.isEmpty() || free.move() || moving || comings != free.comings())) {
       // once more after the last has come to rest
       moving = free.move();
-      List<MovedObject> now = new ArrayList<>();
-      double[] transform12 = new double[Transforms.SIZE];
-      for (int i = 0; i < objects.size(); i++) {
-        if (poseNow(i, transform12)) {
-          now.add(new MovedObject(objects.get(i).name(), Transforms.toPose(transform12)));
-        }
-      }
-      moved = List.copyOf(now);
+      comings = free.comings();
+      moved = List.copyOf(free.moved());
     }
     return moved;
   }

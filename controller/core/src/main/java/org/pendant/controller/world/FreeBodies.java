@@ -3,6 +3,7 @@ package org.pendant.controller.world;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.cell.BodyDescription;
 import org.pendant.cell.BodyShape;
 import org.pendant.cell.BodySurface;
@@ -26,6 +27,12 @@ final class FreeBodies {
   /** Force and torque on the flange's origin, along the base's axes, in the latest step. */
   private final double[] felt6 = new double[6];
 
+  /** Numbers of the bodies that can move: objects with a mass, and copies of them. */
+  private final List<Integer> movable = new ArrayList<>();
+
+  /** Grows whenever one comes or goes. */
+  private long comings;
+
   private final List<Hand> hands = new ArrayList<>();
 
   /** Numbers of the bodies of the tool: its points, and the fingers of hands. */
@@ -45,6 +52,9 @@ final class FreeBodies {
     points = toolPoints.isEmpty() ? List.of(new ToolPoint(new Vector3(0, 0, 0), 0)) : toolPoints;
     List<BodyDescription> all = new ArrayList<>();
     for (SceneObject object : objects) {
+      if (object.massKg() > 0) {
+        movable.add(all.size());
+      }
       all.add(body(object));
     }
     for (int i = 0; i < points.size(); i++) {
@@ -162,6 +172,91 @@ final class FreeBodies {
     return hand;
   }
 
+  /** The box of a name that stands still, as a belt; empty where there is none. */
+  Optional<BeltSurface> belt(String name) {
+    for (int i = 0; i < objects.size(); i++) {
+      if (objects.get(i) instanceof SceneObject.Box box
+          && box.massKg() == 0
+          && box.name().equals(name)) {
+        return Optional.of(new BeltSurface(bodies, i));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** An object that can move, and copies of it that are away; empty where there is none. */
+  Optional<PartPool> pool(String name, int count) {
+    for (int i = 0; i < objects.size(); i++) {
+      BodyDescription part = bodies.description(i);
+      if (objects.get(i).massKg() > 0 && part.name().equals(name)) {
+        int[] parts = new int[count];
+        parts[0] = i;
+        for (int copy = 1; copy < count; copy++) {
+          parts[copy] =
+              bodies.add(
+                  BodyDescription.free(
+                      name + MovedObject.COPY + (copy + 1),
+                      part.shape(),
+                      part.poseInBase(),
+                      part.massKg(),
+                      part.surface()));
+          bodies.setPresent(parts[copy], false);
+          movable.add(parts[copy]);
+        }
+        return Optional.of(new PartPool(this, parts));
+      }
+    }
+    return Optional.empty();
+  }
+
+  boolean putBack(int body) {
+    boolean there = bodies.putBack(body);
+    comings += there ? 1 : 0;
+    return there;
+  }
+
+  /** Takes away what nothing holds and has its middle in a box along the base's axes, m. */
+  int takeAway(Vector3 min, Vector3 max) {
+    int taken = 0;
+    double[] at = new double[Transforms.SIZE];
+    for (int i : movable) {
+      bodies.pose(i, at);
+      if (bodies.present(i)
+          && !bodies.held(i)
+          && at[9] >= min.x()
+          && at[9] <= max.x()
+          && at[10] >= min.y()
+          && at[10] <= max.y()
+          && at[11] >= min.z()
+          && at[11] <= max.z()) {
+        bodies.setPresent(i, false);
+        comings++;
+        taken++;
+      }
+    }
+    return taken;
+  }
+
+  /** Grows whenever a body comes or goes. */
+  long comings() {
+    return comings;
+  }
+
+  /** Where all that can move is; of copies only those that are there. */
+  List<MovedObject> moved() {
+    List<MovedObject> now = new ArrayList<>();
+    double[] transform12 = new double[Transforms.SIZE];
+    for (int i : movable) {
+      boolean there = bodies.present(i);
+      if (there || i < objects.size()) {
+        bodies.pose(i, transform12);
+        now.add(
+            new MovedObject(bodies.description(i).name(), Transforms.toPose(transform12), there));
+      }
+    }
+    return now;
+  }
+
   /** Whether a hand holds something. */
   boolean anyHeld() {
     for (int i = 0; i < hands.size(); i++) {
@@ -196,8 +291,8 @@ final class FreeBodies {
   /** The objects with a mass that may be as near as that to a place of the base frame. */
   List<Integer> near(double[] place3, double withinM) {
     List<Integer> near = new ArrayList<>();
-    for (int i = 0; i < objects.size(); i++) {
-      if (objects.get(i).massKg() > 0 && bodies.near(i, place3[0], place3[1], place3[2], withinM)) {
+    for (int i : movable) {
+      if (bodies.near(i, place3[0], place3[1], place3[2], withinM)) {
         near.add(i);
       }
     }
@@ -208,8 +303,8 @@ final class FreeBodies {
   int firstAlong(double[] from3, double[] along3, double lengthM) {
     int first = -1;
     double least = lengthM;
-    for (int i = 0; i < objects.size(); i++) {
-      if (objects.get(i).massKg() > 0 && bodies.near(i, from3[0], from3[1], from3[2], lengthM)) {
+    for (int i : movable) {
+      if (bodies.near(i, from3[0], from3[1], from3[2], lengthM)) {
         double way = bodies.enters(i, from3, along3, lengthM);
         if (way <= least) {
           least = way;
@@ -234,8 +329,8 @@ final class FreeBodies {
         return true;
       }
     }
-    for (int i = 0; i < objects.size(); i++) {
-      if (objects.get(i).massKg() > 0 && !bodies.sleeping(i)) {
+    for (int i = 0; i < movable.size(); i++) {
+      if (!bodies.sleeping(movable.get(i))) {
         return true;
       }
     }

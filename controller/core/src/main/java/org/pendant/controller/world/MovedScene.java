@@ -14,7 +14,8 @@ public final class MovedScene {
   /**
    * The scene then.
    *
-   * @param moved the objects that may be elsewhere; those of other names stay where they were
+   * @param moved the objects that may be elsewhere, or away, and copies of them; those of other
+   *     names stay where they were
    */
   public static Scene of(Scene scene, List<MovedObject> moved) {
     if (moved.isEmpty()) {
@@ -22,9 +23,26 @@ public final class MovedScene {
     }
     List<SceneObject> objects = new ArrayList<>(scene.objects());
     for (MovedObject each : moved) {
-      objects.replaceAll(object -> object.name().equals(each.name()) ? at(object, each) : object);
+      int place = place(objects, each.name());
+      int original = place(scene.objects(), each.original());
+      if (place >= 0 && each.there()) {
+        objects.set(place, at(objects.get(place), each));
+      } else if (place >= 0) {
+        objects.remove(place);
+      } else if (original >= 0 && each.there()) {
+        objects.add(at(scene.objects().get(original), each));
+      }
     }
     return scene.withObjects(objects);
+  }
+
+  private static int place(List<SceneObject> objects, String name) {
+    for (int i = 0; i < objects.size(); i++) {
+      if (objects.get(i).name().equals(name)) {
+        return i;
+      }
+    }
+    return -1;
   }
 
   private static SceneObject at(SceneObject object, MovedObject moved) {
@@ -32,13 +50,13 @@ public final class MovedScene {
     return switch (object) {
       case SceneObject.Plane plane -> plane;
       case SceneObject.Box box ->
-          new SceneObject.Box(box.name(), pose, box.sizeM(), box.material());
+          new SceneObject.Box(moved.name(), pose, box.sizeM(), box.material());
       case SceneObject.Rod rod ->
           new SceneObject.Rod(
-              rod.name(), pose, rod.radiusM(), rod.lengthM(), rod.capsule(), rod.material(), 0);
+              moved.name(), pose, rod.radiusM(), rod.lengthM(), rod.capsule(), rod.material(), 0);
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
-              ball.name(),
+              moved.name(),
               new Vector3(pose.x(), pose.y(), pose.z()),
               ball.radiusM(),
               ball.material());

@@ -1,0 +1,76 @@
+package org.pendant.controller.device;
+
+import java.util.Optional;
+import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.world.PartPool;
+import org.pendant.models.time.FrameTime;
+
+/**
+ * Source device: puts parts into the cell, as many as it has. One that has no room waits until
+ * there is some.
+ */
+final class SourceDevice implements CellDevice {
+  private final DeviceSetup.Source setup;
+  private final Optional<PartPool> pool;
+  private final DigitalIo io;
+  private final MessageLog log;
+  private long frames;
+  private boolean high;
+  private boolean due;
+  private boolean put;
+
+  SourceDevice(DeviceSetup.Source setup, Optional<PartPool> pool, DigitalIo io, MessageLog log) {
+    this.setup = setup;
+    this.pool = pool;
+    this.io = io;
+    this.log = log;
+  }
+
+  @Override
+  public String name() {
+    return setup.name();
+  }
+
+  @Override
+  public String kind() {
+    return "source";
+  }
+
+  @Override
+  public boolean on() {
+    return put;
+  }
+
+  @Override
+  public String described() {
+    return "source of " + setup.count() + " parts as " + setup.object();
+  }
+
+  @Override
+  public boolean putPart(double widthM) {
+    return false;
+  }
+
+  @Override
+  public void step() {
+    if (setup.everyS() > 0 && ++frames % FrameTime.framesFor(setup.everyS()) == 0) {
+      due = true;
+    }
+    if (setup.when().isPresent()) {
+      Signal signal = setup.when().get();
+      boolean now = io.level(signal.bank(), signal.index());
+      due |= now && !high;
+      high = now;
+    }
+    put = due && pool.isPresent() && pool.get().put();
+    if (put) {
+      due = false;
+    } else if (due && pool.isPresent() && pool.get().empty()) {
+      due = false;
+      log.warnOnce(
+          name() + ": all " + setup.count() + " parts are in the cell; the next waits for a sink");
+    }
+  }
+}
