@@ -1,14 +1,17 @@
 package org.pendant.testing.builtin;
 
+import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.gripper.Fingers;
+import org.pendant.controller.world.MovedObject;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.function.Call;
 import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
+import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
 
 /** Devices of the cell that answer programs, and the parts in their fingers. */
@@ -52,6 +55,43 @@ final class CellBuiltins {
         .returns(Unit.NEWTON)
         .effect(Effect.SENSES)
         .does(call -> call.answer(fingers(call).pressN()));
+    declareObjectsIn(builtins);
+  }
+
+  private static void declareObjectsIn(Builtins<ControlBox> builtins) {
+    TestBuiltins.declare(builtins, "object_pose", SECTION)
+        .doc(
+            "Where the middle of an object of the scene that has a mass is now, and how it is"
+                + " turned, in the base; copies that a source has made are called as in \"box"
+                + " #2\".")
+        .needs("name", Type.STRING)
+        .returns(Type.POSE)
+        .effect(Effect.SENSES)
+        .does(
+            call -> {
+              String name = call.text(0);
+              Optional<MovedObject> object = there(call);
+              if (object.isEmpty()) {
+                throw call.failure(
+                    "no-such-object", "there is no object " + name + " that can move in the cell");
+              }
+              return call.answer(new PoseValue(object.get().poseInBase()));
+            });
+    TestBuiltins.declare(builtins, "object_there", SECTION)
+        .doc(
+            "Whether an object of the scene that has a mass is in the cell now: a copy that a"
+                + " source has not made yet is not, nor is one that a sink has taken.")
+        .needs("name", Type.STRING)
+        .returns(Type.BOOL)
+        .effect(Effect.SENSES)
+        .does(call -> call.answer(there(call).isPresent()));
+  }
+
+  private static Optional<MovedObject> there(Call<ControlBox> call) throws ScriptError {
+    String name = call.text(0);
+    return call.host().arm().world().moved().stream()
+        .filter(each -> each.there() && each.name().equals(name))
+        .findFirst();
   }
 
   private static Outcome add(Call<ControlBox> call) throws ScriptError {

@@ -166,7 +166,12 @@ public final class TargetLimits {
           "sets an input, which only what is connected there does";
       case "set_tool_digital_in", "set_standard_analog_in", "set_tool_analog_in" ->
           "sets an input, which only what is connected there does";
-      case "add_device", "put_part", "finger_opening", "finger_force" ->
+      case "add_device",
+          "put_part",
+          "finger_opening",
+          "finger_force",
+          "object_pose",
+          "object_there" ->
           "has a device in the cell of Pendant's own controller";
       case "answer" -> "answers questions, which no port of a robot takes";
       case "safety_message" -> "asks for words that no port of a robot tells";

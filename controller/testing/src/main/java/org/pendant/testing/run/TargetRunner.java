@@ -77,6 +77,9 @@ public final class TargetRunner {
       return Optional.of(
           "--target: `@start_at` puts the arm somewhere, which only Pendant's own controller can");
     }
+    if (test.scene().isPresent()) {
+      return Optional.of("--target: `@scene` says what stands around Pendant's own arm alone");
+    }
     return calls(one).stream()
         .flatMap(
             each ->

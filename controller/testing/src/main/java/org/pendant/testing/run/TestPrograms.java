@@ -91,6 +91,13 @@ final class TestPrograms implements TestedPrograms {
    * that brings a setup of its own.
    */
   ControllerOptions controller(TestCase test) {
+    ControllerOptions set = setUp(test);
+    return test.scene()
+        .map(each -> set.withScene(each.scene()).withEquipment(each.equipment()))
+        .orElse(set);
+  }
+
+  private ControllerOptions setUp(TestCase test) {
     return file.starts().getOrDefault(test.id().function(), List.of()).stream()
         .map(each -> loaded.computeIfAbsent(TestSources.beside(file.name(), each), this::read))
         .flatMap(each -> each.controller().stream())

@@ -18,6 +18,7 @@ import org.pendant.testing.TestPlace;
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take, where it says so itself
  * @param startRad where the arm stands at first, where it says so itself
+ * @param scene what stands around the arm, where it says so itself
  * @param property how it is run with many values; empty for a test that runs once
  * @param golden how it is compared with a recording of itself; empty for a test that is not
  * @param watches whether it starts programs, and so runs beside them; else it is the program
@@ -30,6 +31,7 @@ public record TestCase(
     Optional<String> skip,
     OptionalDouble timeoutS,
     Optional<Joints> startRad,
+    Optional<TestScene> scene,
     Optional<Property> property,
     Optional<GoldenMark> golden,
     boolean watches) {
@@ -50,6 +52,6 @@ public record TestCase(
   public TestCase within(double limitS) {
     OptionalDouble shortest = OptionalDouble.of(Math.min(limitS, timeoutS.orElse(limitS)));
     return new TestCase(
-        id, number, place, tags, skip, shortest, startRad, property, golden, watches);
+        id, number, place, tags, skip, shortest, startRad, scene, property, golden, watches);
   }
 }

@@ -24,6 +24,7 @@ import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.Evaluate;
+import org.pendant.models.json.JsonException;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.ProgramLoader;
@@ -214,6 +215,18 @@ public final class TestFileReader {
       return names;
     }
 
+    private Optional<TestScene> scene(TestMarks.Case mark) {
+      String beside = TestSources.beside(source.name(), ByteText.decoded(mark.arguments()));
+      try {
+        return Optional.of(TestScene.read(files, beside));
+      } catch (IOException e) {
+        report(mark.range(), "@scene: " + beside + ": " + e.getMessage());
+      } catch (JsonException e) {
+        report(mark.range(), "@scene: " + e.getMessage());
+      }
+      return Optional.empty();
+    }
+
     /** Finds the tests, and adds the lines that choose one of them. */
     private List<TestCase> tests(List<Statement> own) {
       TestReach reach = new TestReach(own, builtins);
@@ -252,7 +265,9 @@ public final class TestFileReader {
                               + " starts a program, and a test that does only watches: it moves"
                               + " nothing itself"));
         }
-        numbering.add(each, marks, watches).ifPresent(problem -> report(each.nameRange(), problem));
+        numbering
+            .add(each, marks, marks.scene().flatMap(this::scene), watches)
+            .ifPresent(problem -> report(each.nameRange(), problem));
       }
       numbering.end();
       if (found.isEmpty() && problems.isEmpty()) {

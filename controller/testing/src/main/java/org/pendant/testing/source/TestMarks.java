@@ -18,12 +18,13 @@ import org.pendant.models.arm.Joints;
 /**
  * Test marks: what stands in the comment lines right above a test, each in a line of its own:
  * {@code # @tag slow}, {@code # @skip REASON}, {@code # @timeout SECONDS}, {@code #
- * @start_at JOINTS}, {@code # @case ARGUMENTS}, {@code # @given RUNS}, {@code # @example CHOICES}, {@code # @golden TOLERANCES}.
+ * @start_at JOINTS}, {@code # @scene FILE}, {@code # @case ARGUMENTS}, {@code # @given RUNS}, {@code # @example CHOICES}, {@code # @golden TOLERANCES}.
  *
  * @param tags sorted
  * @param skip why it does not run
  * @param timeoutS how much robot time it may take
  * @param startRad where the arm stands at first
+ * @param scene the file of what stands around the arm
  * @param cases the arguments of each case, in order
  * @param property how it is run with many values
  * @param golden how it is compared with a recording
@@ -33,6 +34,7 @@ record TestMarks(
     Optional<String> skip,
     OptionalDouble timeoutS,
     Optional<Joints> startRad,
+    Optional<Case> scene,
     List<Case> cases,
     Optional<TestCase.Property> property,
     Optional<GoldenMark> golden) {
@@ -69,6 +71,7 @@ record TestMarks(
         reading.skip,
         reading.timeoutS,
         reading.startRad,
+        reading.scene,
         reading.cases,
         reading.property(),
         reading.golden());
@@ -87,6 +90,7 @@ record TestMarks(
     private Optional<String> skip = Optional.empty();
     private OptionalDouble timeoutS = OptionalDouble.empty();
     private Optional<Joints> startRad = Optional.empty();
+    private Optional<Case> scene = Optional.empty();
     private final List<List<Double>> examples = new ArrayList<>();
     private Optional<GoldenMark> golden = Optional.empty();
     private SourceRange goldenRange = new SourceRange(0, 1);
@@ -117,6 +121,7 @@ record TestMarks(
         case "skip" -> skip = Optional.of(rest.isEmpty() ? "no reason given" : rest);
         case "timeout" -> timeout(rest, range);
         case "start_at" -> start(rest, range);
+        case "scene" -> scene = Optional.of(new Case(rest, range));
         case "case" -> cases.add(new Case(rest, range));
         case "given" -> given(rest, range);
         case "example" -> example(rest, range);
@@ -129,7 +134,7 @@ record TestMarks(
                     "@"
                         + word
                         + " is no mark of a test; there are @tag, @skip, @timeout, @start_at,"
-                        + " @case, @given, @example and @golden",
+                        + " @scene, @case, @given, @example and @golden",
                     ""));
       }
     }

@@ -13,6 +13,7 @@ import org.pendant.testing.builtin.ExpectationBuiltins;
 
 /** Numbering of the tests of a file: each gets a number, and the program lines that run it. */
 final class TestNumbering {
+  private Optional<TestScene> scene = Optional.empty();
   private final Source source;
   private final Composition composition;
   private final boolean before;
@@ -39,7 +40,9 @@ final class TestNumbering {
    * @param watches whether it starts programs
    * @return what is wrong with it
    */
-  Optional<String> add(Definition test, TestMarks marks, boolean watches) {
+  Optional<String> add(
+      Definition test, TestMarks marks, Optional<TestScene> scene, boolean watches) {
+    this.scene = scene;
     TestPlace place = composition.place(test.nameRange().start(), test.name());
     boolean needs = test.parameters().stream().anyMatch(TestNumbering::needed);
     if (marks.cases().isEmpty()) {
@@ -80,6 +83,7 @@ final class TestNumbering {
             marks.skip(),
             marks.timeoutS(),
             marks.startRad(),
+            scene,
             marks.property(),
             marks.golden(),
             watches));

@@ -48,8 +48,19 @@ class BrokenFilesTest {
     assertEquals(
         List.of(
             "cell/pick_test.script:1:3: error: @slow is no mark of a test; there are @tag, @skip,"
-                + " @timeout, @start_at, @case, @given, @example and @golden"),
+                + " @timeout, @start_at, @scene, @case, @given, @example and @golden"),
         Suite.of("# @slow", "def test_a():", "  sync()", "end").problems());
+  }
+
+  @Test
+  void aSceneThatCannotBeIsAMistakeWhereItIsNamed() {
+    assertEquals(
+        List.of(
+            "cell/pick_test.script:1:10: error: @scene: cell/x.json:1:37: part is 30 m, must be 0"
+                + " to 0.11 m"),
+        Suite.of("# @scene x.json", "def test_a():", "  sync()", "end")
+            .with("cell/x.json", "{\"devices\": [{\"type\": \"rg\", \"part\": 30}]}")
+            .problems());
   }
 
   @Test

@@ -53,4 +53,32 @@ class CellDeviceTest {
     String why = result.failure().orElseThrow().toString();
     assertTrue(why.contains("gripper is \\\"left\\\"") || why.contains("gripper is \"left\""), why);
   }
+
+  @Test
+  void aTestHasTheSceneThatItIsMarkedWith() {
+    TestResult result =
+        Suite.of(
+                "# @scene ../cells/one.json",
+                "def test_cell():",
+                "  assert_near(object_pose(\"ball\")[2], 0.5)",
+                "  assert_true(object_there(\"ball\"))",
+                "  assert_false(object_there(\"ball #2\"))",
+                "  assert_near(finger_opening(\"rg\"), 0.11)",
+                "end")
+            .with(
+                "cells/one.json",
+                "{\"devices\": [{\"type\": \"rg\"}], \"objects\": [{\"type\": \"sphere\",",
+                " \"name\": \"ball\", \"centre\": [1, 0, 0.5], \"radius\": 0.1, \"mass\": 1}]}")
+            .only();
+
+    assertEquals(Optional.empty(), result.failure());
+  }
+
+  @Test
+  void anObjectThatIsNotThereIsNamed() {
+    TestResult result = Suite.of("def test_cell():", "  object_pose(\"ball\")", "end").only();
+
+    String why = result.failure().orElseThrow().message();
+    assertTrue(why.contains("there is no object ball that can move in the cell"), why);
+  }
 }
