@@ -23,6 +23,9 @@ import org.pendant.script.variables.TracedVariables;
  * is asked; all methods then throw {@link UncheckedIOException} when that has gone.
  */
 public final class Recording {
+  /** Once in so many frames it has where the objects of a scene are that have a mass. */
+  public static final int BODIES_FRAMES = SnapshotPart.MOVED_FRAMES;
+
   /** Part of a frame that counts as rounding in a time. */
   private static final double ROUNDING = 1e-6;
 

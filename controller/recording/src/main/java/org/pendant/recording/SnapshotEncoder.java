@@ -117,6 +117,9 @@ final class SnapshotEncoder {
       if (part == SnapshotPart.NEWS && !FrameDelta.in(state)) {
         continue;
       }
+      if (part == SnapshotPart.MOVED && state.frame() % SnapshotPart.MOVED_FRAMES != 0) {
+        continue;
+      }
       Object value = part.in(state);
       if (!value.equals(lastParts[i])) {
         before[i] = lastParts[i];

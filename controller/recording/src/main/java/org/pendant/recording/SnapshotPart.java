@@ -47,6 +47,14 @@ final class SnapshotPart {
       new SnapshotPart(17, "questions", ControllerState::openQuestions, MessageForms.QUESTIONS);
   static final SnapshotPart NEWS = new SnapshotPart(18, "news", FrameDelta::of, MessageForms.NEWS);
 
+  static final SnapshotPart MOVED =
+      new SnapshotPart(19, "moved", ControllerState::moved, CellForms.MOVED);
+  static final SnapshotPart DEVICES =
+      new SnapshotPart(20, "devices", ControllerState::devices, CellForms.DEVICES);
+
+  /** Where bodies are is kept once in so many frames. */
+  static final int MOVED_FRAMES = 5;
+
   /** All parts, each at its index. */
   static final List<SnapshotPart> PARTS =
       List.of(
@@ -68,12 +76,17 @@ final class SnapshotPart {
           TRACED,
           POPUPS,
           QUESTIONS,
-          NEWS);
+          NEWS,
+          MOVED,
+          DEVICES);
 
   static final int COUNT = PARTS.size();
 
   /** A bit for each part. */
   static final int ALL = (1 << COUNT) - 1;
+
+  /** What the oldest files do not have: nothing then. */
+  static final int LATER = MOVED.bit() | DEVICES.bit();
 
   private final int index;
   private final String column;

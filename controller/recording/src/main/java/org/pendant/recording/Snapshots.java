@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.encoder.Encoders;
 import org.pendant.controller.freedrive.FreedriveState;
@@ -20,6 +21,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.SupplyVoltages;
+import org.pendant.controller.world.MovedObject;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
@@ -68,8 +70,8 @@ record Snapshots(ArmDescription arm, ForwardKinematics kinematics) {
         (DigitalLevels) at.part(SnapshotPart.IO),
         (SignalState) at.part(SnapshotPart.SIGNALS),
         (List<ModbusSignalState>) at.part(SnapshotPart.MODBUS),
-        List.of(),
-        List.of(),
+        (List<DeviceState>) at.part(SnapshotPart.DEVICES),
+        (List<MovedObject>) at.part(SnapshotPart.MOVED),
         (AssemblyImage) at.part(SnapshotPart.ASSEMBLIES),
         (Encoders.Counts) at.part(SnapshotPart.ENCODERS),
         (FreedriveState) at.part(SnapshotPart.FREEDRIVE),

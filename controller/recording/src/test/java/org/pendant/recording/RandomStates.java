@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import org.pendant.controller.box.BaseLight;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.box.ToolCentre;
+import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.eip.AssemblyPair;
@@ -57,6 +58,7 @@ import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StopPlace;
 import org.pendant.controller.state.SupplyVoltages;
+import org.pendant.controller.world.MovedObject;
 import org.pendant.language.signature.Type;
 import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.ArmDescription;
@@ -144,8 +146,10 @@ final class RandomStates {
             some(last.map(ControllerState::io), this::digital),
             some(last.map(ControllerState::signals), this::signals),
             some(last.map(ControllerState::modbus), () -> list(this::modbus)),
-            List.of(),
-            List.of(),
+            some(last.map(ControllerState::devices), () -> list(this::device)),
+            last.isPresent() && frame % SnapshotPart.MOVED_FRAMES != 0
+                ? last.get().moved()
+                : list(this::body),
             some(last.map(ControllerState::assemblies), this::assemblies),
             some(
                 last.map(ControllerState::encoders),
@@ -469,6 +473,26 @@ final class RandomStates {
         text(),
         text(),
         maybe(() -> new ScriptPlace(text(), random.nextInt(), text(), random.nextInt())));
+  }
+
+  private DeviceState device() {
+    return new DeviceState(
+        text(),
+        text(),
+        number(),
+        number(),
+        number(),
+        random.nextBoolean(),
+        number(),
+        number(),
+        random.nextInt(65536));
+  }
+
+  private MovedObject body() {
+    return new MovedObject(
+        text(),
+        new Pose(number(), number(), number(), number(), number(), number()),
+        random.nextBoolean());
   }
 
   private Popup popup() {

@@ -39,8 +39,9 @@ import org.pendant.script.vm.ProgramEvent;
  *     of a held frame repeat its number
  * @param io levels of the digital signals
  * @param signals all other signals: analog ones, registers, the tool connector
- * @param devices the devices of the cell; not part of recordings
- * @param moved where the objects of the scene are that have a mass; not part of recordings
+ * @param devices the devices of the cell
+ * @param moved where the objects of the scene are that have a mass; recordings have it once in some
+ *     frames
  * @param assemblies data that are exchanged by EtherNet/IP, without those built in
  * @param modbus the signals at Modbus devices that programs have added
  * @param encoders what the encoders of conveyors count

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.arm.Joints;
+import org.pendant.recording.Recording;
 import org.pendant.script.variables.VariableSample;
 
 /** State difference: tells whether two runs are the same one, by snapshots of the same frame. */
@@ -28,8 +29,16 @@ public final class StateDifference {
         .or(() -> other("the safety mode", was.safety().safetyMode(), is.safety().safetyMode()))
         .or(() -> other("the digital signals", was.io(), is.io()))
         .or(() -> changed("other signals", was.signals(), is.signals()))
+        .or(() -> bodies(was, is))
         .or(() -> other("the encoders", was.encoders(), is.encoders()))
         .or(() -> variables(was.variables().globals(), is.variables().globals()));
+  }
+
+  /** Where bodies are stands in a recording once in some frames. */
+  private static Optional<String> bodies(ControllerState was, ControllerState is) {
+    return was.frame() % Recording.BODIES_FRAMES == 0
+        ? changed("where objects of the scene are", was.moved(), is.moved())
+        : Optional.empty();
   }
 
   private static Optional<String> joints(ControllerState stateWas, ControllerState stateIs) {

@@ -112,6 +112,8 @@ final class Play {
             state.newQuestions()));
     facts.add(state.newProgramEvents());
     facts.add(state.newestEntry());
+    facts.add(state.moved());
+    facts.add(state.devices());
     for (VariableSample each : state.variables().globals()) {
       facts.add(each.name() + each.length());
       facts.add(each.value());

@@ -22,8 +22,10 @@ import org.pendant.controller.InterpreterCommand;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.BoxCommand;
+import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.box.WorldCommand;
+import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
 import org.pendant.controller.io.IoCommand;
@@ -43,6 +45,7 @@ import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
+import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 import org.pendant.recording.RecordingRing;
 
@@ -58,6 +61,7 @@ final class RerunTest {
         play("threads and inputs", RerunTest::threadsAndInputs),
         play("slider and pauses", RerunTest::sliderAndPauses),
         play("force and contact", RerunTest::forceAndContact),
+        play("a part that is gripped", RerunTest::grippedPart),
         play("popups and questions", RerunTest::popupsAndQuestions),
         play("moved by hand", RerunTest::movedByHand),
         play("pulled by hand", RerunTest::pulledByHand),
@@ -176,6 +180,39 @@ final class RerunTest {
         .at(900, new WorldCommand.PushTool(new Wrench(0, 0, 0, 0, 0, 0)))
         .at(1000, new WorldCommand.PushLink(3, new Vector3(0, 0, 0.1), new Vector3(10, 0, 0)))
         .at(1100, new WorldCommand.LetGo());
+  }
+
+  private static Play grippedPart() {
+    SceneObject table =
+        new SceneObject.Plane(
+            "table", new Vector3(0, 0, 0), new Vector3(0, 0, 1), Material.DEFAULT);
+    SceneObject part =
+        new SceneObject.Box(
+            "part",
+            new Pose(0.4, -0.09, 0.03, 0, 0, 0.1),
+            new Vector3(0.06, 0.04, 0.06),
+            Material.DEFAULT,
+            1);
+    return new Play(
+            ControllerOptions.headless()
+                .withMeasuredNoise(true)
+                .withScene(new Scene(List.of(table, part), Optional.empty(), List.of()))
+                .withEquipment(
+                    CellEquipment.NONE.and(List.of(DeviceSetup.of("two-finger").orElseThrow()))))
+        .start(
+            """
+            def grip():
+              set_tcp(p[0, 0, 0.15, 0, 0, 0])
+              movej(p[0.4, -0.1, 0.1, 3.14159265, 0, 0], a=8, v=3)
+              movel(p[0.4, -0.1, 0.03, 3.14159265, 0, 0], a=2, v=0.5)
+              socket_open("127.0.0.1", 63352)
+              socket_set_var("POS", 255)
+              sleep(0.6)
+              movel(p[0.4, -0.1, 0.2, 3.14159265, 0, 0], a=2, v=0.5)
+              socket_set_var("POS", 0)
+              sleep(10)
+            end
+            """);
   }
 
   private static Play popupsAndQuestions() {
