@@ -67,6 +67,9 @@ final class ExamplesTest {
                     "no belt here; give this a cell with --scene",
                     "no box at the feeder; give this a cell with --scene",
                     "no gripper here",
+                    "no peg here; give this a cell with --scene",
+                    "no belt to sort from; give this a cell with --scene",
+                    "no blank for the machine; give this a cell with --scene",
                     "all corners met within a millimetre",
                     "mean: 5",
                     "spring rate in N/mm: 1.97",
@@ -93,7 +96,7 @@ final class ExamplesTest {
     Result result = Launcher.pendant(Launcher.home(), "test", "--color", "never", "examples");
 
     assertEquals(0, result.exitCode(), result.output() + result.errors());
-    assertTrue(result.output().contains("55 passed in "), result.output());
+    assertTrue(result.output().contains("60 passed in "), result.output());
   }
 
   @Test
