@@ -10,6 +10,7 @@ import org.pendant.protocols.device.DeviceServer;
 import org.pendant.protocols.eip.EipServer;
 import org.pendant.protocols.interpreter.InterpreterServer;
 import org.pendant.protocols.modbus.ModbusServer;
+import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.net.WireTap;
 import org.pendant.protocols.primary.PrimaryServer;
@@ -68,6 +69,7 @@ public final class BoxPorts implements AutoCloseable {
     if (DeviceServer.wanted(serverContext)) {
       ports.open(DeviceServer.TWO_FINGER_PORT, () -> DeviceServer.open(serverContext, numbers));
     }
+    ports.needFramesOf(serverContext.frames());
     return ports;
   }
 
@@ -84,7 +86,15 @@ public final class BoxPorts implements AutoCloseable {
     ports.open(
         ToolSerialServer.STANDARD_PORT,
         () -> ToolSerialServer.open(line, numbers, serverContext.log()));
+    ports.needFramesOf(serverContext.frames());
     return ports;
+  }
+
+  /** Frames must come on time while somebody is connected. */
+  private void needFramesOf(StateBroadcaster frames) {
+    List<TcpPort> all = ports();
+    all.forEach(each -> each.whenConnected(frames::peerCame));
+    frames.onTimeWhile(() -> all.stream().anyMatch(TcpPort::connected));
   }
 
   private void open(int standardPort, Opening server) {

@@ -8,6 +8,11 @@ public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
   enum Due {
     /** A frame. */
     FRAME,
+    /**
+     * A frame whose time is over, since nobody needed it on time: what has arrived is for the
+     * frames after it.
+     */
+    EARLIER_FRAME,
     /** Commands have arrived while time stands: they are carried out without a frame. */
     COMMANDS
   }
@@ -35,6 +40,14 @@ public sealed interface Clock permits SteerableClock, VirtualClock, WallClock {
    * is one soon.
    */
   default void commandArrived() {}
+
+  /**
+   * Whether frames may be let become due and be run some together. Without a word they come one by
+   * one; by now only a {@link SteerableClock} does otherwise.
+   *
+   * @param mayGather asked before each wait, by the thread that waits
+   */
+  default void gatherWhile(BooleanSupplier mayGather) {}
 
   /** Time has stood still on purpose: the next frame is due whenever it comes. */
   void startAfresh();

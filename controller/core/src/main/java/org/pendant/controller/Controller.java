@@ -186,6 +186,7 @@ public final class Controller implements Robot, Drive {
   @Override
   public void wakeBy(Runnable wake) {
     commandQueue.wakeBy(wake);
+    frame.feed().wakeBy(wake);
   }
 
   @Override
@@ -199,6 +200,11 @@ public final class Controller implements Robot, Drive {
   }
 
   @Override
+  public void advanceBeforeCommands() {
+    frame.advanceBeforeCommands();
+  }
+
+  @Override
   public void applyCommands() {
     frame.applyCommands();
   }
@@ -206,6 +212,20 @@ public final class Controller implements Robot, Drive {
   @Override
   public boolean waitsForOutside() {
     return machine.waitsForOutside() || box.links().modbus().active();
+  }
+
+  @Override
+  public boolean needsNoFrameOnTime() {
+    return machine.state() != ProgramState.RUNNING
+        && !machine.companion().running()
+        && frame.still()
+        && !followed()
+        && !waitsForOutside();
+  }
+
+  @Override
+  public boolean followed() {
+    return frame.feed().followed();
   }
 
   @Override

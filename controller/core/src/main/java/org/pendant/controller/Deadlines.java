@@ -18,6 +18,8 @@ final class Deadlines {
   private static final long ON_TIME_NS = TimeUnit.MILLISECONDS.toNanos(1);
 
   private boolean started;
+  private boolean gathering;
+  private long gatheredUntilNs;
   private long dueNs;
   private long earliestNs;
   private long frames;
@@ -29,6 +31,21 @@ final class Deadlines {
   /** The next frame is due whenever it comes. */
   void startAfresh() {
     started = false;
+    gathering = false;
+  }
+
+  /**
+   * Frames that are due up to {@code untilNs} were let become due on purpose: they follow each
+   * other at once, and none of them is late.
+   */
+  void gather(long untilNs) {
+    gathering = true;
+    gatheredUntilNs = untilNs;
+  }
+
+  /** Whether the next frame is one of those. */
+  boolean gathered() {
+    return started && gathering && dueNs - gatheredUntilNs <= 0;
   }
 
   /** How long the next frame has to wait, ns; 0 or less when it is due. */
@@ -38,13 +55,19 @@ final class Deadlines {
       dueNs = nowNs;
       earliestNs = nowNs;
     }
-    return Math.max(dueNs, earliestNs) - nowNs;
+    return gathered() ? 0 : Math.max(dueNs, earliestNs) - nowNs;
   }
 
   /** A frame that lasts {@code frameNs} begins. */
   void begin(long nowNs, long frameNs) {
-    long lateNs = nowNs - dueNs;
     frames++;
+    if (gathered()) {
+      lateness = new WallClock.Lateness(frames, lateFrames, worstNs);
+      dueNs += frameNs;
+      earliestNs = dueNs;
+      return;
+    }
+    long lateNs = nowNs - dueNs;
     if (lateNs > ON_TIME_NS) {
       lateFrames++;
     }

@@ -17,6 +17,12 @@ public interface Drive {
   void advance();
 
   /**
+   * As {@link #advance}, but commands that have arrived are left for the next frame: they have come
+   * later than this one.
+   */
+  void advanceBeforeCommands();
+
+  /**
    * Carries out the commands that have arrived, without a frame: robot time stands, and the newest
    * snapshot shows what they have done.
    */
@@ -45,12 +51,21 @@ public interface Drive {
    */
   boolean waitsForOutside();
 
+  /**
+   * Whether it is all the same when the next frames are run, as long as it is soon: no program
+   * runs, nothing moves, and nobody follows frame by frame or waits outside.
+   */
+  boolean needsNoFrameOnTime();
+
+  /** Whether somebody follows frame by frame. */
+  boolean followed();
+
   /** Has {@code journal} told of every command from now on. */
   void noteCommandsIn(CommandJournal journal);
 
   /**
-   * Has {@code wake} run whenever a command has arrived, by the thread that brought it; it must be
-   * short.
+   * Has {@code wake} run whenever a command has arrived, or somebody has begun to follow frame by
+   * frame, by the thread that brought it; it must be short.
    */
   void wakeBy(Runnable wake);
 

@@ -65,6 +65,9 @@ final class Frame {
   private ProgramStatus program = ProgramStatus.NONE;
   private Optional<Ending> internalEnding = Optional.empty();
 
+  /** Commands that have arrived are left for the next frame. */
+  private boolean beforeCommands;
+
   /** A debugger has paused the program in the frame that has begun. */
   private boolean held;
 
@@ -78,6 +81,7 @@ final class Frame {
 
   private final StateStream feed = new StateStream();
   private volatile ControllerState state;
+  private boolean still;
 
   Frame(
       ControlBox box,
@@ -108,6 +112,16 @@ final class Frame {
       step();
     } catch (OutOfMemoryError | StackOverflowError e) {
       endOrThrow(e);
+    }
+  }
+
+  /** As {@link #advance}, without the commands that have arrived. */
+  void advanceBeforeCommands() {
+    beforeCommands = true;
+    try {
+      advance();
+    } finally {
+      beforeCommands = false;
     }
   }
 
@@ -164,6 +178,11 @@ final class Frame {
     return state;
   }
 
+  /** Whether arm and cell stood still in the last frame. */
+  boolean still() {
+    return still;
+  }
+
   /** Every snapshot in turn; any thread. */
   StateStream feed() {
     return feed;
@@ -172,7 +191,9 @@ final class Frame {
   private void takeInputs() {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
-    commandQueue.drain(this::followProgram);
+    if (!beforeCommands) {
+      commandQueue.drain(this::followProgram);
+    }
     box.signals().player().step(warn);
     installed.step();
     followWatchdogs();
@@ -354,7 +375,9 @@ final class Frame {
   }
 
   private void publish() {
+    ControllerState before = state;
     state = snapshot();
+    still = state.standsStillSince(before);
     commandQueue.reply();
     feed.publish(state);
   }

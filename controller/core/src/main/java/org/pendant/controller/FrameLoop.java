@@ -1,12 +1,17 @@
 package org.pendant.controller;
 
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.pendant.controller.box.BoxCommand;
 
 /** Frame loop: a thread that drives a controller at the pace of a clock until it is closed. */
 public final class FrameLoop implements AutoCloseable {
-  /** How often a held frame looks for commands, ms. */
-  private static final long HELD_MS = 2;
+  /** How often a held frame is shown to those who follow each frame, ns. */
+  private static final long HELD_NS = TimeUnit.MILLISECONDS.toNanos(2);
+
+  /** How often it looks around while nobody does; a command ends the wait. */
+  private static final long HELD_ALONE_NS = TimeUnit.MILLISECONDS.toNanos(50);
 
   private static final double NS = 1e-9;
 
@@ -44,7 +49,8 @@ public final class FrameLoop implements AutoCloseable {
   }
 
   private void run() {
-    drive.wakeBy(clock::commandArrived);
+    drive.wakeBy(this::commandArrived);
+    clock.gatherWhile(drive::needsNoFrameOnTime);
     // those that came before
     clock.commandArrived();
     try {
@@ -53,13 +59,12 @@ public final class FrameLoop implements AutoCloseable {
         tellLost();
         switch (due) {
           case FRAME -> drive.advance();
+          case EARLIER_FRAME -> drive.advanceBeforeCommands();
           case COMMANDS -> drive.applyCommands();
         }
         afterEach.run();
         if (drive.state().debug().held()) {
-          // time stands still; only commands are waited for
-          Thread.sleep(HELD_MS);
-          clock.startAfresh();
+          hold();
         }
       }
     } catch (InterruptedException e) {
@@ -68,6 +73,20 @@ public final class FrameLoop implements AutoCloseable {
     } catch (RuntimeException | Error e) {
       failure = Optional.of(e);
     }
+  }
+
+  private void commandArrived() {
+    clock.commandArrived();
+    LockSupport.unpark(thread);
+  }
+
+  /** Time stands still; only commands are waited for. */
+  private void hold() throws InterruptedException {
+    LockSupport.parkNanos(drive.followed() ? HELD_NS : HELD_ALONE_NS);
+    if (Thread.interrupted()) {
+      throw new InterruptedException();
+    }
+    clock.startAfresh();
   }
 
   /** As a command, so that a run that is repeated hears of it at the same place. */

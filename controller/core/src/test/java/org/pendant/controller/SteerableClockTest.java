@@ -143,6 +143,76 @@ final class SteerableClockTest {
   }
 
   @Test
+  void framesThatNobodyNeedsOnTimeComeSomeTogether() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    clock.gatherWhile(() -> true);
+    assertEquals(Clock.Due.FRAME, clock.awaitDue());
+    int gathered = (int) (SteerableClock.GATHER_NS / FRAME_NS) + 1;
+    for (int i = 0; i < 10 * gathered; i++) {
+      assertEquals(Clock.Due.EARLIER_FRAME, clock.awaitDue());
+    }
+    assertEquals(10, parks);
+    assertEquals(1_000 + 10L * gathered * FRAME_NS, nowNs);
+    assertEquals(new WallClock.Lateness(10L * gathered + 1, 0, 0), clock.lateness());
+  }
+
+  @Test
+  void aCommandComesIntoForceInTheFrameInWhichItWouldHaveAnyway() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    clock.gatherWhile(() -> true);
+    clock.awaitDue();
+    whileParked =
+        () -> {
+          // the park lasted until then instead
+          nowNs = 1_000 + 5 * FRAME_NS + FRAME_NS / 2;
+          whileParked = () -> {};
+          clock.commandArrived();
+        };
+    for (int frame = 1; frame <= 5; frame++) {
+      assertEquals(Clock.Due.EARLIER_FRAME, clock.awaitDue(), "frame " + frame);
+    }
+    assertEquals(1, parks);
+    assertEquals(Clock.Due.FRAME, clock.awaitDue());
+    assertEquals(1_000 + 6 * FRAME_NS, nowNs);
+    assertEquals(0, clock.lateness().lateFrames());
+  }
+
+  @Test
+  void aCommandThatIsThereKeepsFramesFromBeingGathered() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    clock.gatherWhile(() -> true);
+    clock.awaitDue();
+    clock.commandArrived();
+    assertEquals(Clock.Due.FRAME, clock.awaitDue());
+    assertEquals(1_000 + FRAME_NS, nowNs);
+  }
+
+  @Test
+  void aComputerThatSleptWhileFramesWereGatheredIsLate() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    clock.gatherWhile(() -> true);
+    clock.awaitDue();
+    whileParked =
+        () -> {
+          nowNs += 1_000_000_000L;
+          whileParked = () -> {};
+        };
+    await(clock, (int) (SteerableClock.GATHER_NS / FRAME_NS) + 2);
+    assertEquals(1, clock.lateness().lateFrames());
+    assertEquals(1_000_000_000L - FRAME_NS, clock.lostNs());
+  }
+
+  @Test
+  void aChangeOfPaceDropsWhatWasGathered() throws InterruptedException {
+    SteerableClock clock = clock(Pace.REAL_TIME);
+    clock.gatherWhile(() -> true);
+    clock.awaitDue();
+    whileParked = () -> clock.setPace(new Pace.Times(2));
+    assertEquals(Clock.Due.FRAME, clock.awaitDue());
+    assertEquals(1, parks);
+  }
+
+  @Test
   void anInterruptEndsTheWait() {
     SteerableClock clock = clock(new Pace.Paused());
     whileParked = () -> Thread.currentThread().interrupt();

@@ -71,12 +71,15 @@ enum NumberGroup {
   private static final NumberGroup[] GROUPS = values();
   private static final int[] SIZES = Arrays.stream(GROUPS).mapToInt(each -> each.size).toArray();
 
-  /** The quantities of all groups, one after the other. */
-  private static final StateQuantity[] QUANTITIES =
+  /** The quantities of each group, one after the other. */
+  private static final StateQuantity[][] QUANTITIES =
       Arrays.stream(GROUPS)
-          .flatMap(each -> Arrays.stream(each.quantities.split(" ", -1)))
-          .map(StateQuantities::of)
-          .toArray(StateQuantity[]::new);
+          .map(
+              each ->
+                  Arrays.stream(each.quantities.split(" ", -1))
+                      .map(StateQuantities::of)
+                      .toArray(StateQuantity[]::new))
+          .toArray(StateQuantity[][]::new);
 
   /** Numbers of all groups together. */
   static final int NUMBERS = Arrays.stream(SIZES).sum();
@@ -134,13 +137,31 @@ enum NumberGroup {
 
   /** Writes the numbers of a snapshot to {@code out}, group after group. */
   static void read(ControllerState state, double[] out) {
-    int at = 0;
-    for (StateQuantity each : QUANTITIES) {
+    read(state, out, ALL);
+  }
+
+  /** As {@link #read(ControllerState, double[])}, those of the groups of a mask alone. */
+  static void read(ControllerState state, double[] out, int mask) {
+    int begin = 0;
+    for (int group = 0; group < COUNT; group++) {
+      if ((mask & 1 << group) != 0) {
+        read(state, out, QUANTITIES[group], begin);
+      }
+      begin += SIZES[group];
+    }
+    if ((mask & AMBIENT.bit()) != 0) {
+      // the quantity counts milliseconds, and going back to seconds does not give the same number
+      out[NUMBERS - 1] = state.executionTimeS();
+    }
+  }
+
+  private static void read(
+      ControllerState state, double[] out, StateQuantity[] quantities, int begin) {
+    int at = begin;
+    for (StateQuantity each : quantities) {
       each.getter().read(state, out, at);
       at += each.size();
     }
-    // the quantity counts milliseconds, and going back to seconds does not give the same number
-    out[at] = state.executionTimeS();
   }
 
   /** The place of a kept number among those that {@link #read} writes. */
@@ -164,11 +185,16 @@ enum NumberGroup {
 
   /** A bit for each group in which the two differ. */
   static int differences(double[] some, double[] others) {
+    return differences(some, others, ALL);
+  }
+
+  /** As {@link #differences(double[], double[])}, of the groups of a mask alone. */
+  static int differences(double[] some, double[] others, int of) {
     int mask = 0;
     int at = 0;
     for (int group = 0; group < COUNT; group++) {
       int end = at + SIZES[group];
-      if (!Arrays.equals(some, at, end, others, at, end)) {
+      if ((of & 1 << group) != 0 && !Arrays.equals(some, at, end, others, at, end)) {
         mask |= 1 << group;
       }
       at = end;

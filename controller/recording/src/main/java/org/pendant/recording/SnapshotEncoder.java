@@ -74,12 +74,7 @@ final class SnapshotEncoder {
   /** Takes what has changed. */
   void take(ControllerState state) {
     long frame = state.frame();
-    NumberGroup.read(state, now);
-    int numberMask = NumberGroup.differences(now, last);
-    int restless = state.armRests() ? NumberGroup.NOISY : NumberGroup.AMBIENT.bit();
-    if ((numberMask & ~restless) == 0 && frame - ambientFrame < ambientFrames) {
-      numberMask = 0;
-    }
+    int numberMask = newNumbers(state);
     int partMask = newParts(state);
     if (numberMask == 0 && partMask == 0) {
       return;
@@ -103,6 +98,19 @@ final class SnapshotEncoder {
     if ((partMask & SnapshotPart.NEWS.bit()) != 0) {
       newsAreOld();
     }
+  }
+
+  /** The groups to be kept; what is restless by itself is not even read in most frames. */
+  private int newNumbers(ControllerState state) {
+    int restless = state.armRests() ? NumberGroup.NOISY : NumberGroup.AMBIENT.bit();
+    int others = NumberGroup.ALL & ~restless;
+    NumberGroup.read(state, now, others);
+    if (state.frame() - ambientFrame < ambientFrames
+        && NumberGroup.differences(now, last, others) == 0) {
+      return 0;
+    }
+    NumberGroup.read(state, now, restless);
+    return NumberGroup.differences(now, last);
   }
 
   private void newsAreOld() {

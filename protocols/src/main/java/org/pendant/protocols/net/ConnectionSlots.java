@@ -92,6 +92,11 @@ final class ConnectionSlots<C extends Occupant> {
     occupants.remove(occupant);
   }
 
+  /** Whether any slot is taken. */
+  synchronized boolean taken() {
+    return !occupants.isEmpty();
+  }
+
   /** The connections that have a slot, the oldest first. */
   synchronized List<C> occupants() {
     return List.copyOf(occupants);

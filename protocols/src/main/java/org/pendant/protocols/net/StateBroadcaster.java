@@ -2,6 +2,7 @@ package org.pendant.protocols.net;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StateStream;
@@ -11,16 +12,19 @@ import org.pendant.controller.state.StateStream;
  * loop and the servers never wait for each other.
  */
 public final class StateBroadcaster implements AutoCloseable {
+  private final StateStream feed;
   private final StateStream.Subscription frames;
   private final PeerLog log;
   private final List<Listener> listeners = new CopyOnWriteArrayList<>();
   private final Thread thread;
+  private volatile BooleanSupplier onTime = () -> true;
 
   private record Listener(Consumer<ControllerState> hears, FaultGuard guard) {}
 
   /** Follows {@code feed} until closed. */
   public StateBroadcaster(StateStream feed, PeerLog log) {
-    frames = feed.follow();
+    this.feed = feed;
+    frames = feed.follow(() -> onTime.getAsBoolean());
     this.log = log;
     thread = Thread.ofPlatform().daemon().name("frames for servers").start(this::run);
   }
@@ -32,6 +36,21 @@ public final class StateBroadcaster implements AutoCloseable {
    */
   public void add(Consumer<ControllerState> listener) {
     listeners.add(new Listener(listener, new FaultGuard("a server", log)));
+  }
+
+  /**
+   * Has every frame come as soon as it is due only while somebody needs that; at first it does so
+   * always.
+   *
+   * @param needed such as while a peer is connected
+   */
+  public void onTimeWhile(BooleanSupplier needed) {
+    onTime = needed;
+  }
+
+  /** Says that what was handed to {@link #onTimeWhile} may have begun to hold. Any thread. */
+  public void peerCame() {
+    feed.followedByMore();
   }
 
   /** Ends {@link #add}. */

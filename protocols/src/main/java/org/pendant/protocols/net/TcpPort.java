@@ -30,6 +30,7 @@ public final class TcpPort implements AutoCloseable {
   private final PeriodicTasks watch;
   private final Thread acceptor;
   private volatile Optional<WireTap> tap = Optional.empty();
+  private volatile Runnable greeted = () -> {};
 
   private TcpPort(
       Listening listening,
@@ -109,6 +110,16 @@ public final class TcpPort implements AutoCloseable {
     tap = listener;
   }
 
+  /** Has {@code greeted} run whenever a peer has connected; it must be short. */
+  public void whenConnected(Runnable greeted) {
+    this.greeted = greeted;
+  }
+
+  /** Whether any peer is connected now. */
+  public boolean connected() {
+    return slots.taken();
+  }
+
   /** The peers that are connected now. */
   public List<Connection> connections() {
     return slots.occupants();
@@ -160,6 +171,7 @@ public final class TcpPort implements AutoCloseable {
       return;
     }
     log.visit(name + " has connected");
+    greeted.run();
     tap.ifPresent(each -> each.opened(connection));
     Thread.ofVirtual().name(name + " sending").start(connection::write);
     Thread.ofVirtual().name(name).start(() -> converse(connection));

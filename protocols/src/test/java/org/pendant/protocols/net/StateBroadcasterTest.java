@@ -1,6 +1,7 @@
 package org.pendant.protocols.net;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.concurrent.BlockingQueue;
@@ -22,6 +23,13 @@ class StateBroadcasterTest {
   @AfterEach
   void close() {
     fan.close();
+  }
+
+  @Test
+  void framesMustComeOnTimeUnlessNobodyNeedsThat() {
+    assertTrue(controller.feed().followed());
+    fan.onTimeWhile(() -> false);
+    assertFalse(controller.feed().followed());
   }
 
   @Test

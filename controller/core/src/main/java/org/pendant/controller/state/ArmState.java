@@ -42,6 +42,18 @@ public record ArmState(
     double speedFraction,
     double speedScaling,
     Optional<MotionFailure> fault) {
+  /** Joints that turn more slowly than this may be said to do so by noise alone, rad/s. */
+  private static final double NOISE_RAD_PER_S = 2e-3;
+
+  /**
+   * Whether it stands still: where it was told to stay, and its joints do not turn but for the
+   * noise of what reads them.
+   */
+  public boolean rests() {
+    return steady
+        && controlMode == ControlMode.POSITION
+        && actualSpeedRadPerS.maxAbsDifference(Joints.ZERO) < NOISE_RAD_PER_S;
+  }
 
   /** The same with its joints read elsewhere. */
   public ArmState withActualPosition(Joints positionRad) {

@@ -3,6 +3,7 @@ package org.pendant.controller.state;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 
 /**
  * State stream: every snapshot of the controller in turn, for any number of readers. The frame loop
@@ -18,6 +19,7 @@ public final class StateStream {
   private final AtomicReferenceArray<Numbered> ring = new AtomicReferenceArray<>(KEPT);
   private final CopyOnWriteArrayList<Subscription> followers = new CopyOnWriteArrayList<>();
   private volatile long newest;
+  private volatile Runnable wake = () -> {};
 
   /** For the frame loop: a frame has ended. */
   public void publish(ControllerState state) {
@@ -31,9 +33,40 @@ public final class StateStream {
 
   /** Begins to follow, from the next snapshot on. One thread uses what this answers. */
   public Subscription follow() {
-    Subscription follower = new Subscription();
+    return follow(() -> true);
+  }
+
+  /**
+   * As {@link #follow()}.
+   *
+   * @param onTime whether each snapshot is needed as soon as its frame is due; while nobody needs
+   *     that and nothing happens, several may come together. Asked by the frame loop: must be short
+   */
+  public Subscription follow(BooleanSupplier onTime) {
+    Subscription follower = new Subscription(onTime);
     followers.add(follower);
+    wake.run();
     return follower;
+  }
+
+  /** Whether somebody needs each snapshot as soon as its frame is due. */
+  public boolean followed() {
+    for (Subscription follower : followers) {
+      if (follower.onTime.getAsBoolean()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Says that {@link #followed} may have changed. Any thread. */
+  public void followedByMore() {
+    wake.run();
+  }
+
+  /** Has {@code wake} run when {@link #followed} may have changed; it must be short. */
+  public void wakeBy(Runnable wake) {
+    this.wake = wake;
   }
 
   /**
@@ -44,8 +77,11 @@ public final class StateStream {
     private long missed;
     private volatile Thread waiting;
     private volatile boolean closed;
+    private final BooleanSupplier onTime;
 
-    private Subscription() {}
+    private Subscription(BooleanSupplier onTime) {
+      this.onTime = onTime;
+    }
 
     /**
      * Waits for the next snapshot. After {@link #close} it answers the newest one without waiting.

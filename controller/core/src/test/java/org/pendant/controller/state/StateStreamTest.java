@@ -1,11 +1,14 @@
 package org.pendant.controller.state;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -46,6 +49,25 @@ class StateStreamTest {
     controller.advance();
     assertEquals(1, taken.get(GIVE_UP_S, TimeUnit.SECONDS));
     waiting.join();
+  }
+
+  @Test
+  void knowsWhetherSomebodyNeedsFramesOnTime() {
+    follower.close();
+    assertFalse(controller.feed().followed());
+    AtomicBoolean needed = new AtomicBoolean();
+    AtomicInteger wakes = new AtomicInteger();
+    controller.feed().wakeBy(wakes::incrementAndGet);
+    try (StateStream.Subscription patient = controller.feed().follow(needed::get)) {
+      assertEquals(1, wakes.get());
+      assertFalse(controller.feed().followed());
+      needed.set(true);
+      assertTrue(controller.feed().followed());
+      assertFalse(patient.closed());
+    }
+    assertFalse(controller.feed().followed());
+    controller.feed().followedByMore();
+    assertEquals(2, wakes.get());
   }
 
   @Test

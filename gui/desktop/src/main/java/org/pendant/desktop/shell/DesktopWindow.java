@@ -51,8 +51,6 @@ import org.pendant.project.installation.file.InstallationFile;
 
 /** Desktop window: makes its parts, puts them together and shows them the newest snapshot. */
 final class DesktopWindow {
-  private static final int REFRESH_MS = 33;
-
   /** How often what is not saved is kept against a crash. */
   static final int KEEP_MS = 2_000;
 
@@ -87,7 +85,7 @@ final class DesktopWindow {
   private final Footer footer;
   private final Menus menus;
   private final WelcomeCard welcome;
-  private final Timer refresh = Faults.timer(REFRESH_MS, this::refresh);
+  private final RefreshTimer refresh;
   private final Timer keep = Faults.timer(KEEP_MS, this::keep);
   private final Runnable closed;
   private boolean failureTold;
@@ -202,6 +200,7 @@ final class DesktopWindow {
     stopNotice = new StopNotice(notices, () -> views.showing("run"), () -> docks.show("run"));
     KeyBindings.bind(window.frame().getRootPane(), actions);
     menus = menus();
+    refresh = new RefreshTimer(session, this::refresh, () -> docks.seen(WindowFrame::seen));
     build();
     follow();
   }

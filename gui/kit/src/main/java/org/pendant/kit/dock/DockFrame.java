@@ -3,6 +3,7 @@ package org.pendant.kit.dock;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Point;
@@ -15,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -83,6 +85,16 @@ public final class DockFrame {
   /** What is shown. */
   public JComponent component() {
     return layer;
+  }
+
+  /**
+   * Whether people can see any of the windows that the views are in.
+   *
+   * @param seen whether they can see a component
+   */
+  public boolean seen(Predicate<Component> seen) {
+    return seen.test(layer)
+        || plan.views(Side.WINDOW).stream().anyMatch(id -> seen.test(views.get(id).component()));
   }
 
   /** Every view. */

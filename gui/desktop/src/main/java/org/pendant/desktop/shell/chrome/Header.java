@@ -36,7 +36,7 @@ public final class Header extends JPanel {
   private final Badge checksum =
       new Badge("safety-checksum", "Checksum of the safety configuration");
   private final Badge programState = new Badge("program-state", "Program state");
-  private final JLabel time = new JLabel();
+  private final JLabel time = new SteadyLabel();
   private final transient Squeeze squeeze;
   private transient ControllerState state;
   private boolean showing;
@@ -48,6 +48,14 @@ public final class Header extends JPanel {
     @Override
     public String toString() {
       return title;
+    }
+  }
+
+  /** A label whose text is always as wide: nothing around it need be laid out for another one. */
+  private static final class SteadyLabel extends JLabel {
+    @Override
+    public boolean isValidateRoot() {
+      return true;
     }
   }
 
