@@ -15,10 +15,34 @@ final class CallGraph {
 
   /** One function, thread or main level. */
   static final class Node {
+    private final String name;
     private final List<Node> callers = new ArrayList<>();
     private final List<Node> callees = new ArrayList<>();
     private final List<Refusal> refusals = new ArrayList<>();
     private boolean waits;
+
+    Node(String name) {
+      this.name = name;
+    }
+
+    /** That of its definition; empty for a main level without one. */
+    String name() {
+      return name;
+    }
+
+    /** Those that it calls so far. */
+    List<Node> callees() {
+      return callees;
+    }
+
+    /** What no secondary program may do so far. */
+    List<Refusal> refusals() {
+      return refusals;
+    }
+
+    boolean isWaiting() {
+      return waits;
+    }
 
     /** Notes that this one may let robot time pass, or end the program. */
     void waits() {
@@ -36,20 +60,26 @@ final class CallGraph {
     }
   }
 
-  private record Refusal(SourceRange range, String what) {}
+  /** Something that no secondary program may do. */
+  record Refusal(SourceRange range, String what) {}
 
   /** A loop without end or wait of its own; what it calls may still wait. */
-  private record EndlessLoop(SourceRange range, List<Node> callees) {}
+  record EndlessLoop(SourceRange range, List<Node> callees) {}
 
   private final IdentityHashMap<Definition, Node> nodes = new IdentityHashMap<>();
   private final List<EndlessLoop> loops = new ArrayList<>();
 
   Node node(Definition definition) {
-    return nodes.computeIfAbsent(definition, _ -> new Node());
+    return nodes.computeIfAbsent(definition, _ -> new Node(definition.name()));
   }
 
   void endlessLoop(SourceRange range, List<Node> callees) {
     loops.add(new EndlessLoop(range, callees));
+  }
+
+  /** Those noted so far. */
+  List<EndlessLoop> endlessLoops() {
+    return loops;
   }
 
   void reportEndlessLoops(Diagnostics findings) {

@@ -35,7 +35,9 @@ final class CheckRun {
   private final Set<String> deprecated = new HashSet<>();
   private final Map<String, String> functionOffers = new HashMap<>();
   private final Map<String, String> variableOffers = new HashMap<>();
+  private final Optional<KnownBodies> known;
   private boolean entersInterpreterMode;
+  private int special;
 
   /** A built-in function and what calls of it must look like. */
   record Builtin(Signature signature, FunctionHead head) {}
@@ -45,12 +47,28 @@ final class CheckRun {
    *
    * @param interpreted whether it is a line of interpreter mode
    * @param library whether names may come from a program around it
+   * @param known what an earlier check has said
    */
-  CheckRun(Catalogue catalogue, Survey survey, boolean interpreted, boolean library) {
+  CheckRun(
+      Catalogue catalogue,
+      Survey survey,
+      boolean interpreted,
+      boolean library,
+      Optional<KnownBodies> known) {
     this.catalogue = catalogue;
     this.survey = survey;
     this.interpreted = interpreted;
     this.library = library;
+    this.known = known;
+  }
+
+  Optional<KnownBodies> known() {
+    return known;
+  }
+
+  /** How often something was said or noted that does not follow from one definition alone. */
+  int special() {
+    return special;
   }
 
   Catalogue catalogue() {
@@ -105,6 +123,11 @@ final class CheckRun {
     }
   }
 
+  /** What fails only if no line of interpreter mode comes before it. */
+  Diagnostics unassigned() {
+    return unassigned;
+  }
+
   /** Everything found, in the order of the text. */
   Diagnostics finished() {
     graph.reportEndlessLoops(findings);
@@ -119,6 +142,7 @@ final class CheckRun {
     deprecated(signature, signature.name(), range, "");
     if (signature.name().equals(INTERPRETER_MODE)) {
       entersInterpreterMode = true;
+      special++;
       if (interpreted || insideThread(scope)) {
         findings.error(
             "interpreter-mode",
@@ -153,7 +177,11 @@ final class CheckRun {
    */
   private void deprecated(
       Signature signature, String written, SourceRange range, String arguments) {
-    if (!signature.deprecated().isEmpty() && deprecated.add(signature.name())) {
+    if (signature.deprecated().isEmpty()) {
+      return;
+    }
+    special++;
+    if (deprecated.add(signature.name())) {
       findings.warning(
           "deprecated",
           range,
@@ -162,6 +190,7 @@ final class CheckRun {
   }
 
   void unknownFunction(String name, SourceRange range, FunctionScope scope) {
+    special++;
     if (scope.binds(name) || scope.globals().contains(name)) {
       findings.nameNotFound(
           "unknown-function", name, range, name + " is a variable; expected a function to call");
@@ -189,6 +218,7 @@ final class CheckRun {
   }
 
   void unknownVariable(String name, SourceRange range, FunctionScope scope) {
+    special++;
     String message = "variable " + name + " is never assigned" + here();
     if (scope.function(name).isPresent() || builtin(name).isPresent()) {
       message += "; the function " + name + " needs parentheses";
@@ -226,6 +256,7 @@ final class CheckRun {
 
   /** The end of a message that offers the name probably meant. */
   String suggestion(String name, Supplier<? extends Collection<String>> candidates) {
+    special++;
     return offer(nearest.to(name, candidates));
   }
 

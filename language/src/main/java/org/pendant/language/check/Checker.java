@@ -2,9 +2,12 @@ package org.pendant.language.check;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
+import org.pendant.language.check.CheckMemory.Surroundings;
 import org.pendant.language.signature.Catalogue;
 import org.pendant.language.source.Diagnostic;
+import org.pendant.language.source.Source;
 import org.pendant.language.syntax.Script;
 import org.pendant.language.syntax.Statement.Definition;
 import org.pendant.language.syntax.Statement.DefinitionKind;
@@ -44,13 +47,42 @@ public final class Checker {
    */
   public static List<Diagnostic> check(ProgramForm form, Scopes scopes, Catalogue catalogue) {
     Survey survey = Survey.of(form, scopes, new Inference(catalogue));
-    CheckRun run = new CheckRun(catalogue, survey, false, form.kind() == ProgramForm.Kind.LIBRARY);
+    return check(form, scopes, catalogue, survey, Optional.empty());
+  }
+
+  /**
+   * As the other, for a text without syntax errors of which an earlier version was checked: what
+   * was said of definitions that are still the same is said again. The result is the same as
+   * without it.
+   *
+   * @param source the text
+   * @param memory of the versions of this text
+   */
+  public static List<Diagnostic> check(
+      Source source, ProgramForm form, Scopes scopes, Catalogue catalogue, CheckMemory memory) {
+    Survey survey = Survey.of(form, scopes, new Inference(catalogue));
+    Surroundings surroundings = Surroundings.of(scopes, survey, catalogue, form.kind());
+    KnownBodies known = new KnownBodies(source, scopes, memory.bodies(surroundings));
+    List<Diagnostic> found = check(form, scopes, catalogue, survey, Optional.of(known));
+    memory.keep(surroundings, known.now());
+    return found;
+  }
+
+  private static List<Diagnostic> check(
+      ProgramForm form,
+      Scopes scopes,
+      Catalogue catalogue,
+      Survey survey,
+      Optional<KnownBodies> known) {
+    boolean library = form.kind() == ProgramForm.Kind.LIBRARY;
+    CheckRun run = new CheckRun(catalogue, survey, false, library, known);
     DefinitionCheck definitions = new DefinitionCheck(run);
     Set<String> defined = new HashSet<>();
     for (Definition sibling : form.siblings()) {
       definitions.check(sibling, scopes.scope(sibling), defined);
     }
-    CallGraph.Node node = form.entry().map(run.graph()::node).orElseGet(CallGraph.Node::new);
+    CallGraph.Node node =
+        form.entry().map(run.graph()::node).orElseGet(() -> new CallGraph.Node(""));
     FunctionState main = new FunctionState(scopes.mainScope(), node);
     form.entry().ifPresent(entry -> definitions.head(entry, main, defined));
     new StatementCheck(run, main).block(form.body());
@@ -75,8 +107,8 @@ public final class Checker {
   public static List<Diagnostic> checkLine(Script line, FunctionScope scope, Catalogue catalogue) {
     FunctionScope extended = scope.extendedBy(line.statements());
     Survey survey = Survey.nothingKnown(new Inference(catalogue));
-    CheckRun run = new CheckRun(catalogue, survey, true, false);
-    FunctionState state = new FunctionState(extended, new CallGraph.Node());
+    CheckRun run = new CheckRun(catalogue, survey, true, false, Optional.empty());
+    FunctionState state = new FunctionState(extended, new CallGraph.Node(""));
     new StatementCheck(run, state).block(line.statements());
     return run.finished().sorted();
   }

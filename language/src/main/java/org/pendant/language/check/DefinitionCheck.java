@@ -22,7 +22,11 @@ final class DefinitionCheck {
   void check(Definition definition, FunctionScope scope, Set<String> defined) {
     FunctionState state = new FunctionState(scope, run.graph().node(definition));
     head(definition, state, defined);
-    new StatementCheck(run, state).block(definition.body());
+    if (run.known().isPresent()) {
+      run.known().get().check(definition, state, run);
+    } else {
+      new StatementCheck(run, state).block(definition.body());
+    }
   }
 
   /** Checks the name and the parameters alone; their defaults are part of each call. */

@@ -28,6 +28,11 @@ final class Diagnostics {
     found.add(Diagnostic.error(code, range, message, "compile_error_name_not_found:" + name + ":"));
   }
 
+  /** In the order in which they were found. */
+  List<Diagnostic> all() {
+    return found;
+  }
+
   List<Diagnostic> sorted() {
     found.sort(Comparator.comparingInt(diagnostic -> diagnostic.range().start()));
     return List.copyOf(found);

@@ -228,6 +228,16 @@ public final class FunctionScope {
     return extended;
   }
 
+  /** The functions that are defined directly here, by name. */
+  Map<String, Definition> ownFunctions() {
+    return functions;
+  }
+
+  /** The level around this one. */
+  Optional<FunctionScope> parent() {
+    return parent;
+  }
+
   /** Names of all functions visible here, nearest first. */
   List<String> visibleFunctions() {
     List<String> visible = new ArrayList<>();

@@ -67,6 +67,11 @@ final class Survey {
     };
   }
 
+  /** All that is known of global variables, for comparison. */
+  List<Object> ofGlobals() {
+    return List.of(Map.copyOf(globals), Map.copyOf(opening));
+  }
+
   boolean assignedInFunctions(String global) {
     return assignedInFunctions.contains(global);
   }

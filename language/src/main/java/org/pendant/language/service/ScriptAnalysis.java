@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
+import org.pendant.language.check.CheckMemory;
 import org.pendant.language.check.Checker;
 import org.pendant.language.check.FunctionScope;
 import org.pendant.language.check.ProgramForm;
@@ -36,12 +37,14 @@ public final class ScriptAnalysis {
   private final Scopes scopes;
   private final Lexemes lexemes;
   private final Signatures signatures;
+  private final Optional<CheckMemory> memory;
 
   // Made when they are asked for: who types wants completions first.
   private final Deferred<List<Diagnostic>> diagnostics = new Deferred<>(this::check);
   private final Deferred<SymbolIndex> index = new Deferred<>(this::names);
 
-  private ScriptAnalysis(Source source, Catalogue catalogue, ReadText read) {
+  private ScriptAnalysis(
+      Source source, Catalogue catalogue, ReadText read, Optional<CheckMemory> memory) {
     this.source = source;
     this.catalogue = catalogue;
     this.read = read;
@@ -50,11 +53,12 @@ public final class ScriptAnalysis {
     scopes = Scopes.of(form);
     lexemes = Lexemes.of(source, read.lexemes());
     signatures = new Signatures(source, catalogue);
+    this.memory = memory;
   }
 
   /** Reads and checks {@code source} against the functions of {@code catalogue}. */
   public static ScriptAnalysis of(Source source, Catalogue catalogue) {
-    return new ScriptAnalysis(source, catalogue, ScriptParser.read(source));
+    return new ScriptAnalysis(source, catalogue, ScriptParser.read(source), Optional.empty());
   }
 
   /**
@@ -62,7 +66,10 @@ public final class ScriptAnalysis {
    * It says the same as that of {@link #of}, only sooner.
    */
   public ScriptAnalysis changed(Source changed, Catalogue functions) {
-    return new ScriptAnalysis(changed, functions, ScriptParser.read(changed, read));
+    // Texts that are only opened need no memory.
+    CheckMemory kept = memory.orElseGet(CheckMemory::new);
+    return new ScriptAnalysis(
+        changed, functions, ScriptParser.read(changed, read), Optional.of(kept));
   }
 
   /** The text that all offsets and ranges point into. */
@@ -84,6 +91,9 @@ public final class ScriptAnalysis {
   }
 
   private List<Diagnostic> check() {
+    if (parsed.ok() && memory.isPresent()) {
+      return Checker.check(source, form, scopes, catalogue, memory.get());
+    }
     List<Diagnostic> found = Checker.check(form, scopes, catalogue);
     return parsed.ok() ? found : PartialCheck.of(lexemes, parsed.diagnostics(), found);
   }
