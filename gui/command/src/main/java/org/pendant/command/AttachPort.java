@@ -5,15 +5,20 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.Supplier;
+import org.pendant.command.service.RobotAccess;
+import org.pendant.controller.Robot;
 import org.pendant.editors.dap.DebugAdapterConnection;
 import org.pendant.editors.dap.run.AttachableRobot;
 import org.pendant.editors.dap.run.DebugTarget;
 import org.pendant.editors.dap.run.TargetRefusal;
 import org.pendant.editors.wire.LoopbackListener;
 import org.pendant.editors.wire.ProtocolLog;
+import org.pendant.language.source.Source;
 
-/** Attach port: where editors attach to a robot that is served, to debug the programs on it. */
-final class AttachPort implements AutoCloseable {
+/** Attach port: where editors attach to a robot that others drive, to debug the programs on it. */
+final class AttachPort implements AutoCloseable, RobotAccess {
   static final Option OPTION =
       Option.of(
               "--dap",
@@ -24,43 +29,64 @@ final class AttachPort implements AutoCloseable {
               "let an editor [attach](editors.md#attaching) to the robot at port P of 127.0.0.1,"
                   + " 1 to 65535, and debug the programs that run on it; with one robot only");
 
+  private final String prefix;
   private final LoopbackListener listener;
-  private final AttachableRobot robot;
   private final Console console;
   private final ProtocolLog log;
+  private volatile Optional<AttachableRobot> robot = Optional.empty();
 
   /**
-   * Opens the port.
+   * Opens the port; there is no robot yet.
    *
+   * @param command that it is opened by
    * @throws UsageException if it is taken
    */
-  AttachPort(int port, AttachableRobot robot, Console console) throws UsageException {
-    this.robot = robot;
+  AttachPort(String command, int port, Console console) throws UsageException {
     this.console = console;
+    prefix = "pendant " + command + ": ";
     try {
       listener = new LoopbackListener(port);
     } catch (IOException e) {
       throw new UsageException(
           OPTION.name() + ": port " + port + " cannot be opened: " + e.getMessage());
     }
-    log = new ProtocolLog(line -> console.complain("pendant serve: " + line));
+    log = new ProtocolLog(line -> console.complain(prefix + line));
     Thread.ofVirtual().name("attach port").start(() -> listener.serve(this::serve));
+  }
+
+  /** Opens the port that was asked for, if one was. */
+  static Optional<AttachPort> of(String command, OptionalInt port, Console console)
+      throws UsageException {
+    return port.isPresent()
+        ? Optional.of(new AttachPort(command, port.getAsInt(), console))
+        : Optional.empty();
+  }
+
+  @Override
+  public void show(Robot shown, Supplier<Optional<Source>> program) {
+    robot = Optional.of(new AttachableRobot(shown, program));
+  }
+
+  @Override
+  public void hide() {
+    robot = Optional.empty();
+    listener.disconnect();
   }
 
   private void serve(InputStream in, OutputStream out) throws InterruptedException {
     DebugAdapterConnection.serve(
         AttachPort::nothing,
-        Optional.of(robot),
+        robot,
         in,
         out,
-        fault -> console.complain("pendant serve: internal error: " + fault),
-        complaint -> console.complain("pendant serve: " + OPTION.name() + ": " + complaint));
+        fault -> console.complain(prefix + "internal error: " + fault),
+        complaint -> console.complain(prefix + OPTION.name() + ": " + complaint));
   }
 
   private static DebugTarget nothing(String program, List<String> options) throws TargetRefusal {
     throw new TargetRefusal(
-        "nothing is launched at a robot that is served: attach to it, and have the program started"
-            + " by one of its ports");
+        "nothing is launched here: attach to the robot, and have the program started where it is"
+            + " driven");
   }
 
   @Override

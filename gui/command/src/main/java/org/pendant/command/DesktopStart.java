@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.pendant.command.service.DesktopLauncher;
 import org.pendant.command.service.DesktopUnavailable;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.RobotAccess;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 
@@ -26,18 +27,20 @@ final class DesktopStart {
    * @param ports where others reach the controller from the start; empty for nowhere
    * @param installation how the controller is set up from the start; empty for not at all
    * @param wishes what the user says of the arm's simulation
+   * @param access is shown the controllers of the window; empty for nobody
    */
   ExitCode run(
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      SimulationWishes wishes) {
+      SimulationWishes wishes,
+      Optional<RobotAccess> access) {
     Optional<DesktopLauncher> launcher = services.launcher().get();
     if (launcher.isEmpty()) {
       return refused("it is not on the class path");
     }
     try {
-      launcher.get().open(files, ports, installation, wishes);
+      launcher.get().open(files, ports, installation, wishes, access);
       return ExitCode.DONE;
     } catch (DesktopUnavailable e) {
       return refused(e.getMessage());

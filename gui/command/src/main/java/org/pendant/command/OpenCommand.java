@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.RobotAccess;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.installation.Installation;
@@ -35,7 +36,8 @@ final class OpenCommand implements Subcommand {
                   SimulationOptions.DEVICE,
                   SimulationOptions.NOISE,
                   SimulationOptions.START_RAMP,
-                  PORTS),
+                  PORTS,
+                  AttachPort.OPTION),
               PortOptions.ALL.stream())
           .toList();
 
@@ -135,7 +137,15 @@ final class OpenCommand implements Subcommand {
     Optional<StartInstallation> installation = installation(arguments);
     SimulationWishes wishes = wishes(arguments, installation.map(StartInstallation::installation));
     InstallationOption.tell(arguments, console);
-    return new DesktopStart(services, console).run(files, ports(arguments), installation, wishes);
+    Optional<PortWishes> ports = ports(arguments);
+    Optional<AttachPort> access =
+        AttachPort.of(name(), arguments.whole(AttachPort.OPTION), console);
+    try {
+      return new DesktopStart(services, console)
+          .run(files, ports, installation, wishes, access.map(RobotAccess.class::cast));
+    } finally {
+      access.ifPresent(AttachPort::close);
+    }
   }
 
   private static Optional<StartInstallation> installation(Arguments arguments)

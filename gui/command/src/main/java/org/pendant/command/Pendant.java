@@ -81,7 +81,12 @@ public final class Pendant {
     return switch (first) {
       case "" ->
           new DesktopStart(services, console)
-              .run(List.of(), Optional.empty(), Optional.empty(), SimulationWishes.NONE);
+              .run(
+                  List.of(),
+                  Optional.empty(),
+                  Optional.empty(),
+                  SimulationWishes.NONE,
+                  Optional.empty());
       case "--help", "-h", "help" -> {
         usage().forEach(console::print);
         yield ExitCode.DONE;

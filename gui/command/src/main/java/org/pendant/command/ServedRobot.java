@@ -8,13 +8,14 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Supplier;
 import org.pendant.controller.Controller;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.disk.FileTrouble;
-import org.pendant.editors.dap.run.AttachableRobot;
+import org.pendant.language.source.Source;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.dashboard.DashboardServer;
@@ -50,7 +51,7 @@ final class ServedRobot implements AutoCloseable {
   private final ToolSerialLine tool;
   private final ScriptConnectors scriptConnectors;
   private final Robot robot;
-  private final AttachableRobot attachable;
+  private final Supplier<Optional<Source>> program;
   private final FrameLoop loop;
   private final StateBroadcaster frames;
   private final RemotePendant remotePendant;
@@ -75,7 +76,7 @@ final class ServedRobot implements AutoCloseable {
         new Controller(
             options.controller().withOutside(scriptConnectors.connectors().withToolSerial(tool)));
     robot = controller;
-    attachable = new AttachableRobot(controller, controller::programSource);
+    program = controller::programSource;
     PeerLog log = ServerLog.of(robot);
     loop = FrameLoop.start(controller, new WallClock());
     frames = new StateBroadcaster(robot.feed(), log);
@@ -156,10 +157,8 @@ final class ServedRobot implements AutoCloseable {
    * @throws UsageException if the port is taken
    */
   void letAttach() throws UsageException {
-    if (options.attachPort().isPresent()) {
-      attachPort =
-          Optional.of(new AttachPort(options.attachPort().getAsInt(), attachable, console));
-    }
+    attachPort = AttachPort.of("serve", options.attachPort(), console);
+    attachPort.ifPresent(each -> each.show(robot, program));
   }
 
   private void endTrace() {

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.command.service.DesktopLauncher;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.RobotAccess;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.models.arm.ArmFile;
@@ -39,13 +42,16 @@ final class OpenCommandTest {
     private List<Path> files = List.of();
     private Optional<StartInstallation> installation = Optional.empty();
     private SimulationWishes wishes = SimulationWishes.NONE;
+    private boolean access;
 
     @Override
     public void open(
         List<Path> files,
         Optional<PortWishes> ports,
         Optional<StartInstallation> installation,
-        SimulationWishes wishes) {
+        SimulationWishes wishes,
+        Optional<RobotAccess> access) {
+      this.access = access.isPresent();
       this.files = files;
       this.installation = installation;
       this.wishes = wishes;
@@ -121,6 +127,18 @@ final class OpenCommandTest {
     assertTrue(
         complaint("open", "--device", "hand").startsWith("pendant open: --device is 'hand'"),
         complaint("open", "--device", "hand"));
+  }
+
+  @Test
+  void givesEditorsAccessWhereThatIsAskedFor() throws IOException {
+    int port = AttachPortTest.freePort();
+    assertTrue(opened("open", "--dap", String.valueOf(port)).access);
+    assertFalse(opened("open").access);
+    try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      assertTrue(
+          complaint("open", "--dap", String.valueOf(taken.getLocalPort()))
+              .contains("--dap: port " + taken.getLocalPort() + " cannot be opened"));
+    }
   }
 
   @Test

@@ -34,6 +34,7 @@ public final class Debugger {
   private final Breakpoints breakpoints = new Breakpoints();
   private final Stops stops;
   private Consumer<DebugRequest> journal = request -> {};
+  private boolean shared;
 
   /**
    * A debugger of what {@code machine} will run; there can be one at a time.
@@ -86,6 +87,24 @@ public final class Debugger {
   public void stopOnErrors(boolean wanted) {
     journal.accept(new DebugRequest.StopOnErrors(wanted));
     stops.onErrors(wanted);
+  }
+
+  /**
+   * Whether several debug the program from now on, not so at first: each is to take only its own
+   * breakpoints away then.
+   */
+  public void share(boolean wanted) {
+    shared = wanted;
+  }
+
+  /** Whether several debug the program. */
+  public boolean shared() {
+    return shared;
+  }
+
+  /** Whether a program that fails is paused before it ends. */
+  public boolean stopsOnErrors() {
+    return stops.onErrors();
   }
 
   /**

@@ -50,6 +50,10 @@ final class Stops implements DebugHook {
     }
   }
 
+  boolean onErrors() {
+    return onErrors;
+  }
+
   void onErrors(boolean wanted) {
     onErrors = wanted;
   }

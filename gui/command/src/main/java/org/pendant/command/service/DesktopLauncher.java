@@ -14,6 +14,7 @@ public interface DesktopLauncher {
    * @param ports where others reach the controller from the start; empty for nowhere
    * @param installation how the controller is set up from the start; empty for not at all
    * @param wishes what the user says of the arm's simulation
+   * @param access is shown the controllers of the window as they come and go; empty for nobody
    * @throws DesktopUnavailable if there is no display, or it cannot be used
    * @throws InterruptedException if the waiting thread is interrupted
    */
@@ -21,7 +22,8 @@ public interface DesktopLauncher {
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      SimulationWishes wishes)
+      SimulationWishes wishes,
+      Optional<RobotAccess> access)
       throws DesktopUnavailable, InterruptedException;
 
   /**

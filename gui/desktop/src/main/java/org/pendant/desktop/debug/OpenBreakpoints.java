@@ -7,12 +7,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.language.source.ByteText;
@@ -36,6 +38,9 @@ public final class OpenBreakpoints {
   private List<BreakpointState> states = List.of();
   private OptionalLong turns = OptionalLong.empty();
   private boolean onErrors;
+
+  /** The lines of those that the debugger was told of last. */
+  private Set<Integer> sent = Set.of();
 
   /** Where breakpoints are shown beside the text; it says which lines have one afterwards. */
   @FunctionalInterface
@@ -242,12 +247,18 @@ public final class OpenBreakpoints {
 
   private void send() {
     List<Breakpoint> wanted = wanted();
+    Set<Integer> before = sent;
+    sent = wanted.stream().map(Breakpoint::line).collect(Collectors.toSet());
     boolean errors = onErrors;
     link.ask(
         debugger -> {
-          debugger.stopOnErrors(errors);
+          if (!debugger.shared()) {
+            debugger.stopOnErrors(errors);
+          }
           for (BreakpointState each : debugger.breakpoints()) {
-            if (!wanted.contains(each.breakpoint())) {
+            // those of an editor that is attached are not ours
+            boolean ours = !debugger.shared() || before.contains(each.breakpoint().line());
+            if (ours && !wanted.contains(each.breakpoint())) {
               debugger.remove(each.breakpoint().line());
             }
           }

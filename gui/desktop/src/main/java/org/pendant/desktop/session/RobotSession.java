@@ -135,6 +135,11 @@ public final class RobotSession implements AutoCloseable {
     return driven.journal().newestProgram().map(Program::source);
   }
 
+  /** The text of the program that runs, or ran last; only for what is asked in the frame loop. */
+  Optional<Source> programSource() {
+    return driven.on().controller().programSource();
+  }
+
   /** Whether the program that runs, or ran last, came from others. */
   public boolean strangerLast() {
     return origin.strangerLast();

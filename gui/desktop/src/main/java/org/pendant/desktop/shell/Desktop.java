@@ -11,6 +11,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.RobotAccess;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.command.service.StateFolder;
@@ -22,6 +23,7 @@ import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SceneMemory;
+import org.pendant.desktop.session.SessionAccess;
 import org.pendant.kit.fault.FaultFile;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.ConfigurationFolder;
@@ -55,6 +57,15 @@ public final class Desktop {
     return open(List.of(), Optional.empty(), Optional.empty(), SimulationWishes.NONE);
   }
 
+  /** As the other one, with a controller that is shown to nobody else. */
+  public static Desktop open(
+      List<Path> files,
+      Optional<PortWishes> ports,
+      Optional<StartInstallation> installation,
+      SimulationWishes wishes) {
+    return open(files, ports, installation, wishes, Optional.empty());
+  }
+
   /**
    * Opens the window, with a controller of its own, and returns while that is under way.
    *
@@ -66,6 +77,7 @@ public final class Desktop {
    *     cannot be used the window tells why
    * @param wishes what the user says of the arm and its simulation; an arm or a calibration is for
    *     this time
+   * @param access is shown the controller, and those that take its place; empty for nobody
    * @throws java.awt.HeadlessException if there is no display
    * @throws java.awt.AWTError if the display cannot be used
    */
@@ -73,8 +85,9 @@ public final class Desktop {
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      SimulationWishes wishes) {
-    return open(files, ports, installation, wishes, DesktopWindow::open);
+      SimulationWishes wishes,
+      Optional<RobotAccess> access) {
+    return open(files, ports, installation, wishes, access, DesktopWindow::open);
   }
 
   /**
@@ -90,6 +103,7 @@ public final class Desktop {
             Optional.empty(),
             Optional.empty(),
             SimulationWishes.NONE,
+            Optional.empty(),
             window -> new TrainingWindow(window).begin())
         .awaitClosed();
   }
@@ -99,6 +113,7 @@ public final class Desktop {
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
       SimulationWishes wishes,
+      Optional<RobotAccess> access,
       Consumer<DesktopWindow> shown) {
     Desktop desktop =
         new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()), shown);
@@ -116,7 +131,10 @@ public final class Desktop {
                       desktop.settings, desktop.start, installation.isPresent(), wishes);
               desktop.missing.addAll(options.troubles());
               desktop.scene = desktop.sceneOf(wishes);
-              return RobotSession.start(desktop.scene.scene().in(options.controller()));
+              RobotSession begun =
+                  RobotSession.start(desktop.scene.scene().in(options.controller()));
+              access.ifPresent(each -> SessionAccess.lead(each, begun));
+              return begun;
             });
     Look look = new Look(desktop.settings);
     Programs programs = desktop.lastTime();

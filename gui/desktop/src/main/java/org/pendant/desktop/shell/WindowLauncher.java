@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.pendant.command.service.DesktopLauncher;
 import org.pendant.command.service.DesktopUnavailable;
 import org.pendant.command.service.PortWishes;
+import org.pendant.command.service.RobotAccess;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 
@@ -25,9 +26,10 @@ public final class WindowLauncher implements DesktopLauncher {
       List<Path> files,
       Optional<PortWishes> ports,
       Optional<StartInstallation> installation,
-      SimulationWishes wishes)
+      SimulationWishes wishes,
+      Optional<RobotAccess> access)
       throws DesktopUnavailable, InterruptedException {
-    onDisplay(() -> Desktop.open(files, ports, installation, wishes).awaitClosed());
+    onDisplay(() -> Desktop.open(files, ports, installation, wishes, access).awaitClosed());
   }
 
   /** What needs a display. */

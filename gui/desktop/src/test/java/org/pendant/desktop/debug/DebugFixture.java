@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
@@ -100,7 +101,12 @@ final class DebugFixture {
 
   /** Resumes a program that the debugger has paused. */
   void resume() {
-    var _ = submit(new DebugCommand.Debug(Debugger::resume));
+    ask(Debugger::resume);
+  }
+
+  /** Somebody asks the debugger. */
+  void ask(Consumer<Debugger> request) {
+    var _ = submit(new DebugCommand.Debug(request));
   }
 
   /** Pauses the program as an operator does. */

@@ -98,6 +98,16 @@ final class OpenBreakpointsTest {
   }
 
   @Test
+  void breakpointsOfAnEditorThatIsAttachedAreLeftToIt() {
+    fixture.ask(debugger -> debugger.share(true));
+    fixture.ask(debugger -> debugger.set(Breakpoint.at(6)));
+    fixture.breakAt(4);
+    openBreakpoints.removeAll();
+    fixture.run();
+    assertEquals("Breakpoint on line 6", debug.stopText());
+  }
+
+  @Test
   void everyBreakpointCanBeRemoved() {
     fixture.breakAt(4, 6);
     openBreakpoints.removeAll();

@@ -52,8 +52,8 @@ final class Attaching {
   CompletableFuture<Void> attach() {
     if (robot.isEmpty()) {
       return Refusals.answer(
-          "there is no robot to attach to: pendant dap launches programs, and pendant serve --dap"
-              + " PORT has a robot to attach to");
+          "there is no robot to attach to: pendant dap launches programs; pendant serve --dap PORT"
+              + " and pendant open --dap PORT have a robot to attach to");
     }
     if (session.debuggee().isPresent()) {
       return Refusals.answer("the session has a robot already");

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import org.eclipse.lsp4j.debug.Breakpoint;
 import org.eclipse.lsp4j.debug.BreakpointEventArguments;
@@ -135,6 +136,19 @@ final class BreakpointRequests {
           installation.accept(debugger);
           return true;
         });
+  }
+
+  /** Takes them out of a debugger that others go on with; theirs stay. */
+  void uninstall() {
+    if (session.debuggee().isPresent()) {
+      var nothing = table.installation(new TreeMap<>());
+      var _ =
+          session.ask(
+              debugger -> {
+                nothing.accept(debugger);
+                return true;
+              });
+    }
   }
 
   /** Another debugger has none of them yet. */

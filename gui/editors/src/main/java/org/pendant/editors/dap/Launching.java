@@ -217,6 +217,9 @@ final class Launching {
   /** Switches the robot off, whatever it does. */
   void end() {
     ends++;
+    if (launched.isEmpty()) {
+      stops.lines().uninstall();
+    }
     Optional<Debuggee> debuggee = session.debuggee();
     session.debug(Optional.empty());
     started = false;

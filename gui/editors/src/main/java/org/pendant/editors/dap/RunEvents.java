@@ -37,6 +37,10 @@ final class RunEvents implements RunListener {
   private Optional<RunResult> atEnd = Optional.empty();
   private boolean toEnd;
   private long toldStop;
+
+  /** Only for the thread that tells of frames. */
+  private boolean held;
+
   private long toldEntry;
 
   /** Only for the thread of the session. */
@@ -59,6 +63,11 @@ final class RunEvents implements RunListener {
       session.thread().event(() -> said.forEach(session.client()::output));
     }
     Optional<DebugState.Stop> stop = state.debug().stop();
+    if (held && stop.isEmpty()) {
+      // where nobody has asked for it here, others have let it go on
+      session.thread().event(this::tellThatItWentOn);
+    }
+    held = stop.isPresent();
     if (stop.isPresent() && stop.get().number() != toldStop) {
       toldStop = stop.get().number();
       session.thread().event(() -> stopped(state, stop.get()));
@@ -162,18 +171,17 @@ final class RunEvents implements RunListener {
 
   @Override
   public void wentOn() {
-    session
-        .thread()
-        .execute(
-            () -> {
-              if (run().isPresent() && session.view().isPresent()) {
-                session.goOn();
-                ContinuedEventArguments told = new ContinuedEventArguments();
-                told.setThreadId(DebugSession.number(Debugger.MAIN));
-                told.setAllThreadsContinued(true);
-                session.client().continued(told);
-              }
-            });
+    session.thread().execute(this::tellThatItWentOn);
+  }
+
+  private void tellThatItWentOn() {
+    if (run().isPresent() && session.view().isPresent()) {
+      session.goOn();
+      ContinuedEventArguments told = new ContinuedEventArguments();
+      told.setThreadId(DebugSession.number(Debugger.MAIN));
+      told.setAllThreadsContinued(true);
+      session.client().continued(told);
+    }
   }
 
   @Override

@@ -6,6 +6,8 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
 
 /**
@@ -18,6 +20,7 @@ public final class LoopbackListener implements AutoCloseable {
   private static final int BACKLOG = 16;
 
   private final ServerSocket listener;
+  private final Set<Socket> clients = ConcurrentHashMap.newKeySet();
   private final Semaphore places = new Semaphore(MAX_CLIENTS);
 
   /** One session with one client, until it ends. */
@@ -58,6 +61,7 @@ public final class LoopbackListener implements AutoCloseable {
   }
 
   private void serve(Session session, Socket client) {
+    clients.add(client);
     try (client) {
       client.setTcpNoDelay(true);
       session.serve(client.getInputStream(), client.getOutputStream());
@@ -66,7 +70,19 @@ public final class LoopbackListener implements AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
+      clients.remove(client);
       places.release();
+    }
+  }
+
+  /** Has all clients leave that are there; further ones may come. */
+  public void disconnect() {
+    for (Socket each : clients) {
+      try {
+        each.close();
+      } catch (IOException e) {
+        // it is gone, which is all that is wanted
+      }
     }
   }
 

@@ -7,8 +7,11 @@ import static org.pendant.editors.dap.DebugClient.refusal;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import org.eclipse.lsp4j.debug.BreakpointEventArguments;
 import org.eclipse.lsp4j.debug.ContinuedEventArguments;
 import org.eclipse.lsp4j.debug.DisconnectArguments;
@@ -23,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
@@ -30,6 +34,8 @@ import org.pendant.controller.SteerableClock;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.editors.dap.run.AttachableRobot;
 import org.pendant.language.source.Source;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.ProgramState;
 
 class AttachTest {
@@ -137,6 +143,61 @@ class AttachTest {
     }
     assertEquals(ProgramState.RUNNING, controller.state().program().state());
     assertFalse(controller.state().debug().held());
+  }
+
+  @Test
+  void whatOthersHaveSetInTheDebuggerIsLeftToThem() throws Exception {
+    start();
+    ask(debugger -> debugger.set(Breakpoint.at(3).when("False")));
+    ask(debugger -> debugger.stopOnErrors(true));
+    try (DebugClient client = client()) {
+      attach(client);
+      var _ = client.breakpoints(4);
+      SetExceptionBreakpointsArguments none = new SetExceptionBreakpointsArguments();
+      none.setFilters(new String[] {});
+      var _ = client.server().setExceptionBreakpoints(none).join();
+      client.configured();
+      client.stop();
+      client.server().disconnect(new DisconnectArguments()).join();
+    }
+    ask(
+        debugger -> {
+          assertEquals(
+              List.of(3),
+              debugger.breakpoints().stream().map(each -> each.breakpoint().line()).toList());
+          assertTrue(debugger.stopsOnErrors());
+        });
+  }
+
+  @Test
+  void anEditorIsToldThatOthersHaveLetTheProgramGoOn() throws Exception {
+    try (DebugClient client = client()) {
+      start();
+      attach(client);
+      client.configured();
+      client.server().pause(new PauseArguments()).join();
+      client.stop();
+      ask(Debugger::resume);
+      client.next(ContinuedEventArguments.class);
+      assertEquals(
+          "the program is not stopped", refusal(client.server().stepBack(new StepBackArguments())));
+    }
+  }
+
+  private void ask(Consumer<Debugger> question) {
+    CompletableFuture<Boolean> done = new CompletableFuture<>();
+    var _ =
+        controller.submit(
+            new DebugCommand.Debug(
+                debugger -> {
+                  try {
+                    question.accept(debugger);
+                    done.complete(true);
+                  } catch (RuntimeException | AssertionError e) {
+                    done.completeExceptionally(e);
+                  }
+                }));
+    assertTrue(done.join());
   }
 
   @Test

@@ -42,6 +42,9 @@ public final class AttachedRobot implements DebuggedRobot {
   private volatile boolean stopAtSafetyStops;
   private volatile boolean atSafetyStop;
 
+  /** What others had wished before; only for the frame loop. */
+  private boolean stoppedOnErrors;
+
   /** Only for the thread that follows. */
   private boolean safetyStopped;
 
@@ -69,7 +72,7 @@ public final class AttachedRobot implements DebuggedRobot {
     }
     AttachedRobot attached = new AttachedRobot(attachable, listener, answers);
     attached.thread.start();
-    var _ = attached.robot.submit(new DebugCommand.Debug(debugger -> debugger.followCalls(true)));
+    var _ = attached.robot.submit(new DebugCommand.Debug(attached::come));
     return attached;
   }
 
@@ -192,17 +195,24 @@ public final class AttachedRobot implements DebuggedRobot {
         interrupted = true;
       }
     }
-    var _ = robot.submit(new DebugCommand.Debug(AttachedRobot::leave));
+    var _ = robot.submit(new DebugCommand.Debug(this::leave));
     attachable.giveBack();
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
   }
 
-  private static void leave(Debugger debugger) {
-    debugger.removeBreakpoints();
-    debugger.stopOnErrors(false);
+  private void come(Debugger debugger) {
+    stoppedOnErrors = debugger.stopsOnErrors();
+    debugger.followCalls(true);
+    debugger.share(true);
+  }
+
+  /** Breakpoints may be those of others: who has set some takes them away itself. */
+  private void leave(Debugger debugger) {
+    debugger.stopOnErrors(stoppedOnErrors);
     debugger.followCalls(false);
+    debugger.share(false);
     if (debugger.state().held()) {
       debugger.resume();
     }
