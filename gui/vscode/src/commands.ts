@@ -3,6 +3,7 @@ import { spawn } from 'node:child_process';
 import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { debugProgram } from './debug/debugger';
+import { pastCommands } from './debug/past';
 import type { Pendant } from './executable/pendant';
 import type { LanguageServer } from './server/client';
 import type { Status } from './server/status';
@@ -62,16 +63,7 @@ export function registerCommands(parts: Parts): vscode.Disposable[] {
       }
     },
     'pendant.runTest': (uri: string, name: string) => tests.runTest(vscode.Uri.parse(uri), name),
-    'pendant.debugTest': async (uri: string) => {
-      const open = "Open Pendant's Window";
-      const answer = await vscode.window.showInformationMessage(
-        'Tests are debugged in the window of Pendant: in its panel of tests, Debug.',
-        open,
-      );
-      if (answer === open) {
-        openWindow(pendant, vscode.Uri.parse(uri), log);
-      }
-    },
+    'pendant.debugTest': (uri: string, name: string) => tests.debugTest(vscode.Uri.parse(uri), name),
     'pendant.openWindow': async (from?: unknown) => {
       const file = await savedProgram(from);
       if (file !== undefined) {
@@ -85,6 +77,7 @@ export function registerCommands(parts: Parts): vscode.Disposable[] {
     'pendant.showOutput': () => log.show(),
     'pendant.choose': () => pendant.choose(),
     'pendant.menu': () => status.menu(),
+    ...pastCommands,
   };
   return Object.entries(commands).map(([name, does]) => vscode.commands.registerCommand(name, does));
 }

@@ -3,7 +3,7 @@ import * as vscode from 'vscode';
 import { registerCommands } from './commands';
 import { registerDebugger } from './debug/debugger';
 import { Pendant } from './executable/pendant';
-import { registerPanel } from './panel/panel';
+import { RobotPanel, registerPanel } from './panel/panel';
 import { LanguageServer } from './server/client';
 import { Status } from './server/status';
 import { Tasks } from './tasks/tasks';
@@ -25,7 +25,7 @@ export function activate(context: vscode.ExtensionContext): void {
     tests,
     vscode.tasks.registerTaskProvider('pendant', tasks),
     ...registerDebugger(pendant),
-    ...registerPanel(context.extensionUri, log),
+    ...registerPanel(new RobotPanel(context.extensionUri, log)),
     ...registerCommands({ pendant, server, status, tasks, tests, log }),
     vscode.workspace.onDidChangeConfiguration(async (event) => {
       if (event.affectsConfiguration('pendant.path')) {

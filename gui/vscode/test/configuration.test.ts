@@ -55,3 +55,10 @@ test('scripts and trees are programs', () => {
   }
   assert.ok(!isProgram('a.installation'));
 });
+
+test('a test has the arm that its own options say', () => {
+  const completed = complete({ program: '/cell/a_test.script', test: 'test_a' }, undefined, 'ur10e');
+  assert.ok(completed.ok);
+  assert.equal(completed.configuration['robot'], undefined);
+  assert.equal(completed.configuration['test'], 'test_a');
+});

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { switching } from '../src/panel/outputs';
+import { offers } from '../src/debug/moments';
+import { appended, readingOf, share, timelineOf } from '../src/panel/live';
 import { fileOf } from '../src/panel/place';
 import { read } from '../src/panel/reading';
 import { Stops } from '../src/panel/stops';
@@ -33,15 +34,39 @@ test('what is not told, or in another form, is left out', () => {
   assert.deepEqual([reading.joints, reading.tcp, reading.banks], [[], [], []]);
 });
 
-test('outputs are switched by the functions of programs, inputs are not', () => {
-  assert.equal(switching('digital_out', 3, true), 'set_standard_digital_out(3, True)');
-  assert.equal(switching('tool_out', 0, false), 'set_tool_digital_out(0, False)');
-  assert.equal(switching('digital_in', 0, true), undefined);
+test('what the adapter tells beyond the protocol is read as a stop is', () => {
+  const answer = { state: 'running', arm: 'ur3e', timeS: 4, fromS: 1, nowS: 3, robot, signals: [] } as const;
+  assert.equal(readingOf(answer).arm, 'ur3e');
+  assert.equal(readingOf(answer).joints.length, 6);
+  assert.deepEqual(timelineOf(answer), { fromS: 1, nowS: 3, atS: 3 });
+  assert.equal(share(timelineOf(answer), 1.5), 0.25);
+  assert.equal(share({ fromS: 2, nowS: 2, atS: 2 }, 2), 0);
+});
+
+test('lines of output are added once, and the newest are kept', () => {
+  const line = (id: number) => ({ id, timeS: id, text: `line ${id}` });
+  const known = appended([line(1)], [line(1), line(2)]);
+  assert.deepEqual(known.map((each) => each.id), [1, 2]);
+  assert.equal(appended(known, []), known);
+  const many = appended(known, Array.from({ length: 600 }, (_, i) => line(i + 3)));
+  assert.deepEqual([many.length, many[499]?.id], [500, 602]);
+});
+
+test('moments are offered by their output, the newest first', () => {
+  const lines = [
+    { id: 1, timeS: 0.5, line: 4, text: 'on my way' },
+    { id: 2, timeS: 1.25, text: '' },
+  ];
+  assert.deepEqual(offers(lines, undefined), [
+    { label: '(an empty line)', description: '1.250 s', id: 2 },
+    { label: 'on my way', description: '0.500 s, line 4', id: 1 },
+  ]);
+  assert.deepEqual(offers(lines, 4).map((each) => each.id), [1]);
 });
 
 test('of many stops the newest are kept, with their numbers', () => {
   const stops = new Stops();
-  const stop = { reason: 'step', description: '', function: 'f', line: 1, file: 'f.script', reading: read('ur5e', [], []) };
+  const stop = { reason: 'step', description: '', function: 'f', line: 1, file: 'f.script', timeS: 0, reading: read('ur5e', [], []) };
   for (let i = 0; i < 250; i++) {
     stops.add(stop);
   }

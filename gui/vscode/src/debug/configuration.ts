@@ -43,7 +43,7 @@ export function complete(written: Written, open: string | undefined, robot?: str
     };
   }
   const name = text(written['name']) ?? 'Debug';
-  const own = 'robot' in written || 'installation' in written;
+  const own = 'robot' in written || 'installation' in written || 'test' in written;
   const chosen = own ? undefined : armFor(program, robot);
   const arm = chosen === undefined ? {} : { robot: chosen };
   return { ok: true, configuration: { ...written, ...arm, type, request, program, name } };

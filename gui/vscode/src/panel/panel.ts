@@ -1,20 +1,14 @@
-/** The view *Robot* in the panel below: the arm, joints and signals at each stop. */
+/** The view *Robot* in the panel below: the arm, joints and signals while a program runs and where it stops. */
 import * as vscode from 'vscode';
 import type { DebugProtocol } from '@vscode/debugprotocol';
+import { Follower } from './follower';
 import type { Show, Wish } from './messages';
-import { fileOf } from './place';
-import { switching } from './outputs';
-import { read, type Variable } from './reading';
-import { Stops } from './stops';
 
 const TYPE = 'pendant';
-const DEFAULT_ARM = 'ur5e';
 
 export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapterTrackerFactory {
   private view: vscode.WebviewView | undefined;
-  private session: vscode.DebugSession | undefined;
-  private state: Show['state'] = 'none';
-  private readonly stops = new Stops();
+  private follower: Follower | undefined;
 
   constructor(
     private readonly extension: vscode.Uri,
@@ -26,9 +20,7 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
     const out = vscode.Uri.joinPath(this.extension, 'out');
     view.webview.options = { enableScripts: true, localResourceRoots: [out] };
     view.webview.html = page(view.webview, out);
-    view.webview.onDidReceiveMessage((wish: Wish) =>
-      this.carryOut(wish).catch((error) => this.log.warn(`robot panel: ${error}`)),
-    );
+    view.webview.onDidReceiveMessage((wish: Wish) => this.carryOut(wish).catch((error) => this.refused(error)));
     view.onDidDispose(() => {
       this.view = undefined;
     });
@@ -37,15 +29,33 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
   createDebugAdapterTracker(session: vscode.DebugSession): vscode.DebugAdapterTracker {
     return {
       onWillStartSession: () => {
-        this.session = session;
-        this.stops.clear();
+        this.follower?.end();
+        this.follower = new Follower(
+          session,
+          () => this.show(),
+          () => this.view?.visible === true,
+          (text) => this.log.warn(`robot panel: ${text}`),
+        );
         // The view is there from the first session on, and stays.
         void vscode.commands.executeCommand('setContext', 'pendant.debugged', true);
-        this.be('running');
+        this.show();
       },
       onDidSendMessage: (message: DebugProtocol.ProtocolMessage) => {
-        if (session === this.session && message.type === 'event') {
-          this.hear(session, message as DebugProtocol.Event);
+        const follower = this.follower;
+        if (session !== follower?.session) {
+          return;
+        }
+        if (isAnswer(message, 'launch') || isAnswer(message, 'attach')) {
+          follower.follow();
+        } else if (LEADING_ON.some((each) => isAnswer(message, each))) {
+          follower.continued();
+        } else if (message.type === 'event') {
+          const event = message as DebugProtocol.Event;
+          if (event.event === 'terminated') {
+            follower.end();
+          } else {
+            follower.hear(event);
+          }
         }
       },
       onWillStopSession: () => this.end(session),
@@ -53,68 +63,37 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
     };
   }
 
-  private hear(session: vscode.DebugSession, event: DebugProtocol.Event): void {
-    if (event.event === 'stopped') {
-      const { threadId, reason, description } = event.body as DebugProtocol.StoppedEvent['body'];
-      this.look(session, threadId ?? 1, { reason, description: description ?? '' }).catch((error) => this.log.warn(`robot panel: ${error}`));
-    } else if (event.event === 'continued') {
-      this.be('running');
-    } else if (event.event === 'terminated') {
-      this.end(session);
-    }
+  /** The session whose robot is shown, while it lasts. */
+  get following(): Follower | undefined {
+    return this.follower?.state === 'ended' ? undefined : this.follower;
   }
 
   private end(session: vscode.DebugSession): void {
-    if (session === this.session) {
-      this.session = undefined;
-      this.be('ended');
+    if (session === this.follower?.session && this.follower.state !== 'ended') {
+      this.follower.end();
     }
-  }
-
-  /** Asks what there is at a stop. */
-  private async look(
-    session: vscode.DebugSession,
-    threadId: number,
-    why: { readonly reason: string; readonly description: string },
-  ): Promise<void> {
-    const trace: DebugProtocol.StackTraceResponse['body'] = await session.customRequest('stackTrace', {
-      threadId,
-      startFrame: 0,
-      levels: 1,
-    });
-    const frame = trace.stackFrames[0];
-    if (frame === undefined) {
-      return;
-    }
-    const { scopes }: DebugProtocol.ScopesResponse['body'] = await session.customRequest('scopes', {
-      frameId: frame.id,
-    });
-    const robot = await variables(session, scopes, 'Robot');
-    const signals = await variables(session, scopes, 'I/O');
-    if (session !== this.session) {
-      return;
-    }
-    this.stops.add({
-      ...why,
-      function: frame.name,
-      line: frame.line,
-      file: fileOf(frame.source?.path) ?? '',
-      reading: read(arm(session), robot, signals),
-    });
-    this.be('stopped');
-  }
-
-  private be(state: Show['state']): void {
-    this.state = state;
-    this.show();
   }
 
   private show(): void {
-    const shown: Show = { kind: 'show', state: this.state, stops: this.stops.all };
+    const follower = this.follower;
+    const shown: Show = {
+      kind: 'show',
+      state: follower?.state ?? 'none',
+      stops: follower?.stops.all ?? [],
+      now: follower?.now,
+      timeline: follower?.timeline,
+      log: follower?.log ?? [],
+    };
     void this.view?.webview.postMessage(shown);
   }
 
+  private refused(error: unknown): void {
+    void vscode.window.showErrorMessage(error instanceof Error ? error.message : String(error));
+    this.show();
+  }
+
   private async carryOut(wish: Wish): Promise<void> {
+    const following = this.following;
     switch (wish.kind) {
       case 'ready':
         this.show();
@@ -122,14 +101,26 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
       case 'open':
         await this.open(wish.stop);
         break;
-      case 'output':
-        await this.switch(wish.bank, wish.index, wish.on);
+      case 'signal':
+        await following?.setSignal(wish.bank, wish.index, wish.on);
+        break;
+      case 'time':
+        await following?.lookAt(wish.timeS, wish.stay);
+        break;
+      case 'now':
+        await following?.lookAtNow();
+        break;
+      case 'step':
+        await following?.step(wish.step);
+        break;
+      case 'moment':
+        await following?.goToMoment(wish.id);
         break;
     }
   }
 
   private async open(number: number): Promise<void> {
-    const stop = this.stops.find(number);
+    const stop = this.follower?.stops.find(number);
     if (stop !== undefined && stop.file !== '' && stop.line > 0) {
       const place = new vscode.Position(stop.line - 1, 0);
       const range = new vscode.Range(place, place);
@@ -138,61 +129,23 @@ export class RobotPanel implements vscode.WebviewViewProvider, vscode.DebugAdapt
       editor.revealRange(range, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
     }
   }
-
-  private async switch(bank: string, index: number, on: boolean): Promise<void> {
-    const expression = switching(bank, index, on);
-    const session = this.session;
-    const item = vscode.debug.activeStackItem;
-    if (expression === undefined || session === undefined || this.state !== 'stopped') {
-      return;
-    }
-    try {
-      await session.customRequest('evaluate', {
-        expression,
-        context: 'repl',
-        ...(item instanceof vscode.DebugStackFrame && item.session === session ? { frameId: item.frameId } : {}),
-      });
-      const thread = item instanceof vscode.DebugStackFrame || item instanceof vscode.DebugThread ? item.threadId : 1;
-      await this.look(session, thread, {
-        reason: `${bank}[${index}]`,
-        description: this.stops.last?.description ?? '',
-      });
-    } catch (error) {
-      void vscode.window.showErrorMessage(error instanceof Error ? error.message : String(error));
-      this.show();
-    }
-  }
 }
 
-export function registerPanel(extension: vscode.Uri, log: vscode.LogOutputChannel): vscode.Disposable[] {
-  const panel = new RobotPanel(extension, log);
+/** Requests after which the program goes on. */
+const LEADING_ON = ['continue', 'next', 'stepIn', 'stepOut', 'goto', 'pendant/stepToMove'];
+
+function isAnswer(message: DebugProtocol.ProtocolMessage, command: string): boolean {
+  const answer = message as DebugProtocol.Response;
+  return message.type === 'response' && answer.command === command && answer.success;
+}
+
+export function registerPanel(panel: RobotPanel): vscode.Disposable[] {
   return [
     vscode.window.registerWebviewViewProvider('pendant.robot', panel, {
       webviewOptions: { retainContextWhenHidden: true },
     }),
     vscode.debug.registerDebugAdapterTrackerFactory(TYPE, panel),
   ];
-}
-
-async function variables(
-  session: vscode.DebugSession,
-  scopes: readonly DebugProtocol.Scope[],
-  name: string,
-): Promise<Variable[]> {
-  const scope = scopes.find((each) => each.name === name);
-  if (scope === undefined) {
-    return [];
-  }
-  const answer: DebugProtocol.VariablesResponse['body'] = await session.customRequest('variables', {
-    variablesReference: scope.variablesReference,
-  });
-  return answer.variables;
-}
-
-/** The arm that was asked for; one that an installation names is not known here. */
-function arm(session: vscode.DebugSession): string {
-  const robot: unknown = session.configuration['robot'];
-  return typeof robot === 'string' && robot !== '' ? robot : DEFAULT_ARM;
 }
 
 function page(webview: vscode.Webview, out: vscode.Uri): string {

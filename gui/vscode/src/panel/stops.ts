@@ -12,6 +12,8 @@ export interface Stop {
   readonly line: number;
   /** A file; empty where there is none. */
   readonly file: string;
+  /** Robot time, s. */
+  readonly timeS: number;
   readonly reading: RobotReading;
 }
 

@@ -2,6 +2,7 @@
 import * as path from 'node:path';
 import * as vscode from 'vscode';
 import type { Pendant } from '../executable/pendant';
+import { TestDebugging, debugItems } from './debugging';
 import { discover, holdsTests } from './discovery';
 import type { Call, Place, TestOutcome } from './junit';
 import type { FileReach } from './lcov';
@@ -15,7 +16,9 @@ const LEFT_OUT = '**/{node_modules,target,build}/**';
 export class TestExplorer implements vscode.Disposable {
   private readonly controller = vscode.tests.createTestController('pendant', 'Pendant');
   private readonly subscriptions: vscode.Disposable[] = [this.controller];
+  private readonly debugging = new TestDebugging();
   private readonly runProfile: vscode.TestRunProfile;
+  private readonly debugProfile: vscode.TestRunProfile;
   private readonly details = new WeakMap<vscode.FileCoverage, vscode.FileCoverageDetail[]>();
 
   constructor(private readonly pendant: Pendant) {
@@ -28,6 +31,13 @@ export class TestExplorer implements vscode.Disposable {
     };
     this.controller.refreshHandler = () => this.findAll();
     this.runProfile = this.profile('Run', vscode.TestRunProfileKind.Run, false);
+    this.debugProfile = this.controller.createRunProfile(
+      'Debug',
+      vscode.TestRunProfileKind.Debug,
+      (request, token) => this.debug(request, token),
+      true,
+    );
+    this.subscriptions.push(this.debugging, this.debugProfile);
     this.profile('Run with Coverage', vscode.TestRunProfileKind.Coverage, true);
     this.watch();
   }
@@ -38,14 +48,41 @@ export class TestExplorer implements vscode.Disposable {
 
   /** Runs one test, as its code lens wants it. */
   async runTest(uri: vscode.Uri, name: string): Promise<void> {
+    const test = await this.known(uri, name);
+    if (test !== undefined) {
+      const request = new vscode.TestRunRequest([test], undefined, this.runProfile);
+      await this.run(request, new vscode.CancellationTokenSource().token, false);
+    }
+  }
+
+  /** Debugs one test, as its code lens wants it. */
+  async debugTest(uri: vscode.Uri, name: string): Promise<void> {
+    const test = await this.known(uri, name);
+    if (test !== undefined) {
+      const request = new vscode.TestRunRequest([test], undefined, this.debugProfile);
+      await this.debug(request, new vscode.CancellationTokenSource().token);
+    }
+  }
+
+  private async known(uri: vscode.Uri, name: string): Promise<vscode.TestItem | undefined> {
     await this.readFile(uri);
     const test = this.controller.items.get(uri.toString())?.children.get(name);
     if (test === undefined) {
       void vscode.window.showErrorMessage(`There is no test ${name} in ${vscode.workspace.asRelativePath(uri)}.`);
+    }
+    return test;
+  }
+
+  private async debug(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
+    if (this.pendant.demand() === undefined) {
       return;
     }
-    const request = new vscode.TestRunRequest([test], undefined, this.runProfile);
-    await this.run(request, new vscode.CancellationTokenSource().token, false);
+    await vscode.workspace.saveAll(false);
+    if (wantsAll(request)) {
+      await this.findAll();
+    }
+    const items = this.chosen(request).flatMap(leaves);
+    await debugItems(this.debugging, this.controller.createTestRun(request), items, token);
   }
 
   private profile(label: string, kind: vscode.TestRunProfileKind, coverage: boolean): vscode.TestRunProfile {

@@ -1,6 +1,7 @@
 /** The page of the robot panel. */
 import { arms } from 'pendant:arms';
-import type { Show, Wish } from '../panel/messages';
+import { share, type LogLine, type Timeline } from '../panel/live';
+import type { Show, State, Step, Wish } from '../panel/messages';
 import type { RobotReading } from '../panel/reading';
 import type { Stop } from '../panel/stops';
 import { Scene } from './scene';
@@ -10,7 +11,19 @@ declare function acquireVsCodeApi(): { postMessage(wish: Wish): void };
 
 const JOINTS = ['Base', 'Shoulder', 'Elbow', 'Wrist 1', 'Wrist 2', 'Wrist 3'];
 const POSE = ['X', 'Y', 'Z', 'RX', 'RY', 'RZ'];
-const OUTPUTS = new Set(['digital_out', 'configurable_out', 'tool_out']);
+const STATES: { readonly [state in State]: string } = {
+  none: 'nothing runs',
+  running: 'running',
+  stopped: 'stopped',
+  past: 'in the past',
+  ended: 'ended',
+};
+const STEPS: readonly { readonly step: Step; readonly text: string; readonly title: string }[] = [
+  { step: 'moveBack', text: '\u00ab', title: 'Back to where the last move began' },
+  { step: 'back', text: '\u2039', title: 'Back to the last statement' },
+  { step: 'on', text: '\u203a', title: 'On to the next statement' },
+  { step: 'moveOn', text: '\u00bb', title: 'On to where a move begins or ends' },
+];
 const TITLES: { readonly [name: string]: string } = {
   digital_in: 'DI',
   digital_out: 'DO',
@@ -30,85 +43,226 @@ const TITLES: { readonly [name: string]: string } = {
   payload: 'Payload',
 };
 const DEGREES = 180 / Math.PI;
+/** Nearer than this two points of the trail are one. */
+const TRAIL_M = 0.002;
+const MOST_TRAIL = 5000;
 
 const vscode = acquireVsCodeApi();
 const main = document.querySelector('main') ?? document.body;
-let shown: Show = { kind: 'show', state: 'none', stops: [] };
-/** The stop that is looked at; undefined for the newest one. */
+let shown: Show = { kind: 'show', state: 'none', stops: [], now: undefined, timeline: undefined, log: [] };
+/** The earlier stop that is looked at; undefined for what there is now. */
 let selected: number | undefined;
 let trail: readonly Vector[] = [];
 let canvas: HTMLCanvasElement | undefined;
 let scene: Scene | undefined;
 let sceneArm = '';
+let parts: Parts | undefined;
+
+/** What stays while its content changes, so that it can be held with the mouse. */
+interface Parts {
+  readonly robot: HTMLElement;
+  readonly status: HTMLElement;
+  readonly description: HTMLElement;
+  readonly time: TimeBar;
+  readonly positions: HTMLElement;
+  readonly signals: HTMLElement;
+  readonly facts: HTMLElement;
+  readonly stops: HTMLElement;
+  readonly log: HTMLElement;
+}
+
+interface TimeBar {
+  readonly box: HTMLElement;
+  readonly slider: HTMLInputElement;
+  readonly ticks: HTMLElement;
+  readonly text: HTMLElement;
+  readonly buttons: readonly HTMLButtonElement[];
+  readonly now: HTMLButtonElement;
+}
 
 window.addEventListener('message', (event: MessageEvent<Show>) => {
-  if (event.data.stops.length !== shown.stops.length) {
+  const before = shown;
+  shown = event.data;
+  if (shown.stops.length !== before.stops.length || shown.state === 'running') {
     selected = undefined;
   }
-  shown = event.data;
-  trail = shown.stops.flatMap(({ reading: { tcp } }) => (tcp.length === 6 ? [tcp.slice(0, 3) as unknown as Vector] : []));
-  build();
+  leaveTrail();
+  build(before);
 });
 window.addEventListener('resize', paint);
 new MutationObserver(paint).observe(document.body, { attributes: true, attributeFilter: ['class'] });
-build();
+build(shown);
 vscode.postMessage({ kind: 'ready' });
 
-function build(): void {
-  const stop = shown.stops.find((each) => each.number === selected) ?? shown.stops[shown.stops.length - 1];
-  if (stop === undefined) {
+/** Where the tool has been since the program began. */
+function leaveTrail(): void {
+  const tcp = shown.now?.tcp;
+  if (shown.now === undefined) {
+    trail = [];
+  } else if (tcp?.length === 6 && shown.state !== 'past') {
+    const [x = 0, y = 0, z = 0] = tcp;
+    const last = trail[trail.length - 1];
+    if (last === undefined || Math.hypot(x - last[0], y - last[1], z - last[2]) > TRAIL_M) {
+      trail = [...trail, [x, y, z] as Vector].slice(-MOST_TRAIL);
+    }
+  }
+}
+
+function selectedStop(): Stop | undefined {
+  return shown.stops.find((each) => each.number === selected);
+}
+
+function reading(): RobotReading | undefined {
+  return selectedStop()?.reading ?? shown.now;
+}
+
+function build(before: Show): void {
+  const now = reading();
+  if (now === undefined) {
     canvas = undefined;
     scene = undefined;
+    parts = undefined;
     main.replaceChildren(
       element('p', 'hint', shown.state === 'running'
-        ? 'The program runs. The robot is shown where it stops: at a breakpoint, or after Pause.'
-        : 'Debug a program: the robot is shown here where it stops.'),
+        ? 'The program begins.'
+        : 'Debug a program: its robot is shown here, while it runs and where it stops.'),
     );
     return;
   }
-  main.replaceChildren(
-    group('robot', view(stop.reading), status(stop)),
-    joints(stop.reading),
-    group('io', signals(stop), facts(stop.reading)),
-    history(stop),
-  );
+  parts ??= skeleton();
+  if (parts.robot.firstChild === null || sceneArm !== now.arm) {
+    parts.robot.replaceChildren(view(now));
+  }
+  showStatus(parts, now);
+  showTime(parts.time);
+  parts.positions.replaceChildren(...joints(now));
+  showSignals(parts.signals, now);
+  parts.facts.replaceChildren(...facts(now));
+  if (before.stops !== shown.stops || parts.stops.childElementCount === 0) {
+    parts.stops.replaceChildren(...history());
+  }
+  if (before.log.length !== shown.log.length || before.log[0]?.id !== shown.log[0]?.id || before.state !== shown.state || parts.log.childElementCount === 0) {
+    showLog(parts.log);
+  }
   paint();
 }
 
-function view(reading: RobotReading): HTMLElement {
-  const arm = arms[reading.arm.toLowerCase()] ?? arms['ur5e'];
-  if (canvas === undefined || sceneArm !== reading.arm) {
-    sceneArm = reading.arm;
-    canvas = document.createElement('canvas');
-    canvas.tabIndex = 0;
-    canvas.setAttribute('role', 'img');
-    scene = undefined;
-    try {
-      scene = arm === undefined ? undefined : new Scene(canvas, arm);
-    } catch {
-      // Without WebGL the numbers are there all the same.
-    }
-    handle(canvas);
+function skeleton(): Parts {
+  const made: Parts = {
+    robot: element('div', 'robot-view'),
+    status: element('div', 'status'),
+    description: element('div', 'description'),
+    time: timeBar(),
+    positions: element('section', 'positions'),
+    signals: element('section', 'signals'),
+    facts: element('section', 'facts'),
+    stops: element('section', 'stops'),
+    log: element('section', 'log'),
+  };
+  main.replaceChildren(
+    group('robot', made.robot, made.status, made.time.box, made.description),
+    made.positions,
+    group('io', made.signals, made.facts),
+    group('lists', made.log, made.stops),
+  );
+  return made;
+}
+
+function view(now: RobotReading): HTMLElement {
+  const arm = arms[now.arm.toLowerCase()] ?? arms['ur5e'];
+  sceneArm = now.arm;
+  canvas = document.createElement('canvas');
+  canvas.tabIndex = 0;
+  canvas.setAttribute('role', 'img');
+  scene = undefined;
+  try {
+    scene = arm === undefined ? undefined : new Scene(canvas, arm);
+  } catch {
+    // Without WebGL the numbers are there all the same.
   }
+  handle(canvas);
   canvas.setAttribute('aria-label', `${arm?.name ?? 'The arm'}, drag or press the arrow keys to turn it`);
   canvas.title = 'Drag or arrow keys: turn. Wheel, + and -: zoom.';
   const box = element('div', 'view');
-  box.append(canvas, element('span', 'arm', arm?.name ?? reading.arm));
+  box.append(canvas, element('span', 'arm', arm?.name ?? now.arm));
   return box;
 }
 
-function status(stop: Stop): HTMLElement {
-  const box = element('div', 'status');
-  const newest = shown.stops[shown.stops.length - 1] === stop;
-  const words = !newest ? 'earlier stop' : shown.state === 'running' ? 'running since' : shown.state === 'ended' ? 'ended, last stop' : 'stopped';
-  box.append(element('span', `badge ${newest ? shown.state : 'earlier'}`, words), element('span', 'time', stop.reading.time));
-  if (stop.description !== '') {
-    box.append(element('span', 'description', stop.description));
+function showStatus({ status, description }: Parts, now: RobotReading): void {
+  const stop = selectedStop();
+  const words = stop === undefined ? STATES[shown.state] : 'earlier stop';
+  status.replaceChildren(
+    element('span', `badge ${stop === undefined ? shown.state : 'earlier'}`, words),
+    element('span', 'time', now.time),
+  );
+  const last = shown.state === 'stopped' || shown.state === 'past' ? shown.stops[shown.stops.length - 1] : undefined;
+  description.textContent = (stop ?? last)?.description ?? '';
+}
+
+function button(text: string, title: string, does: () => void): HTMLButtonElement {
+  const made = element('button', 'small', text) as HTMLButtonElement;
+  made.title = title;
+  made.setAttribute('aria-label', title);
+  made.onclick = does;
+  return made;
+}
+
+function timeBar(): TimeBar {
+  const slider = document.createElement('input');
+  slider.type = 'range';
+  slider.step = '0.002';
+  slider.setAttribute('aria-label', 'Robot time that is looked at');
+  slider.title = 'Robot time that is looked at: drag it, or press the arrow keys';
+  const look = (stay: boolean) => {
+    selected = undefined;
+    vscode.postMessage({ kind: 'time', timeS: Number(slider.value), stay });
+  };
+  slider.oninput = () => look(false);
+  slider.onchange = () => look(true);
+  const ticks = element('div', 'ticks');
+  const text = element('span', 'time');
+  const buttons = STEPS.map((each) => button(each.text, each.title, () => vscode.postMessage({ kind: 'step', step: each.step })));
+  const now = button('Now', 'Look at the robot as it is now', () => {
+    selected = undefined;
+    vscode.postMessage({ kind: 'now' });
+  });
+  const line = group('line', slider, ticks);
+  const row = group('row', ...buttons, text, now);
+  return { box: group('timebar', line, row), slider, ticks, text, buttons, now };
+}
+
+function showTime(bar: TimeBar): void {
+  const timeline = shown.timeline;
+  const standing = shown.state === 'stopped' || shown.state === 'past';
+  bar.buttons.forEach((each) => {
+    each.disabled = !standing;
+  });
+  bar.slider.disabled = timeline === undefined || shown.state === 'ended';
+  if (timeline === undefined) {
+    return;
   }
-  return box;
+  bar.slider.min = String(timeline.fromS);
+  bar.slider.max = String(timeline.nowS);
+  if (!bar.slider.matches(':active')) {
+    bar.slider.value = String(timeline.atS);
+  }
+  const back = timeline.nowS - timeline.atS;
+  bar.now.disabled = shown.state !== 'past' && (shown.state !== 'running' || back < 0.5);
+  bar.text.textContent = `of ${fixed(timeline.nowS, 3)} s`;
+  bar.ticks.replaceChildren(
+    ...shown.log.map((each) => tick('tick', timeline, each.timeS, each.text)),
+    ...shown.stops.map((each) => tick('tick stopped', timeline, each.timeS, `${each.reason}, line ${each.line}`)),
+  );
 }
 
-function joints({ joints: positions, tcp }: RobotReading): HTMLElement {
+function tick(className: string, timeline: Timeline, timeS: number, title: string): HTMLElement {
+  const made = element('span', className);
+  made.style.setProperty('--share', String(share(timeline, timeS)));
+  made.title = title;
+  return made;
+}
+
+function joints({ joints: positions, tcp }: RobotReading): HTMLElement[] {
   const table = element('div', 'joints');
   positions.forEach((position, i) => {
     const bar = element('span', 'bar');
@@ -125,58 +279,90 @@ function joints({ joints: positions, tcp }: RobotReading): HTMLElement {
     pose.append(cell);
   });
   pose.title = 'TCP in the base frame: mm, and the rotation vector in rad';
-  const box = element('section', 'positions');
-  box.append(table, pose);
-  return box;
+  return [table, pose];
 }
 
-function signals(stop: Stop): HTMLElement {
-  const box = element('section', 'signals');
-  const now = shown.state === 'stopped' && shown.stops[shown.stops.length - 1] === stop;
-  for (const bank of stop.reading.banks) {
-    const row = element('div', 'bank');
-    row.append(element('span', 'name', TITLES[bank.name] ?? bank.name));
-    bank.on.forEach((on, i) => {
-      const lamp = element('button', on ? 'lamp on' : 'lamp', String(i)) as HTMLButtonElement;
-      lamp.title = `${bank.name}[${i}] is ${on ? 'on' : 'off'}`;
-      lamp.setAttribute('aria-pressed', String(on));
-      if (OUTPUTS.has(bank.name) && now) {
-        lamp.title += `: switch it ${on ? 'off' : 'on'}`;
-        lamp.onclick = () => vscode.postMessage({ kind: 'output', bank: bank.name, index: i, on: !on });
-      } else {
-        lamp.disabled = true;
+/** Whether signals can be switched: the robot is looked at as it is now. */
+function switchable(): boolean {
+  const timeline = shown.timeline;
+  const atNow = timeline === undefined || timeline.nowS - timeline.atS < 0.5;
+  return selected === undefined && (shown.state === 'stopped' || (shown.state === 'running' && atNow));
+}
+
+function showSignals(box: HTMLElement, now: RobotReading): void {
+  const form = now.banks.map((each) => `${each.name} ${each.on.length}`).join();
+  if (box.dataset['form'] !== form) {
+    box.dataset['form'] = form;
+    box.replaceChildren(...now.banks.map((each) => bank(each.name, each.on.length)));
+  }
+  const able = switchable();
+  const lamps = [...box.querySelectorAll<HTMLButtonElement>('.lamp')];
+  now.banks
+    .flatMap((each) => each.on.map((on, index) => ({ name: each.name, index, on })))
+    .forEach(({ name, index, on }, i) => {
+      const lamp = lamps[i];
+      if (lamp !== undefined) {
+        lamp.className = on ? 'lamp on' : 'lamp';
+        lamp.disabled = !able;
+        lamp.setAttribute('aria-pressed', String(on));
+        lamp.title = `${name}[${index}] is ${on ? 'on' : 'off'}${able ? `: switch it ${on ? 'off' : 'on'}` : ''}`;
       }
-      row.append(lamp);
     });
-    box.append(row);
-  }
-  return box;
 }
 
-function facts(reading: RobotReading): HTMLElement {
-  const box = element('section', 'facts');
-  for (const { name, value } of [...reading.analog, ...reading.facts]) {
-    box.append(element('span', 'name', TITLES[name] ?? name), element('span', 'value', value));
+function bank(name: string, count: number): HTMLElement {
+  const row = element('div', 'bank');
+  row.append(element('span', 'name', TITLES[name] ?? name));
+  for (let index = 0; index < count; index++) {
+    const lamp = element('button', 'lamp', String(index)) as HTMLButtonElement;
+    lamp.onclick = () =>
+      vscode.postMessage({ kind: 'signal', bank: name, index, on: lamp.getAttribute('aria-pressed') !== 'true' });
+    row.append(lamp);
   }
-  return box;
+  return row;
 }
 
-function history(current: Stop): HTMLElement {
-  const box = element('section', 'stops');
-  box.append(element('h3', '', 'Stops'));
-  for (const stop of [...shown.stops].reverse()) {
+function facts(now: RobotReading): HTMLElement[] {
+  return [...now.analog, ...now.facts].flatMap(({ name, value }) => [
+    element('span', 'name', TITLES[name] ?? name),
+    element('span', 'value', value),
+  ]);
+}
+
+function history(): HTMLElement[] {
+  const current = selectedStop() ?? shown.stops[shown.stops.length - 1];
+  const rows = [...shown.stops].reverse().map((stop) => {
     const row = element('button', stop === current ? 'stop current' : 'stop');
     const place = stop.line > 0 ? `${stop.line} ${stop.function}` : stop.function;
     row.append(element('span', 'time', stop.reading.time), element('span', 'place', place), element('span', 'reason', stop.reason));
     row.title = `${stop.function}, line ${stop.line}: shows the robot as it was then, and the line`;
     row.onclick = () => {
       selected = stop.number;
-      build();
+      parts?.stops.replaceChildren();
+      build(shown);
       vscode.postMessage({ kind: 'open', stop: stop.number });
     };
-    box.append(row);
-  }
-  return box;
+    return row;
+  });
+  return [element('h3', '', 'Stops'), ...rows];
+}
+
+function showLog(box: HTMLElement): void {
+  const standing = shown.state === 'stopped' || shown.state === 'past';
+  box.replaceChildren(element('h3', '', 'Output'), ...[...shown.log].reverse().map((each) => logRow(each, standing)));
+}
+
+function logRow(line: LogLine, standing: boolean): HTMLElement {
+  const row = element('button', 'stop') as HTMLButtonElement;
+  row.append(
+    element('span', 'time', `${fixed(line.timeS, 3)} s`),
+    element('span', 'place', line.text),
+    element('span', 'reason', line.line === undefined ? '' : `line ${line.line}`),
+  );
+  row.disabled = !standing;
+  row.title = standing ? `${line.text}: go to the moment this was written` : `${line.text}: pause the program to go to the moment this was written`;
+  row.onclick = () => vscode.postMessage({ kind: 'moment', id: line.id });
+  return row;
 }
 
 function handle(on: HTMLCanvasElement): void {
@@ -213,14 +399,13 @@ function handle(on: HTMLCanvasElement): void {
 }
 
 function paint(): void {
-  const stop = shown.stops.find((each) => each.number === selected) ?? shown.stops[shown.stops.length - 1];
-  if (stop === undefined || canvas === undefined || scene === undefined) {
+  const now = reading();
+  if (now === undefined || canvas === undefined || scene === undefined) {
     return;
   }
   const colour = getComputedStyle(canvas).color.match(/[\d.]+/g)?.map(Number) ?? [];
   const foreground: Vector = [(colour[0] ?? 128) / 255, (colour[1] ?? 128) / 255, (colour[2] ?? 128) / 255];
-  const { joints: positions, tcp } = stop.reading;
-  scene.draw({ joints: positions, tcp, trail }, foreground);
+  scene.draw({ joints: now.joints, tcp: now.tcp, trail }, foreground);
 }
 
 function group(className: string, ...parts: HTMLElement[]): HTMLElement {

@@ -1,11 +1,16 @@
 package org.pendant.command;
 
 import java.util.List;
+import java.util.Optional;
 import org.pendant.editors.dap.run.DebugTarget;
 import org.pendant.editors.dap.run.DebugTargets;
 import org.pendant.editors.dap.run.TargetRefusal;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.externalcontrol.NoScript;
+import org.pendant.testing.run.DebuggedTest;
+import org.pendant.testing.run.Goldens;
+import org.pendant.testing.run.TestPlan;
+import org.pendant.testing.run.TestRunner;
 
 /** Debugged programs: what an editor debugs, with the options of {@code pendant run}. */
 final class DebuggedPrograms implements DebugTargets {
@@ -31,8 +36,39 @@ final class DebuggedPrograms implements DebugTargets {
           asked.controller().withOutside(connectors.connectors()),
           asked.waveforms(),
           asked::clock,
-          connectors::close);
+          connectors::close,
+          Optional.empty());
     } catch (UsageException | NoScript e) {
+      throw new TargetRefusal(String.valueOf(e.getMessage()));
+    }
+  }
+
+  @Override
+  public DebugTarget test(String file, String test, List<String> options) throws TargetRefusal {
+    try {
+      Arguments arguments = Arguments.parse(TestOptions.ALL, options);
+      if (!arguments.operands().isEmpty()) {
+        throw new TargetRefusal(
+            "args has " + arguments.operands().getFirst() + ", which is no option");
+      }
+      TestFilesOnDisk disk = new TestFilesOnDisk(arguments);
+      TestRunner runner =
+          new TestRunner(
+              disk,
+              TestOptions.of(arguments).settings(),
+              each -> each.id().name().equals(test),
+              result -> {},
+              Goldens.NONE,
+              Optional.empty());
+      TestPlan plan = runner.plan(List.of(file));
+      if (!plan.broken().isEmpty()) {
+        throw new TargetRefusal(plan.broken().getFirst().problems().getFirst());
+      }
+      if (plan.tests().isEmpty()) {
+        throw new TargetRefusal("there is no test " + test + " in " + file);
+      }
+      return DebugTarget.of(file, runner.debug(plan, plan.tests().getFirst().id()));
+    } catch (UsageException | DebuggedTest.NotDebugged e) {
       throw new TargetRefusal(String.valueOf(e.getMessage()));
     }
   }

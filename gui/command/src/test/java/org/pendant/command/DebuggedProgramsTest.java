@@ -3,6 +3,7 @@ package org.pendant.command;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,6 +43,31 @@ class DebuggedProgramsTest {
     assertEquals("nowhere.script: there is no such file", refusal("nowhere.script"));
     assertEquals("unknown option --sped, did you mean --speed?", refusal(script(), "--sped=1"));
     assertEquals("args has extra, which is no option", refusal(script(), "extra"));
+  }
+
+  @Test
+  void aTestIsPreparedByItsName() throws Exception {
+    Path file = folder.resolve("a_test.script");
+    Files.writeString(
+        file,
+        """
+        # @case 2, 4
+        # @case 3, 6
+        def test_twice(given, expected):
+          assert_equal(2 * given, expected)
+        end
+        """);
+    DebuggedPrograms programs = new DebuggedPrograms();
+    DebugTarget target =
+        programs.test(file.toString(), "test_twice[3, 6]", List.of("--robot=ur3e"));
+    assertEquals("ur3e", target.options().arm().id());
+    assertTrue(target.test().isPresent());
+    assertEquals(file.toString(), target.source().orElseThrow().name());
+    assertEquals(
+        "there is no test test_half in " + file,
+        assertThrows(
+                TargetRefusal.class, () -> programs.test(file.toString(), "test_half", List.of()))
+            .getMessage());
   }
 
   @Test

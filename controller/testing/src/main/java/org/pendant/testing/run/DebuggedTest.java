@@ -2,6 +2,7 @@ package org.pendant.testing.run;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
 import org.pendant.controller.Controller;
@@ -94,6 +95,13 @@ public final class DebuggedTest {
   /** The file that {@link #program} is in: its own, or that of what it starts. */
   public String file() {
     return program.source().name();
+  }
+
+  /** The line of {@link #program} that its definition begins on; empty if it starts a program. */
+  public OptionalInt firstLine() {
+    return chosen.test().watches()
+        ? OptionalInt.empty()
+        : OptionalInt.of(chosen.test().place().line());
   }
 
   /** The line of {@link #file} that a line of {@link #program} is; 0 for one of another file. */

@@ -76,7 +76,7 @@ final class Attaching {
     session.debug(
         Optional.of(
             new Debuggee(
-                new LaunchArguments("", List.of(), false, false, false),
+                new LaunchArguments("", Optional.empty(), List.of(), false, false, false),
                 program,
                 text,
                 following,

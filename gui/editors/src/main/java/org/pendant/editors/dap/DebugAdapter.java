@@ -80,6 +80,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   private final SourceRequests sources;
   private final MomentRequests moments;
   private final MoveRequests moves;
+  private final LiveRobotRequests robot;
   private final CompletionRequests completions;
   private final Runnable left;
 
@@ -119,6 +120,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
     sources = new SourceRequests(session, execution);
     moments = new MomentRequests(session, execution);
     moves = new MoveRequests(session, execution);
+    this.robot = new LiveRobotRequests(session, execution);
     completions = new CompletionRequests(session, builtins);
   }
 
@@ -341,7 +343,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
 
   /** What the protocol has no word for: other services of the same connection. */
   List<Object> beyondTheProtocol() {
-    return List.of(moments, moves);
+    return List.of(moments, moves, robot);
   }
 
   // --- texts

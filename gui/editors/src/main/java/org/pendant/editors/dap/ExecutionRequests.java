@@ -59,6 +59,15 @@ final class ExecutionRequests {
         .orElseGet(() -> Refusals.answer("that line of output is not known any more"));
   }
 
+  /**
+   * To a robot time of the recording.
+   *
+   * @param timeS robot time, s
+   */
+  CompletableFuture<Void> toTime(double timeS) {
+    return past.to(timeS);
+  }
+
   /** Gives up what a request looks for in the recording. */
   void cancel(int request) {
     past.cancel(request);

@@ -9,13 +9,19 @@ import java.util.Optional;
  * Launch arguments: what a client wants to debug, and on what.
  *
  * @param program file of a script or a tree
+ * @param test the name of a test in it; empty for a program
  * @param options as {@code pendant run} has them
  * @param stopOnEntry whether it is held before its first statement
  * @param stopAtEnd whether it is held once more when it has ended, to be looked back at
  * @param noDebug whether nothing is to stop it
  */
 record LaunchArguments(
-    String program, List<String> options, boolean stopOnEntry, boolean stopAtEnd, boolean noDebug) {
+    String program,
+    Optional<String> test,
+    List<String> options,
+    boolean stopOnEntry,
+    boolean stopAtEnd,
+    boolean noDebug) {
   LaunchArguments {
     options = List.copyOf(options);
   }
@@ -42,6 +48,7 @@ record LaunchArguments(
     options.addAll(arguments.texts("args"));
     return new LaunchArguments(
         program,
+        arguments.text("test"),
         options,
         arguments.flag("stopOnEntry"),
         arguments.flag("stopAtEnd"),

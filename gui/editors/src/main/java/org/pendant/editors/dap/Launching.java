@@ -17,7 +17,9 @@ import org.pendant.language.source.Diagnostic;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.function.Builtins;
 import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramLoader;
+import org.pendant.testing.run.DebuggedTest;
 
 /** Launching: brings a program to its robot, and both to their end. */
 final class Launching {
@@ -90,7 +92,14 @@ final class Launching {
 
   private Read read(LaunchArguments arguments) {
     try {
-      DebugTarget target = targets.target(arguments.program(), arguments.options());
+      DebugTarget target =
+          arguments.test().isPresent()
+              ? targets.test(arguments.program(), arguments.test().get(), arguments.options())
+              : targets.target(arguments.program(), arguments.options());
+      if (target.test().isPresent()) {
+        Program test = target.test().get().program();
+        return new Read(target, new LoadResult(Optional.of(test), List.of()));
+      }
       return new Read(
           target,
           target
@@ -127,7 +136,13 @@ final class Launching {
     RunEvents events = new RunEvents(session, stops, wishes, () -> output);
     RobotRun run =
         RobotRun.begin(
-            new Controller(target.options(), builtins), target, events, session.thread());
+            target
+                .test()
+                .map(DebuggedTest::controller)
+                .orElseGet(() -> new Controller(target.options(), builtins)),
+            target,
+            events,
+            session.thread());
     session.debug(Optional.of(new Debuggee(arguments, program, text, run, events)));
     launched = Optional.of(run);
     stops.anotherDebugger();

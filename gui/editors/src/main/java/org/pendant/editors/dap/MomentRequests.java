@@ -33,9 +33,17 @@ public final class MomentRequests {
   /** Names a moment. */
   record MomentAsked(int id) {}
 
+  /**
+   * Asks for lines of output.
+   *
+   * @param after only for those that came after the one with this id; absent for all
+   */
+  record LinesAsked(Integer after) {}
+
   /** {@code pendant/moments}: the newest lines of output, the oldest of them first. */
   @JsonRequest("pendant/moments")
-  public CompletableFuture<Moments> moments() {
+  public CompletableFuture<Moments> moments(LinesAsked asked) {
+    int after = asked == null || asked.after() == null ? 0 : asked.after();
     return session
         .thread()
         .request(
@@ -43,6 +51,7 @@ public final class MomentRequests {
                 CompletableFuture.completedFuture(
                     new Moments(
                         session.program().events().written().all().stream()
+                            .filter(each -> each.id() > after)
                             .map(this::told)
                             .toList())));
   }

@@ -100,6 +100,19 @@ final class PastRequests {
         });
   }
 
+  /** To a robot time, s. */
+  CompletableFuture<Void> to(double timeS) {
+    return begin(
+        (recording, from, now) ->
+            until(
+                now,
+                Optional.of(
+                    new Found(
+                        Optional.of(Moment.endOf(recording.frameAt(timeS))),
+                        StoppedEventArgumentsReason.GOTO,
+                        ""))));
+  }
+
   /** Gives up the search that the client's request of this number has begun, if it is under way. */
   void cancel(int request) {
     Optional.ofNullable(searching.get(request)).ifPresent(search -> search.cancel(true));

@@ -70,7 +70,16 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
   /** The adapter with what the protocol has no word for. */
   interface Server extends IDebugProtocolServer {
     @JsonRequest("pendant/moments")
-    CompletableFuture<JsonObject> moments();
+    CompletableFuture<JsonObject> moments(Map<String, Object> asked);
+
+    @JsonRequest("pendant/robot")
+    CompletableFuture<JsonObject> robot(Map<String, Object> asked);
+
+    @JsonRequest("pendant/goToTime")
+    CompletableFuture<Void> goToTime(Map<String, Object> asked);
+
+    @JsonRequest("pendant/setSignal")
+    CompletableFuture<Void> setSignal(Map<String, Object> asked);
 
     @JsonRequest("pendant/stepToMove")
     CompletableFuture<Void> stepToMove(Map<String, Object> asked);

@@ -35,7 +35,8 @@ final class FilesOnDisk implements DebugTargets {
           ControllerOptions.headless(),
           InputWaveforms.NONE,
           VirtualClock::new,
-          () -> {});
+          () -> {},
+          Optional.empty());
     } catch (IOException e) {
       throw new TargetRefusal(program + ": there is no such file");
     }

@@ -267,7 +267,13 @@ class StepBackTest {
       client.configured();
       client.stop();
       JsonObject last =
-          client.server().moments().join().getAsJsonArray("moments").get(4).getAsJsonObject();
+          client
+              .server()
+              .moments(Map.of())
+              .join()
+              .getAsJsonArray("moments")
+              .get(4)
+              .getAsJsonObject();
       assertEquals("turn 5", last.get("text").getAsString());
       assertEquals(4, last.get("line").getAsInt());
       int id = last.get("id").getAsInt();

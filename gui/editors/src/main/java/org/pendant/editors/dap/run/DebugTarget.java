@@ -6,8 +6,10 @@ import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.pendant.controller.Clock;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.VirtualClock;
 import org.pendant.controller.io.InputWaveforms;
 import org.pendant.language.source.Source;
+import org.pendant.testing.run.DebuggedTest;
 
 /**
  * Debug target: a program and the robot that it is to run on.
@@ -22,6 +24,7 @@ import org.pendant.language.source.Source;
  * @param waveforms what happens at its inputs
  * @param clock a clock for one run
  * @param outside what has to be closed after a run: the ways to other computers
+ * @param test what runs if it is a test; empty for a program
  */
 public record DebugTarget(
     String file,
@@ -33,10 +36,31 @@ public record DebugTarget(
     ControllerOptions options,
     InputWaveforms waveforms,
     Supplier<Clock> clock,
-    Runnable outside) {
+    Runnable outside,
+    Optional<DebuggedTest> test) {
   /** Copies the lists. */
   public DebugTarget {
     notes = List.copyOf(notes);
     problems = List.copyOf(problems);
+  }
+
+  /**
+   * A test, which has a controller of its own.
+   *
+   * @param file that the test is in
+   */
+  public static DebugTarget of(String file, DebuggedTest test) {
+    return new DebugTarget(
+        file,
+        Optional.of(test.program().source()),
+        false,
+        line -> Optional.empty(),
+        List.of(),
+        List.of(),
+        test.options(),
+        InputWaveforms.NONE,
+        VirtualClock::new,
+        () -> {},
+        Optional.of(test));
   }
 }

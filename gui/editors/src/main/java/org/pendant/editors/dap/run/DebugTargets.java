@@ -16,4 +16,16 @@ public interface DebugTargets {
    * @throws TargetRefusal if a file cannot be read or an option makes no sense
    */
   DebugTarget target(String program, List<String> options) throws TargetRefusal;
+
+  /**
+   * Reads a test and prepares it; may take long.
+   *
+   * @param file of tests
+   * @param test its name, with the case behind it if it has several
+   * @param options as {@code pendant test} has them
+   * @throws TargetRefusal if it cannot be debugged, or there is none, or an option makes no sense
+   */
+  default DebugTarget test(String file, String test, List<String> options) throws TargetRefusal {
+    throw new TargetRefusal("no tests are debugged here");
+  }
 }

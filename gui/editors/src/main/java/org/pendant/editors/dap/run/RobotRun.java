@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.Semaphore;
+import java.util.function.Consumer;
 import org.pendant.controller.Clock;
 import org.pendant.controller.Controller;
 import org.pendant.controller.DebugCommand;
@@ -21,6 +22,8 @@ import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.Program;
+import org.pendant.testing.TestResult;
+import org.pendant.testing.run.DebuggedTest;
 
 /**
  * Robot run: one program on one controller, driven by a thread of its own, as {@code pendant run}
@@ -37,6 +40,7 @@ public final class RobotRun implements DebuggedRobot {
   private final Drive drive;
   private final InputWaveforms waveforms;
   private final Runnable outside;
+  private final Optional<DebuggedTest> test;
   private final RunListener listener;
   private final Executor answers;
   private final DebuggerLink link;
@@ -65,6 +69,7 @@ public final class RobotRun implements DebuggedRobot {
     clock = target.clock().get();
     waveforms = target.waveforms();
     outside = target.outside();
+    test = target.test();
     this.listener = listener;
     follower = new ProgramFollower(controller, listener);
     ring = new RecordingRing(controller.state(), controller::programSource, RECORDING_BYTES);
@@ -118,15 +123,44 @@ public final class RobotRun implements DebuggedRobot {
     }
     var _ = robot.submit(new DebugCommand.Debug(debugger -> debugger.followCalls(true)));
     CompletableFuture<Reply> started =
-        robot.submit(
-            new ProgramCommand.StartProgram(program, Optional.of(ProgramsFolder.of(file))));
+        test.isPresent()
+            ? robot.submit(new DebugCommand.Debug(_ -> test.get().begin(robot::submit)))
+            : robot.submit(
+                new ProgramCommand.StartProgram(program, Optional.of(ProgramsFolder.of(file))));
     if (held) {
-      var _ = robot.submit(new DebugCommand.Debug(Debugger::pause));
+      pauseAtBegin();
     }
     // told before what the program does
     CompletableFuture<Optional<String>> told = started.thenApplyAsync(Reply::complaint, answers);
     letPass();
     return told;
+  }
+
+  /**
+   * A test leaves the command that starts it when its turn comes: what holds it is behind that.
+   * What calls the test is no line of its file, so it runs to its own first statement.
+   */
+  private void pauseAtBegin() {
+    if (test.isEmpty()) {
+      var _ = robot.submit(new DebugCommand.Debug(Debugger::pause));
+      return;
+    }
+    test.get()
+        .firstLine()
+        .ifPresent(
+            line -> {
+              var into =
+                  new DebugCommand.Debug(
+                      debugger -> {
+                        debugger.pause();
+                        debugger.runTo(Debugger.MAIN, line);
+                      });
+              Consumer<Debugger> behind =
+                  _ -> {
+                    var _ = robot.submit(into);
+                  };
+              var _ = robot.submit(new DebugCommand.Debug(behind));
+            });
   }
 
   private void letPass() {
@@ -209,9 +243,28 @@ public final class RobotRun implements DebuggedRobot {
     hold.see(state);
     ring.take(state);
     listener.frame(state);
-    if (passing && !state.debug().held()) {
+    if (passing && test.isPresent()) {
+      test.get().after(state).ifPresent(this::tested);
+    } else if (passing && !state.debug().held()) {
       follow(state);
     }
+  }
+
+  private void tested(TestResult result) {
+    passing = false;
+    over = true;
+    String name = result.id().name();
+    if (result.failure().isEmpty()) {
+      listener.note(name + " passed");
+      listener.over(new RunResult(RunResult.DONE, Optional.empty(), Optional.empty(), 0));
+      return;
+    }
+    listener.over(
+        new RunResult(
+            RunResult.PROGRAM_FAILED,
+            Optional.empty(),
+            Optional.of(name + " is red: " + result.failure().get().message()),
+            0));
   }
 
   private void follow(ControllerState state) {
