@@ -43,6 +43,11 @@ final class DiagnosticReports {
     return new DocumentDiagnosticReport(report);
   }
 
+  /** The report of a text that is not open. */
+  static DocumentDiagnosticReport nothing() {
+    return new DocumentDiagnosticReport(new RelatedFullDocumentDiagnosticReport(List.of()));
+  }
+
   /** A name for a text, by what it says. */
   static String id(Document document) {
     CRC32 sum = new CRC32();

@@ -188,6 +188,10 @@ final class TextRequests implements TextDocumentService {
 
   @Override
   public CompletableFuture<DocumentDiagnosticReport> diagnostic(DocumentDiagnosticParams asked) {
+    if (session.documents().find(asked.getTextDocument().getUri()).isEmpty()) {
+      // asked just before it was closed: editors would show a refusal to people
+      return CompletableFuture.completedFuture(DiagnosticReports.nothing());
+    }
     return about(
         asked.getTextDocument(),
         document -> reports.report(document, Optional.ofNullable(asked.getPreviousResultId())));

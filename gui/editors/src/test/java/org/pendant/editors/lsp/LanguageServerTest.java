@@ -106,6 +106,22 @@ final class LanguageServerTest {
   }
 
   @Test
+  void nothingIsWrongInATextThatWasClosedMeanwhile() throws Exception {
+    try (EditorClient editor = EditorClient.start()) {
+      assertEquals(
+          List.of(),
+          editor
+              .server()
+              .getTextDocumentService()
+              .diagnostic(
+                  new DocumentDiagnosticParams(new TextDocumentIdentifier("file:///no.script")))
+              .get()
+              .getRelatedFullDocumentDiagnosticReport()
+              .getItems());
+    }
+  }
+
+  @Test
   void scriptsOfTheFoldersAreKnownWithoutBeingOpen() throws Exception {
     Files.writeString(folder.resolve("feeder.script"), "def feed_part():\n  slep(1)\nend\n");
     Files.createDirectories(folder.resolve("node_modules"));
