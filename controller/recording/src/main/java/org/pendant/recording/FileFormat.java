@@ -108,7 +108,7 @@ final class FileFormat {
     for (int i = 0; i < parts; i++) {
       found.add(in.text());
     }
-    if (!found.equals(columns(0)) && !found.equals(columns(SnapshotPart.LATER))) {
+    if (!found.equals(columns())) {
       throw new MalformedBytes("it has other columns than those of version " + VERSION);
     }
     // older files end earlier, as there was nothing more that could be said
@@ -145,15 +145,13 @@ final class FileFormat {
     }
   }
 
-  private static List<String> columns(int without) {
+  private static List<String> columns() {
     List<String> columns = new ArrayList<>();
     for (NumberGroup each : NumberGroup.values()) {
       columns.add(each.column() + " " + each.size());
     }
     for (SnapshotPart each : SnapshotPart.PARTS) {
-      if ((each.bit() & without) == 0) {
-        columns.add(each.column());
-      }
+      columns.add(each.column());
     }
     return columns;
   }

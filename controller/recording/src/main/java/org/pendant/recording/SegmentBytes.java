@@ -1,7 +1,6 @@
 package org.pendant.recording;
 
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * Segment bytes: how a segment stands in a file. Each number stands as the difference of its bits
@@ -98,9 +97,7 @@ final class SegmentBytes {
       numbers += NumberGroup.sizeOfAll(numberMasks[i]);
       parts += Integer.bitCount(partMasks[i]);
     }
-    if (frames[0] != 0
-        || numberMasks[0] != NumberGroup.ALL
-        || (partMasks[0] | SnapshotPart.LATER) != SnapshotPart.ALL) {
+    if (frames[0] != 0 || numberMasks[0] != NumberGroup.ALL || partMasks[0] != SnapshotPart.ALL) {
       throw new MalformedBytes("the first entry of a block is not whole");
     }
     if (numbers > Segment.MAX_NUMBERS) {
@@ -109,24 +106,10 @@ final class SegmentBytes {
     }
     double[] values = readNumbers(numberMasks, numbers, in);
     Object[] objects = readParts(partMasks, parts, in);
-    int missing = Integer.bitCount(SnapshotPart.ALL & ~partMasks[0]);
-    if (missing > 0) {
-      objects = withNothing(objects, parts, Integer.bitCount(partMasks[0]), missing);
-      partMasks[0] = SnapshotPart.ALL;
-    }
     if (in.left() > 0) {
       throw new MalformedBytes(in.left() + " bytes are left behind a block");
     }
     return Segment.full(firstFrame, frames, numberMasks, partMasks, values, objects);
-  }
-
-  /** Has nothing as the last parts of the first entry, which an older file does not have. */
-  private static Object[] withNothing(Object[] objects, int parts, int at, int missing) {
-    Object[] all = new Object[parts + missing];
-    System.arraycopy(objects, 0, all, 0, at);
-    Arrays.fill(all, at, at + missing, List.of());
-    System.arraycopy(objects, at, all, at + missing, parts - at);
-    return all;
   }
 
   private static double[] readNumbers(int[] masks, int numbers, ByteSource in)

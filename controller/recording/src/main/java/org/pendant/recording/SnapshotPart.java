@@ -85,9 +85,6 @@ final class SnapshotPart {
   /** A bit for each part. */
   static final int ALL = (1 << COUNT) - 1;
 
-  /** What the oldest files do not have: nothing then. */
-  static final int LATER = MOVED.bit() | DEVICES.bit();
-
   private final int index;
   private final String column;
   private final Function<ControllerState, ?> getter;
