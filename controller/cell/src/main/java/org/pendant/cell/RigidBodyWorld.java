@@ -96,6 +96,7 @@ public final class RigidBodyWorld {
   public void setPresent(int body, boolean present) {
     CellBody of = bodies.get(body);
     of.present = present;
+    Arrays.fill(of.wrench, 0);
     changes++;
     if (of.free() && present) {
       of.wake();
