@@ -49,15 +49,23 @@ final class Lathe {
 
   /** A ball around the origin. */
   static void ball(MeshBuilder mesh, double radiusM, int around) {
+    capsule(mesh, radiusM, 0, around);
+  }
+
+  /** A bar around the origin along z, with half a ball at each end. */
+  static void capsule(MeshBuilder mesh, double radiusM, double lengthM, int around) {
     int meridians = mesh.detail().around(around);
-    int parallels = meridians / 2;
+    int steps = meridians / 4;
     List<LatheProfile.Point> points = new ArrayList<>();
-    for (int i = 0; i <= parallels; i++) {
-      double angle = Math.PI * i / parallels;
-      // exact at the poles: there the ring is one point
-      double nr = i % parallels == 0 ? 0 : Math.sin(angle);
-      points.add(
-          new LatheProfile.Point(radiusM * nr, -radiusM * Math.cos(angle), nr, -Math.cos(angle)));
+    for (int end = -1; end <= 1; end += 2) {
+      // once at the equator of a ball, where both halves meet
+      for (int i = end > 0 && lengthM == 0 ? 1 : 0; i <= steps; i++) {
+        double angle = (end < 0 ? i : i + steps) * Math.PI / (2 * steps);
+        // exact at the poles: there the ring is one point
+        double nr = (end < 0 && i == 0) || (end > 0 && i == steps) ? 0 : Math.sin(angle);
+        double nz = -Math.cos(angle);
+        points.add(new LatheProfile.Point(radiusM * nr, end * lengthM / 2 + radiusM * nz, nr, nz));
+      }
     }
     turn(mesh, points, meridians);
   }

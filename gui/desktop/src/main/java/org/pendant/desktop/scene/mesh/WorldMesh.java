@@ -13,9 +13,6 @@ import org.pendant.models.pose.Pose;
  * otherwise.
  */
 public final class WorldMesh {
-  /** Of its radius: how far the end of a capsule is rounded; all of it would leave no corner. */
-  private static final double ROUND = 0.999;
-
   private static final double WIDEST_BEVEL_M = 0.003;
   private static final double BEVEL_SHARE = 0.08;
   private static final int MERIDIANS = 48;
@@ -65,13 +62,7 @@ public final class WorldMesh {
     double half = rod.lengthM() / 2;
     mesh.at(frame(rod.poseInBase()));
     if (rod.capsule()) {
-      LatheProfile profile =
-          new LatheProfile()
-              .to(0, -half - rod.radiusM())
-              .to(rod.radiusM(), -half - rod.radiusM(), ROUND * rod.radiusM())
-              .to(rod.radiusM(), half + rod.radiusM(), ROUND * rod.radiusM())
-              .to(0, half + rod.radiusM());
-      Lathe.turn(mesh, profile, MERIDIANS);
+      Lathe.capsule(mesh, rod.radiusM(), rod.lengthM(), MERIDIANS);
     } else {
       double thinnest = 2 * Math.min(rod.radiusM(), half);
       double edge = Math.min(WIDEST_BEVEL_M, BEVEL_SHARE * thinnest);

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
@@ -48,6 +50,19 @@ final class WorldMeshTest {
 
     assertEquals(0, MeshChecks.openEdges(mesh));
     assertEquals(4 * Math.PI / 3 * 1e-3, MeshChecks.volumeM3(mesh), 5e-5);
+    assertEquals(0, MeshChecks.turnedShare(mesh));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"false, 0.006283", "true, 0.010472"})
+  void rodsAreClosedAndFaceOutwards(boolean capsule, double volumeM3) {
+    SceneObject rod =
+        new SceneObject.Rod(
+            "rod", new Pose(0.5, 0, 0.2, 1, 0, 0), 0.1, 0.2, capsule, Material.DEFAULT, 0);
+    Mesh mesh = WorldMesh.of(List.of(rod), Set.of(), Detail.FINE);
+
+    assertEquals(0, MeshChecks.openEdges(mesh));
+    assertEquals(volumeM3, MeshChecks.volumeM3(mesh), 0.01 * volumeM3);
     assertEquals(0, MeshChecks.turnedShare(mesh));
   }
 
