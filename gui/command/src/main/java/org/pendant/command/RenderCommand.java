@@ -6,6 +6,7 @@ import org.pendant.command.service.GraphicsUnavailable;
 import org.pendant.command.service.Picture;
 import org.pendant.command.service.PictureRenderer;
 import org.pendant.controller.Controller;
+import org.pendant.controller.world.MovedScene;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.externalcontrol.NoScript;
@@ -104,7 +105,7 @@ final class RenderCommand implements Subcommand {
     return new Picture(
         options.run().controller().robotId(),
         exposure.state().arm(),
-        options.run().controller().scene(),
+        MovedScene.of(options.run().controller().scene(), exposure.state().moved()),
         options.showSafety() ? Optional.of(controller.safety()) : Optional.empty(),
         exposure.state().safety(),
         options.view(),

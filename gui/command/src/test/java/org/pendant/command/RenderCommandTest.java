@@ -16,6 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.world.SceneObject;
 
 @Tag("slow")
 final class RenderCommandTest {
@@ -85,6 +86,20 @@ final class RenderCommandTest {
 
     assertEquals("", text());
     assertEquals(0.2, renderer.lastS(), 1e-6);
+  }
+
+  @Test
+  void drawsObjectsWhereTheyAreThen() throws IOException {
+    Path scene = folder.resolve("cell.scene.json");
+    Files.writeString(
+        scene,
+        "{\"objects\": [{\"type\": \"sphere\", \"name\": \"ball\", \"centre\": [1, 0, 1],"
+            + " \"radius\": 0.1, \"mass\": 1}]}");
+    assertEquals(
+        0, render("--out", picture.toString(), "--at", "0.2", "--scene", scene.toString()));
+
+    SceneObject.Sphere ball = (SceneObject.Sphere) renderer.picture().world().objects().getFirst();
+    assertEquals(1 - 0.5 * 9.82 * 0.04, ball.centreInBaseM().z(), 0.01);
   }
 
   @Test
