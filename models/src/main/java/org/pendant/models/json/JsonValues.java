@@ -8,6 +8,21 @@ import tools.jackson.core.io.JsonStringEncoder;
 public final class JsonValues {
   private JsonValues() {}
 
+  /** Any value, on one line. */
+  public static String of(Json value) {
+    return switch (value) {
+      case Json.Text text -> text(text.value());
+      case Json.Numeral number -> number(number.value());
+      case Json.Word word -> word.word();
+      case Json.Elements array ->
+          array.values().stream().map(JsonValues::of).collect(Collectors.joining(", ", "[", "]"));
+      case Json.Members object ->
+          object.byKey().entrySet().stream()
+              .map(each -> text(each.getKey()) + ": " + of(each.getValue().value()))
+              .collect(Collectors.joining(", ", "{", "}"));
+    };
+  }
+
   /** A text in quotation marks, with what JSON wants escaped. */
   public static String text(String value) {
     return '"' + new String(JsonStringEncoder.getInstance().quoteAsCharArray(value)) + '"';

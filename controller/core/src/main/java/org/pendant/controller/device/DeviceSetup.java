@@ -8,7 +8,8 @@ import org.pendant.controller.world.HandSetup;
 /** Setup of a device: what it is and how it begins. */
 public sealed interface DeviceSetup {
   /** The kinds of devices that need nothing but their name. */
-  List<String> KINDS = List.of("two-finger", "two-finger-tool", "rg", "2fg");
+  List<String> KINDS =
+      DeviceKind.ALL.stream().filter(DeviceKind::plain).map(DeviceKind::type).toList();
 
   /** The name that messages, rules and tests call it by. */
   String name();
@@ -52,7 +53,7 @@ public sealed interface DeviceSetup {
   record TwoFinger(
       String name, boolean atTool, boolean activated, double partM, Optional<HandSetup> hand)
       implements DeviceSetup {
-    private static final double STROKE_M = 0.085;
+    static final double STROKE_M = 0.085;
 
     /** One whose fingertips are at the tool centre point. */
     public TwoFinger(String name, boolean atTool, boolean activated, double partM) {
@@ -74,8 +75,8 @@ public sealed interface DeviceSetup {
    */
   record RpcGripper(String name, String kind, double partM, Optional<HandSetup> hand)
       implements DeviceSetup {
-    private static final double RG_STROKE_M = 0.110;
-    private static final double TWO_FG_STROKE_M = 0.039;
+    static final double RG_STROKE_M = 0.110;
+    static final double TWO_FG_STROKE_M = 0.039;
 
     /** One whose fingertips are at the tool centre point. */
     public RpcGripper(String name, String kind, double partM) {

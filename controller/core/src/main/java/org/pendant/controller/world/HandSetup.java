@@ -16,17 +16,17 @@ public record HandSetup(Optional<Pose> atInFlange, Grip grip, double friction) {
   /** What friction may be. */
   public static final Range FRICTION = Material.FRICTION;
 
-  /** What lengths of a hand may be. */
-  public static final Range LENGTH = new Range(0.001, 0.5, "m");
-
-  /** How hard a cup may hold. */
-  public static final Range FORCE = new Range(1, 1000, "N");
-
   /** Rubber. */
   public static final double RUBBER = 0.8;
 
   /** What a hand grips with. */
   public sealed interface Grip {
+    /** What lengths of a hand may be. */
+    Range LENGTH = new Range(0.001, 0.5, "m");
+
+    /** How hard a cup may hold. */
+    Range FORCE = new Range(1, 1000, "N");
+
     /**
      * Two fingers with flat pads.
      *

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.event.ActionEvent;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.UnaryOperator;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -34,6 +35,7 @@ public final class CellView implements View {
 
   private final Workbench workbench;
   private final SceneDraft draft;
+  private final UnaryOperator<String> signalName;
   private final RotationChoice rotation;
   private final JPanel content = new JPanel(new BorderLayout());
 
@@ -44,12 +46,14 @@ public final class CellView implements View {
   private record Cards(
       CellBar bar,
       ObjectsCard objects,
-      EquipmentCard equipment,
+      DevicesCard devices,
+      RulesCard rules,
       LoadCard load,
       ToolPointsCard tool) {
     void show() {
-      equipment.show();
       bar.show();
+      devices.show();
+      rules.show();
       objects.show();
       load.show();
       tool.show();
@@ -60,10 +64,12 @@ public final class CellView implements View {
    * The screen for a scene.
    *
    * @param draft what is shown and changed
+   * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
    */
-  public CellView(Workbench workbench, SceneDraft draft) {
+  public CellView(Workbench workbench, SceneDraft draft, UnaryOperator<String> signalName) {
     this.workbench = workbench;
     this.draft = draft;
+    this.signalName = signalName;
     rotation = new RotationChoice(workbench.settings());
     rotation.addListener(this::show);
     draft.addListener(this::show);
@@ -112,7 +118,8 @@ public final class CellView implements View {
           new Cards(
               new CellBar(workbench, draft),
               new ObjectsCard(draft, rotation, measures, workbench.session()::state),
-              new EquipmentCard(draft),
+              new DevicesCard(draft, measures, rotation, signalName),
+              new RulesCard(draft),
               new LoadCard(draft, measures),
               new ToolPointsCard(draft, measures));
       JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
@@ -120,7 +127,8 @@ public final class CellView implements View {
       JPanel second =
           new JPanel(new MigLayout("insets 0, gap 0 " + GAP + ", wrap", "[grow, fill]"));
       second.setOpaque(false);
-      second.add(made.equipment.component());
+      second.add(made.devices.component());
+      second.add(made.rules.component());
       second.add(made.load.component());
       second.add(made.tool.component());
       sheet.add(second);

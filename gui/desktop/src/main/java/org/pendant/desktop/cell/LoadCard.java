@@ -23,8 +23,7 @@ final class LoadCard {
    */
   LoadCard(SceneDraft draft, Measures measures) {
     this.draft = draft;
-    form =
-        new PartsForm<>("cell-load", next -> SceneRefusal.of(() -> next), draft::set).in(measures);
+    form = new PartsForm<Scene>("cell-load", this::refusal, draft::set).in(measures);
     form.check(
         "A load hangs there",
         now -> now.load().isPresent(),
@@ -113,6 +112,10 @@ final class LoadCard {
 
   private static Scene pushed(Scene scene, Wrench push) {
     return scene.withPush(push);
+  }
+
+  private String refusal(Scene next) {
+    return SceneRefusal.of(() -> next, draft.equipment());
   }
 
   JComponent component() {

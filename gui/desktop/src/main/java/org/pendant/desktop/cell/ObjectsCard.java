@@ -1,6 +1,7 @@
 package org.pendant.desktop.cell;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JButton;
@@ -263,7 +264,11 @@ final class ObjectsCard {
 
     @Override
     public String refusal(List<SceneObject> next) {
-      return SceneRefusal.of(() -> with(next));
+      return SceneRefusal.of(() -> with(next), following(next));
+    }
+
+    private Map<String, String> following(List<SceneObject> next) {
+      return Equipment.following(draft.equipment(), list(), next);
     }
 
     private Scene with(List<SceneObject> next) {
@@ -274,7 +279,7 @@ final class ObjectsCard {
     @Override
     public void take(
         List<SceneObject> next, Optional<SceneObject> before, Optional<SceneObject> after) {
-      draft.set(with(next));
+      draft.set(with(next), following(next));
     }
   }
 

@@ -1,6 +1,7 @@
 package org.pendant.desktop.cell;
 
 import java.io.IOException;
+import java.util.Map;
 import java.util.function.Supplier;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
@@ -12,11 +13,15 @@ final class SceneRefusal {
 
   private SceneRefusal() {}
 
-  /** What is wrong with what {@code wanted} makes, as a file or before; empty if nothing is. */
-  static String of(Supplier<Scene> wanted) {
+  /**
+   * What is wrong with what {@code wanted} makes, as a file or before; empty if nothing is.
+   *
+   * @param equipment the members for devices and rules
+   */
+  static String of(Supplier<Scene> wanted, Map<String, String> equipment) {
     try {
       // what is shown here can be saved, and read again
-      var _ = SceneFile.of(FILE, SceneWriter.write(wanted.get()));
+      var _ = SceneFile.of(FILE, SceneWriter.write(wanted.get(), equipment));
       return "";
     } catch (IllegalArgumentException e) {
       return e.getMessage();

@@ -66,7 +66,7 @@ final class ToolPointsCard {
 
     @Override
     public String refusal(List<ToolPoint> next) {
-      return SceneRefusal.of(() -> with(next));
+      return SceneRefusal.of(() -> with(next), draft.equipment());
     }
 
     private Scene with(List<ToolPoint> next) {

@@ -1,5 +1,6 @@
 package org.pendant.desktop.session;
 
+import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -8,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
 import org.pendant.models.json.JsonMembers;
@@ -34,6 +36,7 @@ public final class SceneDraft {
 
   private Content saved = Content.EMPTY;
   private Content now = Content.EMPTY;
+  private Read read = Read.NOTHING;
 
   /**
    * What the file says.
@@ -51,6 +54,19 @@ public final class SceneDraft {
 
     String text() {
       return SceneWriter.write(scene, equipment);
+    }
+  }
+
+  /** Devices, and what says so. */
+  private record Read(Content content, List<DeviceSetup> devices) {
+    static final Read NOTHING = new Read(Content.EMPTY, List.of());
+
+    static Read of(Content content) {
+      try {
+        return new Read(content, SceneFile.of("scene", content.text()).equipment().devices());
+      } catch (IOException e) {
+        throw new IllegalStateException("a draft has devices that cannot be", e);
+      }
     }
   }
 
@@ -78,6 +94,14 @@ public final class SceneDraft {
   /** The members for devices and rules, by key, as JSON. */
   public Map<String, String> equipment() {
     return Collections.unmodifiableMap(now.equipment());
+  }
+
+  /** What the members for devices say. */
+  public List<DeviceSetup> devices() {
+    if (!read.content().equals(now)) {
+      read = Read.of(now);
+    }
+    return read.devices();
   }
 
   /** Where it is written: a file, or a text without one. */
@@ -137,7 +161,16 @@ public final class SceneDraft {
 
   /** Makes a change. */
   public void set(Scene next) {
-    change(new Content(next, now.equipment()));
+    set(next, now.equipment());
+  }
+
+  /**
+   * Makes a change of both.
+   *
+   * @param members for devices and rules, by key, as JSON that such a scene may have
+   */
+  public void set(Scene next, Map<String, String> members) {
+    change(new Content(next, new LinkedHashMap<>(members)));
   }
 
   /**

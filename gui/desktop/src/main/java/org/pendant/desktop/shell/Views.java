@@ -189,7 +189,7 @@ final class Views {
     calls.setPast(past::past);
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
-    CellView cell = new CellView(workbench, sceneDraft);
+    CellView cell = new CellView(workbench, sceneDraft, labels::ofSignal);
     scene.setObjectHand(cell.hand(() -> showing(CellView.ID) && past.past().isEmpty()));
     scene.setProposedScene(
         () -> showing(CellView.ID) ? Optional.of(sceneDraft.scene()) : Optional.empty());

@@ -15,14 +15,22 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.MenuElement;
+import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.world.HandSetup;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.preview.PreviewWorkbench;
@@ -57,7 +65,11 @@ final class CellViewTest {
     EventQueue.invokeAndWait(
         () -> {
           FlatLaf.setup(new FlatLightLaf());
-          CellView view = new CellView(new PreviewWorkbench(session), draft);
+          CellView view =
+              new CellView(
+                  new PreviewWorkbench(session),
+                  draft,
+                  signal -> signal.equals("digital_out[1]") ? "Gripper" : "");
           JFrame frame = new JFrame(view.title());
           frame.add(view.component());
           frame.setSize(1024, 700);
@@ -165,20 +177,171 @@ final class CellViewTest {
         });
   }
 
+  private static String problem(CellView view, String name) {
+    return find(view, name, JTextArea.class).getText();
+  }
+
+  @SuppressWarnings("unchecked") // the boxes for signals hold texts
+  private static JComboBox<String> signals(CellView view, String name) {
+    return find(view, name, JComboBox.class);
+  }
+
+  /** An entry of the menu that adds devices. */
+  private void add(CellView view, String kind) {
+    AbstractButton button = find(view, "cell-device-add", AbstractButton.class);
+    button.doClick(0);
+    for (MenuElement each : MenuSelectionManager.defaultManager().getSelectedPath()) {
+      for (MenuElement entry : each.getSubElements()) {
+        if (("cell-device-add-" + kind).equals(entry.getComponent().getName())) {
+          ((AbstractButton) entry).doClick(0);
+          MenuSelectionManager.defaultManager().clearSelectedPath();
+          return;
+        }
+      }
+    }
+    throw new AssertionError("there is no entry for " + kind);
+  }
+
   @Test
-  void devicesAreWrittenAsTextAndRefusedWithTheirPlace() throws Exception {
+  void aDeviceIsAddedAndSetUpInItsForm() throws Exception {
     show(
         view -> {
-          JTextArea area = find(view, "cell-equipment", JTextArea.class);
-          area.setText("{\n  \"devices\": [{\"type\": \"two-fingers\"}]\n}");
-          String refusal = find(view, "cell-equipment-problem", JTextArea.class).getText();
-          assertTrue(refusal.startsWith("line 2, column 24: type is \"two-fingers\""), refusal);
-          area.setText("{\n  \"devices\": [{\"type\": \"two-finger\"}]\n}");
-          area.getActionMap().get("take").actionPerformed(null);
-          assertEquals("[{\"type\": \"two-finger\"}]", draft.equipment().get("devices"));
-          press(view, "cell-undo");
+          add(view, "gripper-driven-by-outputs");
+          assertEquals(
+              "[\n    {\"type\": \"gripper\", \"close\": \"digital_out[0]\"}\n  ]",
+              draft.equipment().get("devices"));
+          type(view, "cell-device-name", "left");
+          type(view, "cell-device-gripper-stroke", "60");
+          signals(view, "cell-device-gripper-close").setSelectedItem("digital_out[1]");
+          DeviceSetup.Driven gripper = (DeviceSetup.Driven) draft.devices().getFirst();
+          assertEquals("left", gripper.name());
+          assertEquals(0.06, gripper.strokeM());
+          assertEquals(Signal.named("digital_out[1]"), gripper.close());
+          type(view, "cell-device-gripper-stroke", "");
+          assertEquals(0.05, draft.devices().getFirst().strokeM());
+          press(view, "cell-device-remove");
           assertTrue(draft.equipment().isEmpty());
-          assertEquals("{\n\n}\n", area.getText());
+        });
+  }
+
+  @Test
+  void signalsAreListedWithTheirNames() throws Exception {
+    show(
+        view -> {
+          add(view, "door");
+          JComboBox<String> closed = signals(view, "cell-device-door-closed");
+          assertEquals("", closed.getItemAt(0));
+          assertEquals("digital_in[0]", closed.getItemAt(1));
+          JComboBox<String> close = signals(view, "cell-device-door-close");
+          JLabel cell =
+              (JLabel)
+                  close
+                      .getRenderer()
+                      .getListCellRendererComponent(
+                          new JList<>(), "digital_out[1]", 1, false, false);
+          assertEquals("digital_out[1]  Gripper", cell.getText());
+        });
+  }
+
+  @Test
+  void whatADeviceCannotHaveIsRefusedAtItsFieldAndStaysThere() throws Exception {
+    show(
+        view -> {
+          add(view, "door");
+          JTextField time = find(view, "cell-device-door-time", JTextField.class);
+          time.setText("70");
+          assertEquals(
+              "is 70 s, must be 0.01 to 60 s", problem(view, "cell-device-door-time-problem"));
+          time.postActionEvent();
+          add(view, "two-finger-gripper");
+          press(view, "cell-device-up");
+          find(view, "cell-device-list", JList.class).setSelectedIndex(1);
+          assertEquals("70", time.getText());
+          assertEquals(
+              "is 70 s, must be 0.01 to 60 s", problem(view, "cell-device-door-time-problem"));
+          type(view, "cell-device-door-time", "4");
+          assertEquals(4, ((DeviceSetup.Driven) draft.devices().get(1)).timeS());
+          JTextField name = find(view, "cell-device-name", JTextField.class);
+          name.setText("two-finger");
+          assertEquals(
+              "name is \"two-finger\" as in line 3, must be another for each device",
+              problem(view, "cell-device-name-problem"));
+        });
+  }
+
+  @Test
+  void fingertipsAreAtTheTcpUnlessAPlaceIsTyped() throws Exception {
+    show(
+        view -> {
+          add(view, "two-finger-gripper");
+          type(view, "cell-device-two-finger-fingers-width", "30");
+          press(view, "cell-device-two-finger-fingers-at-the-active-tcp");
+          type(view, "cell-device-two-finger-fingers-at-z", "170");
+          HandSetup hand = draft.devices().getFirst().hand().orElseThrow();
+          assertEquals(new Pose(0, 0, 0.17, 0, 0, 0), hand.atInFlange().orElseThrow());
+          assertEquals(new HandSetup.Grip.Pads(0.03, 0.022), hand.grip());
+          press(view, "cell-device-two-finger-fingers-at-the-active-tcp");
+          type(view, "cell-device-two-finger-fingers-width", "");
+          assertEquals("[\n    {\"type\": \"two-finger\"}\n  ]", draft.equipment().get("devices"));
+        });
+  }
+
+  @Test
+  void rulesAreWrittenAsTextAndRefusedWithTheirPlace() throws Exception {
+    show(
+        view -> {
+          JTextArea area = find(view, "cell-rules", JTextArea.class);
+          assertEquals("", area.getText());
+          area.setText("[\n  {\"every\": 0, \"set\": \"digital_in[0]\"}\n]");
+          String refusal = problem(view, "cell-rules-problem");
+          assertTrue(
+              refusal.startsWith("line 2, column 13: every is 0 s, must be 0.01 to 3600 s"),
+              refusal);
+          add(view, "door");
+          assertEquals("[\n  {\"every\": 0, \"set\": \"digital_in[0]\"}\n]", area.getText());
+          area.setText("[{\"every\": 5, \"set\": \"digital_in[0]\"}]");
+          area.getActionMap().get("control ENTER").actionPerformed(null);
+          assertEquals(
+              "[{\"every\": 5, \"set\": \"digital_in[0]\"}]", draft.equipment().get("rules"));
+          press(view, "cell-undo");
+          assertFalse(draft.equipment().containsKey("rules"));
+          assertEquals("", area.getText());
+        });
+  }
+
+  @Test
+  void devicesFollowTheNameOfAnObject() throws Exception {
+    show(
+        view -> {
+          add(view, "belt");
+          assertEquals(
+              "object is \"none\", must be the name of a box that stands still",
+              problem(view, "cell-device-problem"));
+          press(view, "cell-object-add-box");
+          add(view, "belt");
+          assertEquals(1, draft.devices().size());
+          type(view, "cell-object-name", "conveyor");
+          assertEquals("conveyor", ((DeviceSetup.Belt) draft.devices().getFirst()).object());
+          press(view, "cell-object-remove");
+          assertEquals(
+              "object is \"conveyor\", must be the name of a box that stands still",
+              problem(view, "cell-object-problem"));
+        });
+  }
+
+  @Test
+  void rulesFollowTheNameOfAGripper() throws Exception {
+    show(
+        view -> {
+          add(view, "two-finger-gripper");
+          JTextArea area = find(view, "cell-rules", JTextArea.class);
+          area.setText("[{\"every\": 5, \"part\": \"two-finger\", \"width\": 0.03}]");
+          area.getActionMap().get("control ENTER").actionPerformed(null);
+          type(view, "cell-device-name", "left");
+          assertEquals("[{\"every\": 5, \"part\": \"left\", \"width\": 0.03}]", area.getText());
+          press(view, "cell-device-remove");
+          assertEquals(1, draft.devices().size());
+          assertTrue(problem(view, "cell-device-problem").startsWith("part is \"left\""));
         });
   }
 }

@@ -60,7 +60,9 @@ public final class EntryField extends JTextField {
   /** What it is for, while nothing is wrong. */
   public EntryField withTip(String text) {
     tip = text;
-    setToolTipText(text);
+    if (refusal.isEmpty()) {
+      setToolTipText(text);
+    }
     return this;
   }
 

@@ -4,6 +4,8 @@ import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -14,7 +16,9 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
@@ -47,6 +51,10 @@ public final class Items<T> {
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, gap 8 6, wrap, hidemode 3", "[grow, fill]"));
   private int chosen = -1;
+
+  /** The place of the one that the form shows; -1 for none. */
+  private int inForm = -1;
+
   private boolean showing;
 
   /** Where the things are kept. */
@@ -128,10 +136,32 @@ public final class Items<T> {
   /** A button that adds one. */
   public Items<T> adder(String title, Supplier<T> fresh) {
     JButton button = new JButton(title);
-    String word = title.toLowerCase(java.util.Locale.ROOT).replace(' ', '-');
+    String word = title.toLowerCase(Locale.ROOT).replace(' ', '-');
     TitledCard.named(button, id + "-" + word, title);
     TitledCard.compact(button);
     button.addActionListener(event -> add(fresh.get()));
+    adders.add(button);
+    buttons.add(button, adders.size() - 1);
+    return this;
+  }
+
+  /**
+   * A button with a menu of what it adds, for many kinds.
+   *
+   * @param kinds what each is called, and makes one
+   */
+  public Items<T> adders(String title, Map<String, Supplier<T>> kinds) {
+    JButton button = TitledCard.named(new JButton(title + " \u25be"), id + "-add", title);
+    TitledCard.compact(button);
+    JPopupMenu menu = new JPopupMenu();
+    kinds.forEach(
+        (kind, fresh) -> {
+          String word = kind.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+          JMenuItem entry = TitledCard.named(new JMenuItem(kind), id + "-add-" + word, kind);
+          entry.addActionListener(event -> add(fresh.get()));
+          menu.add(entry);
+        });
+    button.addActionListener(event -> menu.show(button, 0, button.getHeight()));
     adders.add(button);
     buttons.add(button, adders.size() - 1);
     return this;
@@ -223,6 +253,7 @@ public final class Items<T> {
             before -> {
               List<T> next = new ArrayList<>(model.list());
               next.remove(chosen);
+              inForm = -1;
               if (attempt(next, Optional.of(before), Optional.empty())) {
                 chosen = Math.min(chosen, next.size() - 1);
                 show(true);
@@ -297,7 +328,8 @@ public final class Items<T> {
     chosen()
         .ifPresent(
             now -> {
-              if (other || moved) {
+              if (other || moved || chosen != inForm) {
+                inForm = chosen;
                 form.showOther(now);
               } else {
                 form.show(now);

@@ -1,15 +1,24 @@
 package org.pendant.kit.form;
 
 import java.awt.Component;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.DefaultListCellRenderer;
@@ -46,7 +55,18 @@ public final class PartsForm<T> {
   private static final String LABELS = "[]12[60:240:260, fill]6[grow, left]";
   private Optional<T> value = Optional.empty();
   private boolean showing;
-  private boolean other;
+
+  /** What was shown before another thing; empty while the same thing is shown. */
+  private Optional<T> other = Optional.empty();
+
+  private String prefix = "";
+
+  /** The sections that rows are being added to, the innermost one first. */
+  private final Deque<Predicate<T>> within = new ArrayDeque<>();
+
+  /** What is shown and hidden with a section. */
+  private final Set<Component> inSections = Collections.newSetFromMap(new IdentityHashMap<>());
+
   private Runnable nothing = () -> {};
   private Measures measures = Measures.USUAL;
 
@@ -104,11 +124,20 @@ public final class PartsForm<T> {
     showing = false;
   }
 
-  /** Shows another thing: what was typed for the last one goes. */
+  /**
+   * Shows another thing. What was typed for the last one and cannot be taken is there again when
+   * that one is.
+   */
   public void showOther(T next) {
-    other = true;
+    other = value.or(() -> Optional.of(next));
     show(next);
-    other = false;
+    other = Optional.empty();
+  }
+
+  /** Has the names of rows begin so from now on, after the form's id. */
+  public PartsForm<T> naming(String before) {
+    prefix = before;
+    return this;
   }
 
   private String why(Change<T> change, String text) {
@@ -135,13 +164,18 @@ public final class PartsForm<T> {
                 tip)
             .withTip(tip);
     field.whenNothing(() -> nothing.run());
+    Map<T, String> left = new HashMap<>();
     followers.add(
         now -> {
-          if (other) {
-            field.show(text.apply(now));
-          } else {
+          if (other.isEmpty()) {
             field.follow(text.apply(now));
+            return;
           }
+          if (!field.refusal().isEmpty()) {
+            left.put(other.get(), field.getText());
+          }
+          field.show(text.apply(now));
+          Optional.ofNullable(left.remove(now)).ifPresent(field::setText);
         });
     return field;
   }
@@ -168,7 +202,7 @@ public final class PartsForm<T> {
   }
 
   private String nameOf(String label) {
-    return label.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
+    return prefix + label.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "-");
   }
 
   /** A row for a text. */
@@ -181,6 +215,46 @@ public final class PartsForm<T> {
   public PartsForm<T> numberRow(
       String label, Measure unit, ToDoubleFunction<T> get, BiFunction<T, Double, T> with) {
     row(label, number(nameOf(label), label, unit, get, with), unit(unit));
+    return this;
+  }
+
+  /**
+   * A row for a number that may be left out.
+   *
+   * @param hint about it; asked again whenever it is shown
+   * @param standing what holds where it is left out, to be seen in the empty field
+   */
+  public PartsForm<T> optionalNumber(
+      String label,
+      Supplier<String> hint,
+      Measure unit,
+      OptionalDouble standing,
+      Function<T, OptionalDouble> get,
+      BiFunction<T, OptionalDouble, T> with) {
+    EntryField field =
+        entry(
+            nameOf(label),
+            label,
+            now -> {
+              OptionalDouble number = get.apply(now);
+              return number.isPresent() ? measures.of(unit).text(number.getAsDouble()) : "";
+            },
+            (before, text) ->
+                with.apply(
+                    before,
+                    text.isBlank()
+                        ? OptionalDouble.empty()
+                        : OptionalDouble.of(measures.of(unit).parse(text))));
+    field.setHorizontalAlignment(JLabel.TRAILING);
+    followers.add(
+        now -> {
+          field.withTip(hint.get());
+          standing.ifPresent(
+              value ->
+                  field.putClientProperty(
+                      "JTextField.placeholderText", measures.of(unit).text(value)));
+        });
+    row(label, field, unit(unit));
     return this;
   }
 
@@ -202,7 +276,22 @@ public final class PartsForm<T> {
       Function<C, String> words,
       Function<T, C> get,
       BiFunction<T, C, T> with) {
-    JComboBox<C> box = TitledCard.named(new JComboBox<C>(), id + "-" + nameOf(label), label);
+    return choice(label, label, choices, words, get, with);
+  }
+
+  /**
+   * A row for one of several.
+   *
+   * @param tip what it is for
+   */
+  public <C> PartsForm<T> choice(
+      String label,
+      String tip,
+      Function<T, List<C>> choices,
+      Function<C, String> words,
+      Function<T, C> get,
+      BiFunction<T, C, T> with) {
+    JComboBox<C> box = TitledCard.named(new JComboBox<C>(), id + "-" + nameOf(label), tip);
     box.setRenderer(new Words<>(words));
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
     List<C> shown = new ArrayList<>();
@@ -262,7 +351,17 @@ public final class PartsForm<T> {
   /** A row for yes or no. */
   public PartsForm<T> check(
       String label, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
-    JCheckBox box = TitledCard.named(new JCheckBox(label), id + "-" + nameOf(label), label);
+    return check(label, label, get, with);
+  }
+
+  /**
+   * A row for yes or no.
+   *
+   * @param tip what it is for
+   */
+  public PartsForm<T> check(
+      String label, String tip, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
+    JCheckBox box = TitledCard.named(new JCheckBox(label), id + "-" + nameOf(label), tip);
     box.setOpaque(false);
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
     followers.add(
@@ -328,12 +427,15 @@ public final class PartsForm<T> {
    */
   public PartsForm<T> section(Predicate<T> when, Runnable rows) {
     int from = panel.getComponentCount();
+    Predicate<T> all = within.stream().reduce(when, Predicate::and);
+    within.push(when);
     rows.run();
+    within.pop();
     List<Component> own =
-        Arrays.asList(panel.getComponents()).subList(from, panel.getComponentCount());
+        Arrays.stream(panel.getComponents()).skip(from).filter(inSections::add).toList();
     followers.add(
         now -> {
-          boolean on = when.test(now);
+          boolean on = all.test(now);
           for (Component each : own) {
             // remarks are there when they have something to say
             each.setVisible(on && (!(each instanceof Remark) || each.isVisible()));

@@ -1,0 +1,119 @@
+package org.pendant.controller.device;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.pendant.models.json.Range;
+
+/** Device field: what a device of a kind may have in the file of a scene. */
+public sealed interface DeviceField {
+  /** Its key in the file. */
+  String key();
+
+  /** What people call it. */
+  String title();
+
+  /** What it says, in words behind its title. */
+  String help();
+
+  /** Whether a device must have it. */
+  boolean required();
+
+  /**
+   * Yes or no.
+   *
+   * @param standing what holds where a file says nothing
+   */
+  record Flag(String key, String title, String help, boolean standing) implements DeviceField {
+    @Override
+    public boolean required() {
+      return false;
+    }
+  }
+
+  /**
+   * A number.
+   *
+   * @param range what it may be, in SI
+   * @param standing what holds where a file says nothing; empty for nothing
+   * @param whole whether it has no fraction
+   */
+  record Amount(
+      String key,
+      String title,
+      String help,
+      Range range,
+      OptionalDouble standing,
+      boolean required,
+      boolean whole)
+      implements DeviceField {}
+
+  /**
+   * An object of the scene, by its name.
+   *
+   * @param moves whether it has a mass; otherwise it is a box that stands still
+   */
+  record Subject(String key, String title, String help, boolean moves) implements DeviceField {
+    /** What it must be, in words. */
+    public String kind() {
+      return moves ? "an object with a mass" : "a box that stands still";
+    }
+
+    @Override
+    public boolean required() {
+      return true;
+    }
+  }
+
+  /**
+   * The wire to a digital signal.
+   *
+   * @param input whether the device sets the signal, which is an input of the controller then; it
+   *     watches the signal otherwise
+   */
+  record Wire(String key, String title, String help, boolean input, boolean required)
+      implements DeviceField {}
+
+  /**
+   * A place in the base frame, three numbers.
+   *
+   * @param range of each
+   */
+  record Place(String key, String title, String help, Range range) implements DeviceField {
+    @Override
+    public boolean required() {
+      return true;
+    }
+  }
+
+  /**
+   * A pose in the flange, six numbers; where there is none, that of the active tool centre point.
+   *
+   * @param position range of the first three
+   * @param rotation range of the others
+   */
+  record Spot(String key, String title, String help, Range position, Range rotation)
+      implements DeviceField {
+    @Override
+    public boolean required() {
+      return false;
+    }
+  }
+
+  /**
+   * Several fields in an object of their own.
+   *
+   * @param fields none of which must be there
+   */
+  record Group(String key, String title, String help, List<DeviceField> fields)
+      implements DeviceField {
+    /** Copies the list. */
+    public Group {
+      fields = List.copyOf(fields);
+    }
+
+    @Override
+    public boolean required() {
+      return false;
+    }
+  }
+}

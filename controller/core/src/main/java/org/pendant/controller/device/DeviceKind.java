@@ -1,0 +1,283 @@
+package org.pendant.controller.device;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
+import org.pendant.controller.world.HandSetup;
+import org.pendant.models.json.Range;
+
+/**
+ * Device kind: what there is of devices, and what each may have in the file of a scene besides its
+ * type and name. Files are read, and forms are made, by these.
+ *
+ * @param type as files say it
+ * @param title as people say it
+ * @param reached what programs reach it by, in words
+ */
+public record DeviceKind(String type, String title, String reached, List<DeviceField> fields) {
+  /** Parts that all sources have at most: each is looked at in every frame. */
+  static final int MAX_PARTS = 100;
+
+  private static final String SIGNALS = "outputs and inputs";
+  private static final Range STROKE = new Range(0.001, 1, "m");
+  private static final Range TIME = new Range(0.01, 60, "s");
+  private static final Range POSITION = new Range(-10, 10, "m");
+  private static final Range SPOT = new Range(-4, 4, "m");
+  private static final Range ROTATION = new Range(-100, 100, "rad");
+  private static final Range DISTANCE = new Range(0.001, 10, "m");
+
+  /** All kinds, as documentation lists them. */
+  public static final List<DeviceKind> ALL =
+      List.of(
+          twoFinger("two-finger", "Two-finger gripper", "a socket to 127.0.0.1:63352", true),
+          twoFinger(
+              "two-finger-tool",
+              "Two-finger gripper by Modbus RTU",
+              "Modbus RTU on the serial line of the tool",
+              false),
+          procedures("rg", "Gripper rg, 110 mm", DeviceSetup.RpcGripper.RG_STROKE_M),
+          procedures("2fg", "Gripper 2fg, 39 mm", DeviceSetup.RpcGripper.TWO_FG_STROKE_M),
+          new DeviceKind(
+              "gripper",
+              "Gripper driven by outputs",
+              SIGNALS,
+              List.of(
+                  close(),
+                  open(),
+                  closed(),
+                  opened(),
+                  told("gripped", "Gripped", "the input that tells that it holds something"),
+                  amount("stroke", "Stroke", "how far it opens", STROKE, 0.05),
+                  time("from end to end", 0.2),
+                  part(STROKE.most()),
+                  fingers())),
+          new DeviceKind(
+              "vacuum",
+              "Vacuum gripper",
+              SIGNALS,
+              List.of(
+                  new DeviceField.Wire("suck", "Suck", "the output that sucks", false, true),
+                  told("holds", "Holds", "the input that tells that it holds something"),
+                  time("in which the vacuum builds up, and goes", 0.15),
+                  new DeviceField.Flag("part", "Part", "there is a part to hold", false),
+                  cup())),
+          new DeviceKind(
+              "door",
+              "Door",
+              SIGNALS,
+              List.of(close(), open(), closed(), opened(), time("from end to end", 2))),
+          sensor(
+              "light-barrier",
+              "Light barrier",
+              place("from", "From", "one end of the beam"),
+              place("to", "To", "the other end of the beam"),
+              amount("radius", "Radius", "how near to the beam is seen", DISTANCE, 0.01)),
+          sensor(
+              "proximity",
+              "Proximity sensor",
+              place("at", "At", "where it is"),
+              wanted("range", "Range", "how near is seen", DISTANCE)),
+          sensor(
+              "area",
+              "Watched area",
+              place("min", "Least", "the corner with the least numbers"),
+              place("max", "Greatest", "the corner with the greatest numbers")),
+          new DeviceKind(
+              "belt",
+              "Belt",
+              "an output, and an encoder",
+              List.of(
+                  new DeviceField.Subject(
+                      "object", "Box", "whose surface runs along its own x", false),
+                  wanted("speed", "Speed", "while it runs", new Range(-2, 2, "m/s")),
+                  amount(
+                      "acceleration",
+                      "Acceleration",
+                      "with which it starts and stops",
+                      new Range(0.01, 100, "m/s^2"),
+                      1),
+                  new DeviceField.Wire(
+                      "run",
+                      "Run",
+                      "the output that has it run; without one it always does",
+                      false,
+                      false),
+                  optional(
+                      "encoder", "Encoder", "the one that it turns", new Range(0, 1, ""), true),
+                  optional(
+                      "ticks",
+                      "Ticks per m",
+                      "of the encoder",
+                      new Range(1, 100_000, "ticks/m"),
+                      false))),
+          new DeviceKind(
+              "source",
+              "Source of parts",
+              "an output",
+              List.of(
+                  new DeviceField.Subject(
+                      "object", "Part", "another one like it comes where it was at first", true),
+                  optional("every", "Every", "how often", new Range(0.01, 3600, "s"), false),
+                  new DeviceField.Wire(
+                      "when", "When", "the output that has one come when it rises", false, false),
+                  new DeviceField.Amount(
+                      "count",
+                      "Count",
+                      "how many there are at most, the object itself among them",
+                      new Range(1, MAX_PARTS, ""),
+                      OptionalDouble.of(10),
+                      false,
+                      true))),
+          new DeviceKind(
+              "sink",
+              "Sink of parts",
+              "nothing: it takes away what is there",
+              List.of(
+                  place("min", "Least", "the corner with the least numbers"),
+                  place("max", "Greatest", "the corner with the greatest numbers"))));
+
+  /** Copies the list. */
+  public DeviceKind {
+    fields = List.copyOf(fields);
+  }
+
+  /** The kind that files call so. */
+  public static Optional<DeviceKind> of(String type) {
+    return ALL.stream().filter(each -> each.type.equals(type)).findFirst();
+  }
+
+  /** Whether a device of it needs nothing but its name. */
+  public boolean plain() {
+    return fields.stream().noneMatch(DeviceField::required);
+  }
+
+  private static DeviceKind twoFinger(
+      String type, String title, String reached, boolean activated) {
+    return new DeviceKind(
+        type,
+        title,
+        reached,
+        List.of(
+            new DeviceField.Flag(
+                "activated", "Activated", "it was activated before programs begin", activated),
+            part(DeviceSetup.TwoFinger.STROKE_M),
+            fingers()));
+  }
+
+  private static DeviceKind procedures(String type, String title, double strokeM) {
+    return new DeviceKind(
+        type, title, "XML-RPC at http://localhost:41414", List.of(part(strokeM), fingers()));
+  }
+
+  private static DeviceKind sensor(String type, String title, DeviceField... zone) {
+    return new DeviceKind(
+        type,
+        title,
+        "an input",
+        Stream.concat(
+                Stream.of(
+                    new DeviceField.Wire("signal", "Signal", "the input that it sets", true, true),
+                    new DeviceField.Flag(
+                        "inverted", "Inverted", "the input is high while it sees nothing", false)),
+                Stream.of(zone))
+            .toList());
+  }
+
+  private static DeviceField close() {
+    return new DeviceField.Wire("close", "Close", "the output that closes it", false, true);
+  }
+
+  private static DeviceField open() {
+    return new DeviceField.Wire(
+        "open",
+        "Open",
+        "the output that opens it; without one it opens while the other is low",
+        false,
+        false);
+  }
+
+  private static DeviceField closed() {
+    return told("closed", "Closed", "the input of the end switch there");
+  }
+
+  private static DeviceField opened() {
+    return told("opened", "Opened", "the input of the end switch there");
+  }
+
+  private static DeviceField told(String key, String title, String help) {
+    return new DeviceField.Wire(key, title, help, true, false);
+  }
+
+  private static DeviceField time(String help, double standingS) {
+    return amount("time", "Time", help, TIME, standingS);
+  }
+
+  private static DeviceField fingers() {
+    HandSetup.Grip.Pads plain = HandSetup.Grip.Pads.DEFAULT;
+    return new DeviceField.Group(
+        "fingers",
+        "Fingertips",
+        "what grips objects that move",
+        List.of(
+            spot("middle between the fingertips"),
+            amount("width", "Width", "of the pads, along x", HandSetup.Grip.LENGTH, plain.widthM()),
+            amount(
+                "length", "Length", "of the pads, along z", HandSetup.Grip.LENGTH, plain.lengthM()),
+            friction()));
+  }
+
+  private static DeviceField cup() {
+    HandSetup.Grip.Cup plain = HandSetup.Grip.Cup.DEFAULT;
+    return new DeviceField.Group(
+        "cup",
+        "Cup",
+        "what grips objects that move",
+        List.of(
+            spot("middle of its lip"),
+            amount("radius", "Radius", "of its lip", HandSetup.Grip.LENGTH, plain.radiusM()),
+            amount(
+                "reach",
+                "Reach",
+                "how far from it a surface may be",
+                HandSetup.Grip.LENGTH,
+                plain.reachM()),
+            amount("force", "Force", "with which it holds", HandSetup.Grip.FORCE, plain.forceN()),
+            friction()));
+  }
+
+  private static DeviceField spot(String what) {
+    return new DeviceField.Spot(
+        "at", "At", what + ", in the flange: z goes on, fingers close along y", SPOT, ROTATION);
+  }
+
+  private static DeviceField friction() {
+    return amount("friction", "Friction", "coefficient", HandSetup.FRICTION, HandSetup.RUBBER);
+  }
+
+  private static DeviceField part(double mostM) {
+    return amount(
+        "part", "Part", "width of a part between the fingers", new Range(0, mostM, "m"), 0);
+  }
+
+  private static DeviceField amount(
+      String key, String title, String help, Range range, double standing) {
+    return new DeviceField.Amount(
+        key, title, help, range, OptionalDouble.of(standing), false, false);
+  }
+
+  /** A number that must be there. */
+  private static DeviceField wanted(String key, String title, String help, Range range) {
+    return new DeviceField.Amount(key, title, help, range, OptionalDouble.empty(), true, false);
+  }
+
+  /** A number that may be left out, which means that there is nothing of that. */
+  private static DeviceField optional(
+      String key, String title, String help, Range range, boolean whole) {
+    return new DeviceField.Amount(key, title, help, range, OptionalDouble.empty(), false, whole);
+  }
+
+  private static DeviceField place(String key, String title, String help) {
+    return new DeviceField.Place(key, title, help, POSITION);
+  }
+}

@@ -1,0 +1,328 @@
+package org.pendant.desktop.cell;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.BinaryOperator;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.pendant.controller.device.DeviceField;
+import org.pendant.controller.device.DeviceKind;
+import org.pendant.controller.io.Signal;
+import org.pendant.controller.io.SignalBank;
+import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.unit.PoseRows;
+import org.pendant.desktop.unit.RotationChoice;
+import org.pendant.kit.form.Measure;
+import org.pendant.kit.form.Measures;
+import org.pendant.kit.form.PartsForm;
+import org.pendant.models.json.Range;
+import org.pendant.models.pose.Pose;
+
+/** Device form: a row for each field that devices have, as their kinds declare them. */
+final class DeviceForm {
+  private static final String NONE = "none";
+
+  /** Where fingers are at first that are not at the TCP, in the flange. */
+  private static final Pose FIRST_SPOT = new Pose(0, 0, 0.15, 0, 0, 0);
+
+  /** How near a new proximity sensor sees, m, and how fast a new belt is, m/s. */
+  private static final double FIRST_NUMBER = 0.05;
+
+  /** A source has to say when, in one way or another. */
+  private static final String SOURCE = "source";
+
+  private static final double FIRST_EVERY_S = 2;
+
+  /** Says that an object has to be there first. */
+  private static final String NO_SUBJECT = "none";
+
+  private final PartsForm<DeviceText> form;
+  private final Measures measures;
+  private final RotationChoice rotation;
+  private final UnaryOperator<String> signalName;
+  private final Supplier<Scene> scene;
+  private final Set<String> kinds = new HashSet<>();
+
+  /**
+   * Fills a form.
+   *
+   * @param measures in which lengths are shown
+   * @param rotation how rotations are shown
+   * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
+   * @param scene whose objects devices work with
+   */
+  DeviceForm(
+      PartsForm<DeviceText> form,
+      Measures measures,
+      RotationChoice rotation,
+      UnaryOperator<String> signalName,
+      Supplier<Scene> scene) {
+    this.scene = scene;
+    this.form = form.in(measures);
+    this.measures = measures;
+    this.rotation = rotation;
+    this.signalName = signalName;
+    form.text("Name", DeviceText::name, (device, name) -> device.named(name.strip()));
+  }
+
+  /** Has rows for the kinds of these devices: made when the first one of a kind is there. */
+  void provide(List<DeviceText> devices) {
+    for (DeviceText device : devices) {
+      DeviceKind.of(device.type()).filter(kind -> kinds.add(kind.type())).ifPresent(this::add);
+    }
+  }
+
+  private void add(DeviceKind kind) {
+    form.naming(kind.type() + "-");
+    form.section(
+        device -> device.type().equals(kind.type()),
+        () -> {
+          Part whole = new Part(device -> device, (device, next) -> next, kind.type());
+          kind.fields().forEach(each -> addRow(each, whole));
+          form.note("Programs reach it by " + kind.reached() + ".");
+        });
+    form.naming("");
+  }
+
+  /**
+   * The part of a device that has some fields: all of it, or an object in it.
+   *
+   * @param name with which names of fields begin
+   */
+  private record Part(UnaryOperator<DeviceText> get, BinaryOperator<DeviceText> with, String name) {
+    Part inner(String key) {
+      return new Part(
+          device -> get.apply(device).inner(key),
+          (device, next) -> with.apply(device, get.apply(device).withInner(key, next)),
+          name + "-" + key);
+    }
+
+    DeviceText change(DeviceText device, UnaryOperator<DeviceText> change) {
+      return with.apply(device, change.apply(get.apply(device)));
+    }
+  }
+
+  private void addRow(DeviceField field, Part part) {
+    switch (field) {
+      case DeviceField.Flag flag ->
+          form.check(
+              flag.title(),
+              flag.title() + ": " + flag.help(),
+              device -> part.get.apply(device).flag(flag.key(), flag.standing()),
+              (device, on) ->
+                  part.change(device, text -> text.withFlag(flag.key(), on, flag.standing())));
+      case DeviceField.Amount amount -> addAmount(amount, part);
+      case DeviceField.Wire wire -> addWire(wire, part);
+      case DeviceField.Place place -> addPlace(place, part);
+      case DeviceField.Subject subject ->
+          form.choice(
+              subject.title(),
+              subject.title() + ": " + subject.help(),
+              device -> subjects(subject, scene.get()),
+              name -> name,
+              device -> part.get.apply(device).text(subject.key()),
+              (device, name) -> part.change(device, text -> text.withText(subject.key(), name)));
+      case DeviceField.Spot spot -> addSpot(spot, part);
+      case DeviceField.Group group -> {
+        form.heading(group.title() + ": " + group.help());
+        Part inner = part.inner(group.key());
+        form.naming(inner.name + "-");
+        group.fields().forEach(each -> addRow(each, inner));
+        form.naming(part.name + "-");
+      }
+    }
+  }
+
+  private void addPlace(DeviceField.Place place, Part part) {
+    form.heading(place.title() + ": " + place.help());
+    Axes.addTo(
+        form,
+        place.title(),
+        Measure.MILLIMETRE,
+        device -> part.get.apply(device).place(place.key()),
+        (device, at) -> {
+          for (double each : List.of(at.x(), at.y(), at.z())) {
+            require(place.range(), each, measures.of(Measure.MILLIMETRE));
+          }
+          return part.change(device, text -> text.withPlace(place.key(), at));
+        });
+  }
+
+  private void addSpot(DeviceField.Spot spot, Part part) {
+    form.check(
+        "At the active TCP",
+        spot.title() + ": " + spot.help(),
+        device -> part.get.apply(device).pose(spot.key()).isEmpty(),
+        (device, on) ->
+            part.change(
+                device,
+                text ->
+                    text.withPose(spot.key(), on ? Optional.empty() : Optional.of(FIRST_SPOT))));
+    form.section(
+        device -> part.get.apply(device).pose(spot.key()).isPresent(),
+        () ->
+            PoseRows.addTo(
+                form,
+                part.name + "-" + spot.key(),
+                rotation,
+                device -> part.get.apply(device).pose(spot.key()).orElse(Pose.ZERO),
+                (device, pose) ->
+                    part.change(device, text -> text.withPose(spot.key(), Optional.of(pose))),
+                device -> true));
+  }
+
+  private void addAmount(DeviceField.Amount amount, Part part) {
+    Measure usual = measure(amount.range());
+    form.optionalNumber(
+        amount.title(),
+        () -> hint(amount, measures.of(usual)),
+        usual,
+        amount.standing(),
+        device -> part.get.apply(device).number(amount.key()),
+        (device, number) -> {
+          Measure unit = measures.of(usual);
+          if (number.isEmpty() && amount.required()) {
+            throw new IllegalArgumentException("empty, must be a number in " + unit.symbol());
+          }
+          number.ifPresent(value -> require(amount.range(), value, unit));
+          if (amount.whole() && number.isPresent() && number.getAsDouble() % 1 != 0) {
+            throw new IllegalArgumentException("must be a whole number");
+          }
+          return part.change(device, text -> text.withNumber(amount.key(), number));
+        });
+  }
+
+  private static Measure measure(Range range) {
+    return switch (range.unit()) {
+      case "m" -> Measure.MILLIMETRE;
+      case "s" -> Measure.SECOND;
+      case "N" -> Measure.NEWTON;
+      case "m/s" -> Measure.MILLIMETRE_PER_S;
+      case "m/s^2" -> Measure.MILLIMETRE_PER_S2;
+      default -> Measure.PLAIN;
+    };
+  }
+
+  /** Such as {@code Time: from end to end, 0.01 to 60 s, 0.2 s where nothing is typed}. */
+  private static String hint(DeviceField.Amount amount, Measure unit) {
+    OptionalDouble standing = amount.standing();
+    return amount.title()
+        + ": "
+        + amount.help()
+        + ", "
+        + span(amount.range(), unit)
+        + (standing.isPresent()
+            ? "; " + unit.words(standing.getAsDouble()) + " where nothing is typed"
+            : "");
+  }
+
+  private static String span(Range range, Measure unit) {
+    return unit.text(range.least()) + " to " + unit.words(range.most());
+  }
+
+  private static void require(Range range, double value, Measure unit) {
+    if (!range.holds(value)) {
+      throw new IllegalArgumentException(
+          "is " + unit.words(value) + ", must be " + span(range, unit));
+    }
+  }
+
+  private void addWire(DeviceField.Wire wire, Part part) {
+    List<String> signals = signals(wire);
+    form.choice(
+        wire.title(),
+        wire.title() + ": " + wire.help(),
+        device -> signals,
+        this::words,
+        device -> part.get.apply(device).text(wire.key()),
+        (device, signal) -> part.change(device, text -> text.withText(wire.key(), signal)));
+  }
+
+  private static List<String> signals(DeviceField.Wire wire) {
+    Stream<String> all =
+        Arrays.stream(SignalBank.values())
+            .filter(bank -> bank != SignalBank.FLAG && bank.input() == wire.input())
+            .flatMap(bank -> IntStream.range(0, bank.size()).mapToObj(i -> new Signal(bank, i)))
+            .map(Signal::toString);
+    return Stream.concat(wire.required() ? Stream.of() : Stream.of(""), all).toList();
+  }
+
+  private String words(String signal) {
+    String name = signal.isEmpty() ? NONE : signalName.apply(signal);
+    return signal.isEmpty() || name.isEmpty() ? signal + name : signal + "  " + name;
+  }
+
+  /** The names of the objects that a device can work with. */
+  private static List<String> subjects(DeviceField.Subject subject, Scene scene) {
+    return scene.objects().stream()
+        .filter(
+            each ->
+                subject.moves()
+                    ? each.massKg() > 0
+                    : each instanceof SceneObject.Box && each.massKg() == 0)
+        .map(SceneObject::name)
+        .toList();
+  }
+
+  /** A device of a kind that a scene can have, where arms reach. */
+  static DeviceText fresh(DeviceKind kind, List<DeviceText> others, Scene scene) {
+    DeviceText device = DeviceText.of(kind, freshName(kind.type(), others));
+    Set<String> used = new HashSet<>();
+    others.forEach(each -> used.addAll(each.texts()));
+    for (DeviceField field : kind.fields()) {
+      if (field.required()) {
+        device =
+            switch (field) {
+              case DeviceField.Wire wire -> device.withText(wire.key(), free(wire, used));
+              case DeviceField.Amount amount ->
+                  device.withNumber(amount.key(), OptionalDouble.of(FIRST_NUMBER));
+              case DeviceField.Place place -> device.withPlace(place.key(), first(place.key()));
+              case DeviceField.Subject subject ->
+                  device.withText(
+                      subject.key(),
+                      subjects(subject, scene).stream().findFirst().orElse(NO_SUBJECT));
+              case DeviceField.Flag _, DeviceField.Spot _, DeviceField.Group _ -> device;
+            };
+      }
+    }
+    return kind.type().equals(SOURCE)
+        ? device.withNumber("every", OptionalDouble.of(FIRST_EVERY_S))
+        : device;
+  }
+
+  /** In front of the base: a beam from side to side, or a box. */
+  private static Vector3 first(String key) {
+    return switch (key) {
+      case "from" -> new Vector3(0.4, -0.3, 0.2);
+      case "to" -> new Vector3(0.4, 0.3, 0.2);
+      case "min" -> new Vector3(0.3, -0.1, 0);
+      case "max" -> new Vector3(0.5, 0.1, 0.2);
+      default -> new Vector3(0.4, 0, 0.2);
+    };
+  }
+
+  private static String free(DeviceField.Wire wire, Set<String> used) {
+    List<String> all = signals(wire);
+    return all.stream().filter(each -> !used.contains(each)).findFirst().orElse(all.getFirst());
+  }
+
+  private static String freshName(String type, List<DeviceText> others) {
+    String name = type;
+    for (int i = 2; isUsed(name, others); i++) {
+      name = type + "_" + i;
+    }
+    return name;
+  }
+
+  private static boolean isUsed(String name, List<DeviceText> others) {
+    return others.stream().anyMatch(each -> each.name().equals(name));
+  }
+}

@@ -1,0 +1,83 @@
+package org.pendant.desktop.cell;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import javax.swing.JComponent;
+import org.pendant.controller.device.DeviceKind;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.unit.RotationChoice;
+import org.pendant.kit.form.Items;
+import org.pendant.kit.form.Measures;
+import org.pendant.kit.layout.TitledCard;
+
+/** Devices card: grippers, doors and sensors of the cell, and a form for the chosen one. */
+final class DevicesCard {
+  private final SceneDraft draft;
+  private final TitledCard card = new TitledCard("Devices", "[grow, fill]");
+  private final Items<DeviceText> items;
+  private final DeviceForm form;
+
+  /**
+   * @param measures in which lengths are shown
+   * @param rotation how rotations are shown
+   * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
+   */
+  DevicesCard(
+      SceneDraft draft,
+      Measures measures,
+      RotationChoice rotation,
+      UnaryOperator<String> signalName) {
+    this.draft = draft;
+    items =
+        new Items<>(
+            "cell-device",
+            "Devices of the cell",
+            "None. Grippers, doors and sensors answer the program.",
+            new Drafted(),
+            each -> each.name() + "  (" + each.title() + ")");
+    Map<String, Supplier<DeviceText>> kinds = new LinkedHashMap<>();
+    for (DeviceKind kind : DeviceKind.ALL) {
+      kinds.put(kind.title(), () -> DeviceForm.fresh(kind, devices(), draft.scene()));
+    }
+    items.adders("Add", kinds);
+    form = new DeviceForm(items.form(), measures, rotation, signalName, draft::scene);
+    card.add(items.component());
+  }
+
+  private List<DeviceText> devices() {
+    return Equipment.devices(draft.equipment());
+  }
+
+  /** The devices of the draft. */
+  private final class Drafted implements Items.Model<DeviceText> {
+    @Override
+    public List<DeviceText> list() {
+      return devices();
+    }
+
+    @Override
+    public String refusal(List<DeviceText> next) {
+      return Equipment.refusal(draft.scene(), Equipment.with(draft.equipment(), next));
+    }
+
+    @Override
+    public void take(
+        List<DeviceText> next, Optional<DeviceText> before, Optional<DeviceText> after) {
+      draft.setEquipment(Equipment.with(draft.equipment(), next));
+    }
+  }
+
+  JComponent component() {
+    return card;
+  }
+
+  /** Shows the draft. */
+  void show() {
+    form.provide(devices());
+    items.show();
+  }
+}

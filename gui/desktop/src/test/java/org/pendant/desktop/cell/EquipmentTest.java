@@ -1,0 +1,39 @@
+package org.pendant.desktop.cell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.device.DeviceKind;
+import org.pendant.controller.world.Scene;
+
+final class EquipmentTest {
+  @Test
+  void everyKindHasADeviceToBeginWith() {
+    for (DeviceKind kind : DeviceKind.ALL) {
+      DeviceText fresh = DeviceForm.fresh(kind, List.of(), Scene.EMPTY);
+      String refusal = Equipment.refusal(Scene.EMPTY, Equipment.with(Map.of(), List.of(fresh)));
+      // belts and sources need an object first
+      assertTrue(refusal.isEmpty() || refusal.startsWith("object is \"none\""), refusal);
+    }
+  }
+
+  @Test
+  void devicesKeepWhatTheFileSaysOfThem() {
+    String written =
+        "[\n    {\"type\": \"rg\", \"name\": \"left\", \"part\": 0.03,"
+            + " \"fingers\": {\"at\": [0, 0, 0.1, 0, 0, 0], \"friction\": 1}}\n  ]";
+    assertEquals(written, DeviceText.write(DeviceText.read(written)));
+  }
+
+  @Test
+  void namesOfNewDevicesDiffer() {
+    DeviceKind door = DeviceKind.of("door").orElseThrow();
+    DeviceText first = DeviceForm.fresh(door, List.of(), Scene.EMPTY);
+    DeviceText second = DeviceForm.fresh(door, List.of(first), Scene.EMPTY);
+    assertEquals("door_2", second.name());
+    assertEquals("digital_out[1]", second.text("close"));
+  }
+}
