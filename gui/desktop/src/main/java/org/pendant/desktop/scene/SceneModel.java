@@ -28,6 +28,7 @@ import org.pendant.models.pose.Pose;
  * @param waypointMarkers the places that a program goes to
  * @param safety what is to be seen of the safety functions
  * @param compared ways of the tool in variants of a run
+ * @param devices what is to be seen of the devices of the cell
  */
 public record SceneModel(
     ArmDescription arm,
@@ -43,7 +44,8 @@ public record SceneModel(
     SceneTheme theme,
     WaypointMarkers waypointMarkers,
     SafetySight safety,
-    ComparedWays compared) {
+    ComparedWays compared,
+    DeviceSight devices) {
 
   /** Copies the collections. */
   public SceneModel {
@@ -67,7 +69,8 @@ public record SceneModel(
         SceneTheme.LIGHT,
         WaypointMarkers.NONE,
         SafetySight.NONE,
-        ComparedWays.NONE);
+        ComparedWays.NONE,
+        DeviceSight.NONE);
   }
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
@@ -86,7 +89,8 @@ public record SceneModel(
         theme,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
@@ -104,7 +108,8 @@ public record SceneModel(
         theme,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withTool(Pose tcp) {
@@ -122,7 +127,8 @@ public record SceneModel(
         theme,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
@@ -140,7 +146,8 @@ public record SceneModel(
         theme,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withPayload(Optional<Ball> ball) {
@@ -158,7 +165,8 @@ public record SceneModel(
         theme,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
@@ -176,7 +184,8 @@ public record SceneModel(
         theme,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withTrace(TcpTrace way) {
@@ -194,7 +203,8 @@ public record SceneModel(
         theme,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withTheme(SceneTheme colours) {
@@ -212,7 +222,8 @@ public record SceneModel(
         colours,
         waypointMarkers,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withWaymarks(WaypointMarkers marks) {
@@ -230,7 +241,8 @@ public record SceneModel(
         theme,
         marks,
         safety,
-        compared);
+        compared,
+        devices);
   }
 
   public SceneModel withSafety(SafetySight sight) {
@@ -248,7 +260,27 @@ public record SceneModel(
         theme,
         waypointMarkers,
         sight,
-        compared);
+        compared,
+        devices);
+  }
+
+  public SceneModel withDevices(DeviceSight sight) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers,
+        safety,
+        compared,
+        sight);
   }
 
   /** Pose of the tool centre point in the base frame. */

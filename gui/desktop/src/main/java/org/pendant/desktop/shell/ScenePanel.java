@@ -22,6 +22,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import org.pendant.command.service.StandardView;
+import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeaturePoses;
@@ -37,6 +38,7 @@ import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.move.GhostArm;
 import org.pendant.desktop.scene.ArmTrace;
 import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.JointFrames;
 import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.PayloadBall;
@@ -117,6 +119,7 @@ final class ScenePanel implements View, GhostArm {
   private Optional<Near> margins = Optional.empty();
   private Supplier<ComparedWays> compared = () -> ComparedWays.NONE;
   private Supplier<Optional<Scene>> proposed = Optional::empty;
+  private Supplier<Optional<List<DeviceSetup>>> proposedDevices = Optional::empty;
   private long changedNs;
 
   /** An arm and what is around it: people may change both at any time. */
@@ -142,7 +145,8 @@ final class ScenePanel implements View, GhostArm {
       WaypointMarkers waypointMarkers,
       SafetySight safety,
       Set<String> hit,
-      ComparedWays compared) {}
+      ComparedWays compared,
+      DeviceSight devices) {}
 
   /**
    * The arm.
@@ -280,6 +284,11 @@ final class ScenePanel implements View, GhostArm {
     proposed = draft;
   }
 
+  /** Where to ask for the devices that people change and have not applied yet. */
+  void setProposedDevices(Supplier<Optional<List<DeviceSetup>>> draft) {
+    proposedDevices = draft;
+  }
+
   /** Shows the features of an installation that are finished. */
   void show(List<Feature> installed) {
     List<WaypointMarkers.Mark> marks = new ArrayList<>();
@@ -340,7 +349,8 @@ final class ScenePanel implements View, GhostArm {
             marks(),
             safety.sight(state, arm.actualPositionRad()),
             hit(state, around.scene),
-            compared.get());
+            compared.get(),
+            devices(state));
     if (seen.equals(Optional.of(now))) {
       return;
     }
@@ -348,6 +358,14 @@ final class ScenePanel implements View, GhostArm {
     changedNs = System.nanoTime();
     moving.start();
     picture.setModel(model(now, arm));
+  }
+
+  private DeviceSight devices(ControllerState state) {
+    Optional<List<DeviceSetup>> draft = proposedDevices.get();
+    return DeviceSight.of(
+        draft.orElseGet(() -> workbench.session().options().equipment().devices()),
+        state.devices(),
+        draft.isPresent());
   }
 
   /** How near the arm is to the limits that hold now. */
@@ -404,7 +422,8 @@ final class ScenePanel implements View, GhostArm {
         now.theme,
         now.waypointMarkers,
         now.safety,
-        now.compared);
+        now.compared,
+        now.devices);
   }
 
   /** What the tool touches, and what it ran into when it was stopped. */

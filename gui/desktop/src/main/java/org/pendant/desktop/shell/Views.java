@@ -193,6 +193,8 @@ final class Views {
     scene.setObjectHand(cell.hand(() -> showing(CellView.ID) && past.past().isEmpty()));
     scene.setProposedScene(
         () -> showing(CellView.ID) ? Optional.of(sceneDraft.scene()) : Optional.empty());
+    scene.setProposedDevices(
+        () -> showing(CellView.ID) ? Optional.of(sceneDraft.devices()) : Optional.empty());
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     tests = new TestsView(workbench, programs, editor, installation, runner::startsElsewhere);
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));

@@ -4,17 +4,22 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4f;
+import org.pendant.controller.world.HandSetup;
 import org.pendant.controller.world.Scene;
+import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.LinkPlaces;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.mesh.ArmMeshes;
 import org.pendant.desktop.scene.mesh.Detail;
+import org.pendant.desktop.scene.mesh.GripperMesh;
 import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.desktop.scene.mesh.Marks;
 import org.pendant.desktop.scene.mesh.Mesh;
 import org.pendant.desktop.scene.mesh.WorldMesh;
+import org.pendant.models.pose.Pose;
 import org.pendant.models.shape.ArmShapes;
 
 /** Bodies: the meshes of a model in the memory of the graphics, made again when they have to be. */
@@ -33,6 +38,20 @@ final class Bodies implements AutoCloseable {
   private Set<String> touched = Set.of();
   private Mesh.Box worldBox = new Mesh.Box(0, 0, 0, -1, -1, -1);
   private GpuMesh world = new GpuMesh(List.of());
+  private Optional<GripperOf> gripperNow = Optional.empty();
+  private List<Mesh.Box> gripperBoxes = List.of();
+  private GpuMesh gripper = new GpuMesh(List.of());
+
+  private record GripperOf(HandSetup.Grip grip, double reachM, double strokeM, boolean holds) {
+    static GripperOf of(DeviceSight.Gripper sight, Pose tcpInFlange) {
+      return new GripperOf(
+          sight.hand().grip(), sight.inFlange(tcpInFlange).z(), sight.strokeM(), sight.holds());
+    }
+
+    List<Mesh> meshes(Detail detail) {
+      return GripperMesh.of(grip, reachM, strokeM, holds, detail);
+    }
+  }
 
   /**
    * @param detail how finely they are cut
@@ -63,14 +82,30 @@ final class Bodies implements AutoCloseable {
       world.close();
       world = new GpuMesh(List.of(mesh));
     }
+    Optional<GripperOf> wanted =
+        model.devices().gripper().map(sight -> GripperOf.of(sight, model.tcpInFlange()));
+    if (!wanted.equals(gripperNow)) {
+      gripperNow = wanted;
+      List<Mesh> meshes = wanted.map(each -> each.meshes(detail)).orElse(List.of());
+      gripperBoxes = meshes.stream().map(Mesh::box).toList();
+      gripper.close();
+      gripper = new GpuMesh(meshes);
+    }
   }
 
-  /** Counts all that throws a shadow. */
-  void addTo(ShadowReach reach, LinkPlaces places) {
+  /**
+   * Counts all that throws a shadow.
+   *
+   * @param gripperPlaces of its meshes
+   */
+  void addTo(ShadowReach reach, LinkPlaces places, List<Matrix4f> gripperPlaces) {
     for (Link link : Link.values()) {
       reach.add(armBoxes.get(link), places.of(link));
     }
     reach.add(worldBox, new Matrix4f());
+    for (int i = 0; i < gripperPlaces.size(); i++) {
+      reach.add(gripperBoxes.get(i), gripperPlaces.get(i));
+    }
   }
 
   /** The meshes of the arm that was loaded last. */
@@ -86,6 +121,11 @@ final class Bodies implements AutoCloseable {
   /** Boxes and balls, in place 0. */
   GpuMesh world() {
     return world;
+  }
+
+  /** The gripper, one place for each of its meshes. */
+  GpuMesh gripper() {
+    return gripper;
   }
 
   /** Arrows of length 1, in place 0. */
@@ -107,6 +147,7 @@ final class Bodies implements AutoCloseable {
   public void close() {
     arm.close();
     world.close();
+    gripper.close();
     frame.close();
     rod.close();
     ball.close();

@@ -8,6 +8,8 @@ import java.util.Optional;
 import org.joml.Matrix4fc;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.scene.DeviceOutlines;
+import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.SafetyOutlines;
 import org.pendant.desktop.scene.SafetySight;
@@ -43,6 +45,7 @@ final class LinePainter implements AutoCloseable {
   private final LineStrip scale = new LineStrip();
   private final LineStrip ways = new LineStrip();
   private final LineStrip safety = new LineStrip();
+  private final LineStrip sensors = new LineStrip();
   private final List<LineStrip> compared = new ArrayList<>();
   private ComparedWays comparedNow = ComparedWays.NONE;
   private TcpTrace tracedNow = TcpTrace.EMPTY;
@@ -50,10 +53,13 @@ final class LinePainter implements AutoCloseable {
   private Optional<ScaleOf> scaled = Optional.empty();
   private Optional<WaysOf> waysNow = Optional.empty();
   private Optional<SafetyOf> safetyNow = Optional.empty();
+  private Optional<SensorsOf> sensorsNow = Optional.empty();
 
   private record EdgesOf(Object world, Object touched, SceneTheme theme) {}
 
   private record WaysOf(WaypointMarkers marks, SceneTheme theme) {}
+
+  private record SensorsOf(List<DeviceSight.Sensor> sensors, SceneTheme theme) {}
 
   private record SafetyOf(
       SafetySight sight, String armId, Joints positionRad, Pose tcpInFlange, SceneTheme theme) {}
@@ -88,6 +94,7 @@ final class LinePainter implements AutoCloseable {
     line.set("width", Math.max(MIN_EDGE_PX, SAFETY_PX_AT_800 * height / 800f));
     line.set("opacity", 1);
     safety.draw();
+    sensors.draw();
     line.set("width", Math.max(MIN_TRACE_PX, TRACE_PX_AT_800 * height / 800f));
     line.set("opacity", 1);
     trace.draw();
@@ -101,6 +108,7 @@ final class LinePainter implements AutoCloseable {
     line.set("opacity", HIDDEN_WAY_OPACITY);
     ways.draw();
     safety.draw();
+    sensors.draw();
     glDepthFunc(GL_LESS);
     glDepthMask(true);
   }
@@ -156,6 +164,11 @@ final class LinePainter implements AutoCloseable {
       safetyNow = Optional.of(newSafety);
       safety.load(SafetyOutlines.of(model));
     }
+    SensorsOf newSensors = new SensorsOf(model.devices().sensors(), theme);
+    if (!sensorsNow.equals(Optional.of(newSensors))) {
+      sensorsNow = Optional.of(newSensors);
+      sensors.load(DeviceOutlines.of(model.devices(), theme));
+    }
     ScaleOf newScale =
         new ScaleOf(
             Surroundings.FLOOR_REACH * model.arm().reachM(),
@@ -184,6 +197,7 @@ final class LinePainter implements AutoCloseable {
     scale.close();
     ways.close();
     safety.close();
+    sensors.close();
     compared.forEach(LineStrip::close);
   }
 }

@@ -13,6 +13,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.Ball;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.scene.GripperPlaces;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.LinkPlaces;
 import org.pendant.desktop.scene.SceneModel;
@@ -58,7 +59,13 @@ final class SceneRenderer implements AutoCloseable {
   private Optional<Canvas> canvas = Optional.empty();
   private Optional<ShadowCaster> inShadow = Optional.empty();
 
-  private record ShadowCaster(String armId, Joints positionRad, Object world, Detail detail) {}
+  private record ShadowCaster(
+      String armId,
+      Joints positionRad,
+      Object world,
+      Object gripper,
+      Pose tcpInFlange,
+      Detail detail) {}
 
   /** What stays the same while one picture is drawn. */
   private record Sight(
@@ -67,6 +74,7 @@ final class SceneRenderer implements AutoCloseable {
       Quality quality,
       Bodies bodies,
       LinkPlaces places,
+      List<Matrix4f> gripperPlaces,
       Ground ground,
       Matrix4fc toClip,
       Matrix4fc toMap) {}
@@ -82,13 +90,15 @@ final class SceneRenderer implements AutoCloseable {
     // Upside down, so that the first row that is read is the top one.
     Matrix4f toClip =
         new Matrix4f().scale(1, -1, 1).mul(camera.projection((double) width / height));
+    LinkPlaces places = new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad());
     Sight sight =
         new Sight(
             model,
             camera,
             quality,
             loaded(quality.detail(), model),
-            new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad()),
+            places,
+            GripperPlaces.of(model, places),
             Ground.of(model),
             toClip,
             ShadowMap.toMap(toShadow));
@@ -139,7 +149,12 @@ final class SceneRenderer implements AutoCloseable {
     SceneModel model = sight.model;
     ShadowCaster caster =
         new ShadowCaster(
-            model.arm().id(), model.positionRad(), model.world(), sight.quality.detail());
+            model.arm().id(),
+            model.positionRad(),
+            model.world(),
+            model.devices().gripper(),
+            model.tcpInFlange(),
+            sight.quality.detail());
     if (inShadow.equals(Optional.of(caster))) {
       return;
     }
@@ -153,6 +168,7 @@ final class SceneRenderer implements AutoCloseable {
     sight.bodies.arm().draw();
     depth.set("places", 0, new Matrix4f());
     sight.bodies.world().draw();
+    drawGripper(sight, depth);
     shadow.end();
   }
 
@@ -161,7 +177,7 @@ final class SceneRenderer implements AutoCloseable {
     Shadows shadows = sight.quality.shadows();
     float reachM = (float) model.arm().reachM();
     ShadowReach reach = new ShadowReach(TO_SUN, (float) sight.ground.heightM(), LIT_SHARE * reachM);
-    sight.bodies.addTo(reach, sight.places);
+    sight.bodies.addTo(reach, sight.places, sight.gripperPlaces);
     float[] shaded = reach.rectangle(2 * SHADOW_OFFSET_SHARE * reachM);
     boolean fromAbove = sight.camera.looksDownOn(sight.ground.heightM());
     if (!fromAbove) {
@@ -211,6 +227,7 @@ final class SceneRenderer implements AutoCloseable {
     bodies.arm().draw();
     solid.set("places", 0, new Matrix4f());
     bodies.world().draw();
+    drawGripper(sight, solid);
     float length = frameLengthM(model);
     Matrix4f tcp = LinkPlaces.matrix(model.tcpInBase());
     drawFrame(sight, solid, new Matrix4f(), length);
@@ -222,8 +239,20 @@ final class SceneRenderer implements AutoCloseable {
       float share = mark.chosen() ? CHOSEN_MARK_SHARE : MARK_SHARE;
       drawFrame(sight, solid, LinkPlaces.matrix(mark.inBase()), share * length);
     }
-    drawRod(sight, solid, new Matrix4f(sight.places.of(Link.WRIST_3)), tcp);
+    if (model.devices().gripper().isEmpty()) {
+      drawRod(sight, solid, new Matrix4f(sight.places.of(Link.WRIST_3)), tcp);
+    }
     model.payload().ifPresent(ball -> drawBall(sight, solid, ball));
+  }
+
+  private static void drawGripper(Sight sight, ShaderProgram program) {
+    if (sight.gripperPlaces.isEmpty()) {
+      return;
+    }
+    for (int i = 0; i < sight.gripperPlaces.size(); i++) {
+      program.set("places", i, sight.gripperPlaces.get(i));
+    }
+    sight.bodies.gripper().draw();
   }
 
   private static float frameLengthM(SceneModel model) {

@@ -17,6 +17,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.scene.DeviceOutlines;
+import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.SafetyOutlines;
 import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
@@ -164,6 +166,7 @@ final class SceneOverlay {
       add(labels, shown, JOINT_FRAMES.get(i), place(frames.get(i)), -1, false);
     }
     addSafety(labels, shown);
+    addSensors(labels, shown);
     List<LabelPlaces.Placed> placed =
         LabelPlaces.of(
             labels,
@@ -171,7 +174,7 @@ final class SceneOverlay {
             chipHeight(1),
             this::chipWidth,
             new Rectangle2D.Double(0, 0, width, height),
-            Stream.of(legendBox(shown.model()), comparedBox(shown.model()))
+            Stream.of(legendBox(shown.model()), comparedBox(shown.model()), doorsBox(shown.model()))
                 .flatMap(Optional::stream)
                 .toList());
     placed.stream().filter(LabelPlaces.Placed::apart).forEach(this::line);
@@ -221,6 +224,36 @@ final class SceneOverlay {
       Vector3 place = SafetyOutlines.namePlace(each, shown.model());
       add(labels, shown, each.words(form.angle()), place, -1, trips);
     }
+  }
+
+  private void addSensors(List<LabelPlaces.Label> labels, PictureRequest shown) {
+    for (DeviceSight.Sensor each : shown.model().devices().sensors()) {
+      Vector3 place = DeviceOutlines.namePlace(each.zone());
+      if (inSight(shown, place)) {
+        add(labels, shown, each.name(), place, -1, each.sees());
+      }
+    }
+  }
+
+  /** How far doors are open, which have no place in the picture. */
+  void doors(SceneModel model) {
+    doorsBox(model)
+        .ifPresent(
+            box -> chip(String.join("\n", doorWords(model).toList()), box.getX(), box.getY()));
+  }
+
+  private static Stream<String> doorWords(SceneModel model) {
+    return model.devices().doors().stream().map(DeviceSight.Door::words);
+  }
+
+  /** In the left corner at the top. */
+  private Optional<Rectangle2D> doorsBox(SceneModel model) {
+    int doors = model.devices().doors().size();
+    String all = String.join("\n", doorWords(model).toList());
+    return doors == 0 || width < MIN_WIDTH_FOR_LEGEND
+        ? Optional.empty()
+        : Optional.of(
+            new Rectangle2D.Double(em / 2.0, em / 2.0, chipWidth(all), chipHeight(doors)));
   }
 
   private boolean inSight(PictureRequest shown, Vector3 place) {

@@ -403,6 +403,7 @@ public final class SceneView extends JPanel {
     marks.setLabels(overlay.names(drawn.get()));
     overlay.legend(drawn.get().model());
     overlay.compared(drawn.get().model());
+    overlay.doors(drawn.get().model());
     overlay.pointed(hover.pointer(), marks.target().map(MarkTarget::words).or(hover::name));
     drag.paint(own, drawn.get(), getWidth(), getHeight());
     own.dispose();

@@ -1,0 +1,126 @@
+package org.pendant.desktop.scene;
+
+import org.joml.Vector3f;
+import org.pendant.controller.device.Zone;
+import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.mesh.Lines;
+
+/** Device outlines: where sensors see something, in a colour that says whether they do. */
+public final class DeviceOutlines {
+  private static final int ROUND = 48;
+  private static final double FAINT = 0.5;
+
+  private final Lines lines = new Lines();
+
+  private DeviceOutlines() {}
+
+  /** The lines of all sensors. */
+  public static Lines of(DeviceSight devices, SceneTheme theme) {
+    DeviceOutlines made = new DeviceOutlines();
+    for (DeviceSight.Sensor each : devices.sensors()) {
+      made.add(each.zone(), rgb(each.sees(), theme), each.sees() ? 1 : FAINT);
+    }
+    return made.lines;
+  }
+
+  /** The colour of a sensor. */
+  static int rgb(boolean sees, SceneTheme theme) {
+    boolean light = theme == SceneTheme.LIGHT;
+    if (sees) {
+      return light ? 0xD9480F : 0xFF8A4C;
+    }
+    return light ? 0x1F8A78 : 0x4FC9B2;
+  }
+
+  /** Where the name of a sensor stands. */
+  public static Vector3 namePlace(Zone zone) {
+    return switch (zone) {
+      case Zone.Beam beam -> vector(beam.from());
+      case Zone.Ball ball ->
+          new Vector3(ball.at().x(), ball.at().y(), ball.at().z() + ball.rangeM());
+      case Zone.Area area -> vector(area.max());
+    };
+  }
+
+  private static Vector3 vector(Zone.Place place) {
+    return new Vector3(place.x(), place.y(), place.z());
+  }
+
+  private void add(Zone zone, int rgb, double faint) {
+    switch (zone) {
+      case Zone.Beam beam -> addBeam(beam, rgb, faint);
+      case Zone.Ball ball -> {
+        Vector3f at = point(ball.at());
+        float radius = (float) ball.rangeM();
+        Vector3f x = new Vector3f(radius, 0, 0);
+        Vector3f y = new Vector3f(0, radius, 0);
+        Vector3f z = new Vector3f(0, 0, radius);
+        circle(at, x, y, rgb, faint);
+        circle(at, y, z, rgb, faint);
+        circle(at, z, x, rgb, faint);
+      }
+      case Zone.Area area -> addBox(area, rgb, faint);
+    }
+  }
+
+  /** Its line at full strength, and how near is seen at both ends. */
+  private void addBeam(Zone.Beam beam, int rgb, double faint) {
+    Vector3f from = point(beam.from());
+    Vector3f to = point(beam.to());
+    line(from, to, rgb, 1);
+    Vector3f along = new Vector3f(to).sub(from);
+    if (along.length() > 0) {
+      along.normalize();
+      Vector3f other = Math.abs(along.z) < 0.9f ? new Vector3f(0, 0, 1) : new Vector3f(1, 0, 0);
+      Vector3f u = new Vector3f(along).cross(other).normalize((float) beam.radiusM());
+      Vector3f v = new Vector3f(along).cross(u).normalize((float) beam.radiusM());
+      circle(from, u, v, rgb, faint);
+      circle(to, u, v, rgb, faint);
+      for (Vector3f side : new Vector3f[] {u, v}) {
+        line(new Vector3f(from).add(side), new Vector3f(to).add(side), rgb, faint / 2);
+        line(new Vector3f(from).sub(side), new Vector3f(to).sub(side), rgb, faint / 2);
+      }
+    }
+  }
+
+  private void addBox(Zone.Area area, int rgb, double opacity) {
+    Zone.Place min = area.min();
+    Zone.Place max = area.max();
+    for (int axis = 0; axis < 3; axis++) {
+      for (int i = 0; i < 4; i++) {
+        Vector3f from = point(min);
+        int u = (axis + 1) % 3;
+        int v = (axis + 2) % 3;
+        Vector3f far = point(max);
+        if ((i & 1) != 0) {
+          from.setComponent(u, far.get(u));
+        }
+        if ((i & 2) != 0) {
+          from.setComponent(v, far.get(v));
+        }
+        Vector3f to = new Vector3f(from).setComponent(axis, far.get(axis));
+        line(from, to, rgb, opacity);
+      }
+    }
+  }
+
+  private void circle(Vector3f middle, Vector3f u, Vector3f v, int rgb, double opacity) {
+    for (int i = 0; i <= ROUND; i++) {
+      double a = 2 * Math.PI * i / ROUND;
+      Vector3f p = new Vector3f(middle).fma((float) Math.cos(a), u).fma((float) Math.sin(a), v);
+      if (i == 0) {
+        lines.from(p.x, p.y, p.z, rgb, opacity);
+      } else {
+        lines.to(p.x, p.y, p.z, rgb, opacity);
+      }
+    }
+  }
+
+  private void line(Vector3f from, Vector3f to, int rgb, double opacity) {
+    lines.from(from.x, from.y, from.z, rgb, opacity).to(to.x, to.y, to.z, rgb, opacity);
+  }
+
+  private static Vector3f point(Zone.Place place) {
+    return new Vector3f((float) place.x(), (float) place.y(), (float) place.z());
+  }
+}

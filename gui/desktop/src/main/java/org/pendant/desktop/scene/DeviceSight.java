@@ -1,0 +1,117 @@
+package org.pendant.desktop.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.device.DeviceState;
+import org.pendant.controller.device.Zone;
+import org.pendant.controller.world.HandSetup;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Device sight: what is to be seen of the devices of the cell; immutable.
+ *
+ * @param gripper on the flange, the first one of the cell
+ * @param sensors where they see something, and where parts are taken away
+ * @param doors which have no place: they are told beside the picture
+ */
+public record DeviceSight(Optional<Gripper> gripper, List<Sensor> sensors, List<Door> doors) {
+  /** None. */
+  public static final DeviceSight NONE = new DeviceSight(Optional.empty(), List.of(), List.of());
+
+  /** Copies the lists. */
+  public DeviceSight {
+    sensors = List.copyOf(sensors);
+    doors = List.copyOf(doors);
+  }
+
+  /**
+   * A gripper.
+   *
+   * @param hand what it touches with; its middle is the tool centre point where nothing else is
+   *     said
+   * @param strokeM how far its fingers open
+   * @param openingM how far they are open; empty where that is not known
+   * @param holds whether it holds something
+   * @param partM how wide a part is that was put there and is no object of the scene; 0 for none
+   */
+  public record Gripper(
+      HandSetup hand, double strokeM, OptionalDouble openingM, boolean holds, double partM) {
+    /** Where its middle is, in the flange. */
+    public Pose inFlange(Pose tcpInFlange) {
+      return hand.atInFlange().orElse(tcpInFlange);
+    }
+  }
+
+  /** A sensor, and whether it sees something. */
+  public record Sensor(String name, Zone zone, boolean sees) {}
+
+  /**
+   * A door.
+   *
+   * @param openShare how far it is open, 0 to 1; empty where that is not known
+   */
+  public record Door(String name, OptionalDouble openShare) {
+    /** Such as {@code door: closed}. */
+    public String words() {
+      if (openShare.isEmpty()) {
+        return name;
+      }
+      double share = openShare.getAsDouble();
+      String how =
+          share <= 0
+              ? "closed"
+              : share >= 1 ? "open" : String.format(Locale.ROOT, "%.0f %% open", 100 * share);
+      return name + ": " + how;
+    }
+  }
+
+  /**
+   * What is seen of devices.
+   *
+   * @param states what they are at; those that are missing are not known
+   * @param begins whether a device whose state is missing is as it begins
+   */
+  public static DeviceSight of(List<DeviceSetup> setups, List<DeviceState> states, boolean begins) {
+    Optional<Gripper> gripper = Optional.empty();
+    List<Sensor> sensors = new ArrayList<>();
+    List<Door> doors = new ArrayList<>();
+    for (DeviceSetup setup : setups) {
+      Optional<DeviceState> state =
+          states.stream().filter(each -> each.name().equals(setup.name())).findFirst();
+      if (setup instanceof DeviceSetup.Sensor sensor) {
+        sensors.add(
+            new Sensor(sensor.name(), sensor.zone(), state.map(DeviceState::on).orElse(false)));
+      } else if (setup instanceof DeviceSetup.Sink sink) {
+        sensors.add(new Sensor(sink.name(), sink.area(), state.map(DeviceState::on).orElse(false)));
+      } else if (setup.hand().isPresent()) {
+        gripper = gripper.or(() -> Optional.of(gripper(setup, state, begins)));
+      } else if (setup instanceof DeviceSetup.Driven door) {
+        doors.add(new Door(door.name(), share(state, begins)));
+      }
+    }
+    return new DeviceSight(gripper, sensors, doors);
+  }
+
+  private static Gripper gripper(DeviceSetup setup, Optional<DeviceState> state, boolean begins) {
+    OptionalDouble openingM =
+        state.isPresent()
+            ? OptionalDouble.of(state.get().openingM())
+            : begins ? OptionalDouble.of(setup.strokeM()) : OptionalDouble.empty();
+    return new Gripper(
+        setup.hand().orElseThrow(),
+        setup.strokeM(),
+        openingM,
+        state.map(DeviceState::on).orElse(false),
+        state.map(DeviceState::partM).orElse(0.0));
+  }
+
+  private static OptionalDouble share(Optional<DeviceState> state, boolean begins) {
+    return state.isPresent()
+        ? OptionalDouble.of(state.get().openingM() / state.get().strokeM())
+        : begins ? OptionalDouble.of(1) : OptionalDouble.empty();
+  }
+}

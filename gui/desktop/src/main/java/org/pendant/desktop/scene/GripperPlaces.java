@@ -1,0 +1,43 @@
+package org.pendant.desktop.scene;
+
+import java.util.List;
+import org.joml.Matrix4f;
+import org.pendant.desktop.scene.mesh.Link;
+
+/** Gripper places: where the meshes of a gripper are, in the base frame. */
+public final class GripperPlaces {
+  private GripperPlaces() {}
+
+  /**
+   * A place for each mesh of {@link org.pendant.desktop.scene.mesh.GripperMesh}; none without a
+   * gripper. What is not to be seen has no size.
+   *
+   * @param places of the links of the arm
+   */
+  public static List<Matrix4f> of(SceneModel model, LinkPlaces places) {
+    return model
+        .devices()
+        .gripper()
+        .map(gripper -> of(gripper, new Matrix4f(places.of(Link.WRIST_3)), model))
+        .orElse(List.of());
+  }
+
+  private static List<Matrix4f> of(DeviceSight.Gripper gripper, Matrix4f flange, SceneModel model) {
+    Matrix4f hand =
+        new Matrix4f(flange).mul(LinkPlaces.matrix(gripper.inFlange(model.tcpInFlange())));
+    return List.of(
+        flange,
+        hand,
+        finger(hand, gripper, 0.5),
+        finger(hand, gripper, -0.5),
+        new Matrix4f(hand)
+            .scale(
+                gripper.partM() > 0 ? 1 : 0, (float) gripper.partM(), gripper.partM() > 0 ? 1 : 0));
+  }
+
+  private static Matrix4f finger(Matrix4f hand, DeviceSight.Gripper gripper, double share) {
+    return gripper.openingM().isPresent()
+        ? new Matrix4f(hand).translate(0, (float) (share * gripper.openingM().getAsDouble()), 0)
+        : new Matrix4f(hand).scale(0);
+  }
+}

@@ -1,0 +1,108 @@
+package org.pendant.desktop.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.joml.Matrix4f;
+import org.joml.Vector3f;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.device.DeviceState;
+import org.pendant.controller.device.Zone;
+import org.pendant.controller.io.Signal;
+import org.pendant.models.pose.Pose;
+
+final class DeviceSightTest {
+  private static final DeviceSetup GRIPPER = new DeviceSetup.TwoFinger("left", false, true, 0);
+  private static final DeviceSetup DOOR =
+      new DeviceSetup.Driven(
+          "guard",
+          "door",
+          Signal.named("digital_out[0]"),
+          Optional.empty(),
+          Optional.empty(),
+          Optional.empty(),
+          Optional.empty(),
+          1,
+          2,
+          0,
+          Optional.empty());
+  private static final DeviceSetup GATE =
+      new DeviceSetup.Sensor(
+          "gate",
+          Signal.input("digital_in[0]"),
+          new Zone.Beam(new Zone.Place(0.4, -0.3, 0.2), new Zone.Place(0.4, 0.3, 0.2), 0.01),
+          false);
+
+  private static DeviceState state(String name, double strokeM, double openingM, boolean on) {
+    return new DeviceState(name, "device", strokeM, openingM, 0, on, 0, 0, 0);
+  }
+
+  @Test
+  void devicesAreSeenAsTheyAre() {
+    DeviceSight sight =
+        DeviceSight.of(
+            List.of(GATE, GRIPPER, DOOR),
+            List.of(
+                state("gate", 0, 0, true),
+                state("left", 0.085, 0.03, true),
+                state("guard", 1, 0.4, false)),
+            false);
+    DeviceSight.Gripper gripper = sight.gripper().orElseThrow();
+    assertEquals(OptionalDouble.of(0.03), gripper.openingM());
+    assertTrue(gripper.holds());
+    assertTrue(sight.sensors().getFirst().sees());
+    assertEquals("guard: 40 % open", sight.doors().getFirst().words());
+  }
+
+  @Test
+  void whatIsNotKnownOfThePastIsNotClaimed() {
+    DeviceSight sight = DeviceSight.of(List.of(GATE, GRIPPER, DOOR), List.of(), false);
+    assertEquals(OptionalDouble.empty(), sight.gripper().orElseThrow().openingM());
+    assertFalse(sight.sensors().getFirst().sees());
+    assertEquals("guard", sight.doors().getFirst().words());
+  }
+
+  @Test
+  void whatIsProposedIsSeenAsItBegins() {
+    DeviceSight sight = DeviceSight.of(List.of(GRIPPER, DOOR), List.of(), true);
+    assertEquals(OptionalDouble.of(0.085), sight.gripper().orElseThrow().openingM());
+    assertEquals("guard: open", sight.doors().getFirst().words());
+  }
+
+  @Test
+  void fingersAreAsFarApartAsTheyAreOpenAroundTheToolCentrePoint() {
+    SceneModel model =
+        Models.of("ur5e")
+            .withTool(new Pose(0, 0, 0.16, 0, 0, 0))
+            .withDevices(
+                DeviceSight.of(List.of(GRIPPER), List.of(state("left", 0.085, 0.06, true)), false));
+    List<Matrix4f> places =
+        GripperPlaces.of(
+            model, new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad()));
+    Vector3f one = places.get(2).getTranslation(new Vector3f());
+    Vector3f other = places.get(3).getTranslation(new Vector3f());
+    assertEquals(0.06, one.distance(other), 1e-6);
+    Pose tcp = model.tcpInBase();
+    Vector3f middle = one.add(other).mul(0.5f);
+    assertEquals(tcp.x(), middle.x, 1e-6);
+    assertEquals(tcp.y(), middle.y, 1e-6);
+    assertEquals(tcp.z(), middle.z, 1e-6);
+  }
+
+  @Test
+  void aSensorThatSeesHasAnotherColour() {
+    List<DeviceSetup> gate = List.of(GATE);
+    DeviceSight clear = DeviceSight.of(gate, List.of(state("gate", 0, 0, false)), false);
+    DeviceSight broken = DeviceSight.of(gate, List.of(state("gate", 0, 0, true)), false);
+    assertNotEquals(
+        DeviceOutlines.of(clear, SceneTheme.LIGHT).number(0, 4),
+        DeviceOutlines.of(broken, SceneTheme.LIGHT).number(0, 4));
+    assertEquals(-0.3, DeviceOutlines.of(clear, SceneTheme.DARK).number(0, 1), 1e-6);
+  }
+}
