@@ -156,15 +156,19 @@ final class Completer {
   }
 
   private void keywords(List<Keywords.Offer> offers) {
-    String indentation = analysis.indentationAt(place.word().start());
-    for (Keywords.Offer offer : offers) {
-      String pattern = offer.pattern().replace("\n", analysis.lineEnd() + indentation);
+    List<Keywords.Offer> fitting = offers.stream().filter(each -> matches(each.label())).toList();
+    // To know how lines end takes a look at all of them.
+    String newLine =
+        fitting.stream().anyMatch(Keywords.Offer::isSnippet)
+            ? analysis.lineEnd() + analysis.indentationAt(place.word().start())
+            : "";
+    for (Keywords.Offer offer : fitting) {
       offer(
           offer.isSnippet() ? Completion.Kind.SNIPPET : Completion.Kind.KEYWORD,
           offer.label(),
           offer.description(),
           "",
-          pattern,
+          offer.pattern().replace("\n", newLine),
           List.of(),
           "",
           0);
