@@ -13,7 +13,7 @@ const JOINTS = ['Base', 'Shoulder', 'Elbow', 'Wrist 1', 'Wrist 2', 'Wrist 3'];
 const POSE = ['X', 'Y', 'Z', 'RX', 'RY', 'RZ'];
 const STATES: { readonly [state in State]: string } = {
   none: 'nothing runs',
-  running: 'running',
+  running: 'live',
   stopped: 'stopped',
   past: 'in the past',
   ended: 'ended',

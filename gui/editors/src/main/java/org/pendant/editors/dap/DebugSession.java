@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import org.eclipse.lsp4j.debug.ContinuedEventArguments;
 import org.eclipse.lsp4j.debug.InvalidatedEventArguments;
 import org.eclipse.lsp4j.debug.StoppedEventArguments;
 import org.eclipse.lsp4j.debug.ThreadEventArguments;
@@ -13,6 +14,7 @@ import org.eclipse.lsp4j.debug.ThreadEventArgumentsReason;
 import org.eclipse.lsp4j.debug.services.IDebugProtocolClient;
 import org.pendant.editors.dap.look.StandingProgram;
 import org.pendant.editors.dap.run.DebuggedRobot;
+import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /** Debug session: what all requests of a client have in common. Only its thread uses it. */
@@ -95,6 +97,22 @@ final class DebugSession {
     tellThreads(moment.threads().stream().map(ThreadSnapshot::id).toList());
     told.setAllThreadsStopped(true);
     client().stopped(told);
+  }
+
+  /** Tells that the program goes on, where no request says so by itself. */
+  void tellContinued() {
+    ContinuedEventArguments told = new ContinuedEventArguments();
+    told.setThreadId(number(Debugger.MAIN));
+    told.setAllThreadsContinued(true);
+    client().continued(told);
+  }
+
+  /**
+   * What a request of ours leads away from where the program stands: the client, which knows
+   * nothing of such requests, is told before it stands elsewhere.
+   */
+  CompletableFuture<Void> leadingAway(CompletableFuture<Void> request) {
+    return request.thenRun(this::tellContinued);
   }
 
   /**

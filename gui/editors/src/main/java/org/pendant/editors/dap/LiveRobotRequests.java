@@ -119,7 +119,7 @@ public final class LiveRobotRequests {
             () ->
                 asked == null || asked.timeS() == null
                     ? Refusals.answer("timeS is missing, robot time in s")
-                    : execution.toTime(asked.timeS()));
+                    : session.leadingAway(execution.toTime(asked.timeS())));
   }
 
   /**

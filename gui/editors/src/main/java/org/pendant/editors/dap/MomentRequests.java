@@ -67,6 +67,6 @@ public final class MomentRequests {
   /** {@code pendant/goToMoment}: looks at the moment at which a line of output was written. */
   @JsonRequest("pendant/goToMoment")
   public CompletableFuture<Void> goToMoment(MomentAsked asked) {
-    return session.thread().request(() -> execution.toMoment(asked.id()));
+    return session.thread().request(() -> session.leadingAway(execution.toMoment(asked.id())));
   }
 }

@@ -32,8 +32,9 @@ public final class MoveRequests {
         .thread()
         .request(
             () ->
-                execution.stepToMove(
-                    asked == null || asked.threadId() == null ? 1 : asked.threadId(),
-                    asked != null && Boolean.TRUE.equals(asked.back())));
+                session.leadingAway(
+                    execution.stepToMove(
+                        asked == null || asked.threadId() == null ? 1 : asked.threadId(),
+                        asked != null && Boolean.TRUE.equals(asked.back()))));
   }
 }

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import org.eclipse.lsp4j.debug.ContinuedEventArguments;
 import org.eclipse.lsp4j.debug.ExitedEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArguments;
 import org.eclipse.lsp4j.debug.OutputEventArgumentsCategory;
@@ -177,10 +176,7 @@ final class RunEvents implements RunListener {
   private void tellThatItWentOn() {
     if (run().isPresent() && session.view().isPresent()) {
       session.goOn();
-      ContinuedEventArguments told = new ContinuedEventArguments();
-      told.setThreadId(DebugSession.number(Debugger.MAIN));
-      told.setAllThreadsContinued(true);
-      session.client().continued(told);
+      session.tellContinued();
     }
   }
 

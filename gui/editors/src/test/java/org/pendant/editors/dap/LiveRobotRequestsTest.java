@@ -9,6 +9,7 @@ import com.google.gson.JsonObject;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.stream.StreamSupport;
+import org.eclipse.lsp4j.debug.ContinuedEventArguments;
 import org.eclipse.lsp4j.debug.StoppedEventArguments;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -84,6 +85,7 @@ class LiveRobotRequestsTest {
   void theDebuggerGoesToATimeAndBackToNow() throws Exception {
     try (DebugClient client = stopped()) {
       client.server().goToTime(Map.of("timeS", 0.25)).join();
+      client.next(ContinuedEventArguments.class);
       StoppedEventArguments stop = client.stop();
       assertEquals("In the past, at 0.250 s; now is 1.002 s", stop.getDescription());
       assertEquals("3", client.evaluate("i", "watch"));

@@ -6,6 +6,7 @@ import static org.pendant.editors.dap.DebugClient.refusal;
 
 import java.nio.file.Path;
 import java.util.Map;
+import org.eclipse.lsp4j.debug.ContinuedEventArguments;
 import org.eclipse.lsp4j.debug.StoppedEventArguments;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -47,6 +48,7 @@ class StepToMoveTest {
 
   private static void stepTo(DebugClient client, int line, String words) throws Exception {
     client.stepToMove();
+    client.next(ContinuedEventArguments.class);
     StoppedEventArguments stop = client.stop();
     assertEquals("step", stop.getReason());
     assertEquals(words, stop.getDescription());
