@@ -21,6 +21,8 @@ export class Follower {
   private looked: number | undefined;
   private timer: NodeJS.Timeout | undefined;
   private asking = false;
+  /** Counts stops and goings-on: what was asked before the last one is old. */
+  private turns = 0;
 
   /**
    * @param changed hears that there is something else to show
@@ -60,6 +62,7 @@ export class Follower {
   /** The program goes on. */
   continued(): void {
     if (this.state !== 'ended') {
+      this.turns++;
       this.state = 'running';
       this.changed();
     }
@@ -68,6 +71,7 @@ export class Follower {
   private async stopped({ threadId, reason, description }: DebugProtocol.StoppedEvent['body']): Promise<void> {
     this.thread = threadId ?? 1;
     this.looked = undefined;
+    this.turns++;
     this.state = 'stopped';
     try {
       const trace: DebugProtocol.StackTraceResponse['body'] = await this.session.customRequest('stackTrace', {
@@ -97,13 +101,14 @@ export class Follower {
   /** Asks what there is to be seen now. */
   async look(): Promise<void> {
     this.asking = true;
+    const turn = this.turns;
     try {
       const asked = this.looked === undefined ? {} : { timeS: this.looked };
       const answer: RobotAnswer = await this.session.customRequest('pendant/robot', asked);
       const lines: { moments: LogLine[] } = await this.session.customRequest('pendant/moments', {
         after: this.log[this.log.length - 1]?.id ?? 0,
       });
-      if (this.state === 'ended') {
+      if (this.state === 'ended' || turn !== this.turns) {
         return;
       }
       this.now = readingOf(answer);
