@@ -62,6 +62,7 @@ class LinkStopTest {
     assertEquals(SafetyMode.PROTECTIVE_STOP, stop.mode());
     assertEquals("C157A2", stop.codeText());
     assertEquals("the forearm has hit \"post\"", stop.sentence());
+    assertEquals(List.of("forearm"), stop.hitLinks());
     assertTrue(stop.value() > 0 && stop.value() < 0.004, stop::message);
     assertTrue(stop.message().endsWith(" m, limit 0 m"), stop::message);
   }

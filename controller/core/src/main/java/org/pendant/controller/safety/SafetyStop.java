@@ -1,7 +1,9 @@
 package org.pendant.controller.safety;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.pendant.controller.world.LinkHit;
 
 /**
  * Safety stop: why the arm was stopped.
@@ -54,6 +56,20 @@ public record SafetyStop(
     return about
         ? Optional.of(message.substring(message.indexOf('"') + 1, message.lastIndexOf('"')))
         : Optional.empty();
+  }
+
+  /** The links of the arm that have hit something, as they are called; of two links both. */
+  public List<String> hitLinks() {
+    String sentence = sentence();
+    int end = sentence.indexOf(LinkHit.HAS_HIT);
+    if (code != StopReason.LINK_HIT.code() || end < 0) {
+      return List.of();
+    }
+    String link = sentence.substring(LinkHit.THE.length(), end);
+    String other = sentence.substring(end + LinkHit.HAS_HIT.length());
+    return other.startsWith(LinkHit.THE)
+        ? List.of(link, other.substring(LinkHit.THE.length()))
+        : List.of(link);
   }
 
   /** Whether it is about the direction of the tool. */

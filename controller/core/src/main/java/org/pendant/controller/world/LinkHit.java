@@ -10,14 +10,19 @@ package org.pendant.controller.world;
  * @param depthM how deep it is, m
  */
 public record LinkHit(String link, String other, boolean object, int joint, double depthM) {
+  /** Stands before links in {@link #sentence}, and not before objects. */
+  public static final String THE = "the ";
+
+  /** Stands between the two. */
+  public static final String HAS_HIT = " has hit ";
 
   /** Who has hit what, as in {@code the forearm has hit "fixture"}. */
   public String sentence() {
-    return "the " + link + " has hit " + otherWords();
+    return THE + link + HAS_HIT + otherWords();
   }
 
   /** What it is in, as a sentence has it. */
   public String otherWords() {
-    return object ? '"' + other + '"' : "the " + other;
+    return object ? '"' + other + '"' : THE + other;
   }
 }

@@ -4,7 +4,7 @@ import org.pendant.controller.safety.Applies;
 import org.pendant.desktop.scene.SafetySight.State;
 
 /** Safety colours: of what bounds the arm, as 0xRRGGBB, and how well it can be seen through. */
-final class SafetyColours {
+public final class SafetyColours {
   private static final int TRIPPED_LIGHT = 0xCC2222;
   private static final int TRIPPED_DARK = 0xFF5A50;
 
@@ -28,7 +28,7 @@ final class SafetyColours {
   }
 
   /** The colour of limits that are no part of the configuration's planes. */
-  static int forbiddenRgb(SceneTheme theme) {
+  public static int forbiddenRgb(SceneTheme theme) {
     return theme == SceneTheme.LIGHT ? TRIPPED_LIGHT : TRIPPED_DARK;
   }
 

@@ -21,9 +21,14 @@ import org.pendant.models.arm.Joints;
  * @param directions of the tool that are allowed: what holds, and what is proposed
  * @param joints whose ranges are drawn
  * @param reach whether the outline of what the arm reaches is drawn
+ * @param hitLinks links of the arm that have hit something, as a stop calls them
  */
 public record SafetySight(
-    List<Plane> planes, List<Direction> directions, List<Range> joints, boolean reach) {
+    List<Plane> planes,
+    List<Direction> directions,
+    List<Range> joints,
+    boolean reach,
+    List<String> hitLinks) {
   /** Nothing of them. */
   public static final SafetySight NONE = new SafetySight(List.of(), List.of(), List.of(), false);
 
@@ -109,6 +114,13 @@ public record SafetySight(
     planes = List.copyOf(planes);
     directions = List.copyOf(directions);
     joints = List.copyOf(joints);
+    hitLinks = List.copyOf(hitLinks);
+  }
+
+  /** Without a link that has hit something. */
+  public SafetySight(
+      List<Plane> planes, List<Direction> directions, List<Range> joints, boolean reach) {
+    this(planes, directions, joints, reach, List.of());
   }
 
   /**
@@ -131,7 +143,8 @@ public record SafetySight(
         planes(holds, proposed, stop, reduced, wanted.planes),
         directions(holds, proposed, stop, reduced, wanted.direction),
         ranges(holds, proposed, stop, reduced, positionRad, wanted.joints),
-        wanted.reach);
+        wanted.reach,
+        stop.map(SafetyStop::hitLinks).orElse(List.of()));
   }
 
   private static List<Plane> planes(

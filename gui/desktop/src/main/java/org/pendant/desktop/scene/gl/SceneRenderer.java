@@ -4,6 +4,7 @@ import static org.lwjgl.opengl.GL33C.*;
 
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.joml.Matrix4f;
@@ -16,6 +17,7 @@ import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.GripperPlaces;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.LinkPlaces;
+import org.pendant.desktop.scene.SafetyColours;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.Sheets;
@@ -213,6 +215,8 @@ final class SceneRenderer implements AutoCloseable {
         "ground",
         light ? new Vector3f(0.20f, 0.197f, 0.193f) : new Vector3f(0.06f, 0.062f, 0.068f));
     solid.set("tint", NO_TINT, 0);
+    solid.setBits("hit", 0);
+    solid.set("hitColour", Paints.linear(SafetyColours.forbiddenRgb(model.theme())));
     solid.set("opacity", 1);
     solid.set("shadowOffset", SHADOW_OFFSET_SHARE * (float) model.arm().reachM());
     solid.set("floorHeight", (float) sight.ground.heightM());
@@ -224,7 +228,9 @@ final class SceneRenderer implements AutoCloseable {
     SceneModel model = sight.model;
     Bodies bodies = sight.bodies;
     place(solid, sight.places);
+    solid.setBits("hit", bits(model.safety().hitLinks()));
     bodies.arm().draw();
+    solid.setBits("hit", 0);
     solid.set("places", 0, new Matrix4f());
     bodies.world().draw();
     drawGripper(sight, solid);
@@ -343,6 +349,17 @@ final class SceneRenderer implements AutoCloseable {
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+
+  /** A bit for each link that is named. */
+  private static int bits(List<String> links) {
+    int bits = 0;
+    for (Link each : Link.values()) {
+      if (links.contains(each.name().toLowerCase(Locale.ROOT).replace('_', ' '))) {
+        bits |= 1 << each.ordinal();
+      }
+    }
+    return bits;
   }
 
   private static void place(ShaderProgram program, LinkPlaces places) {

@@ -130,6 +130,11 @@ final class ShaderProgram implements AutoCloseable {
     glUniform4fv(location(name), fours);
   }
 
+  /** Sets a number whose bits count. */
+  void setBits(String name, int bits) {
+    glUniform1i(location(name), bits);
+  }
+
   void setTexture(String name, int unit) {
     glUniform1i(location(name), unit);
   }

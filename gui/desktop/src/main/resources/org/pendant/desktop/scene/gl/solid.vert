@@ -11,6 +11,8 @@ uniform mat4 places[MOST_PLACES];
 uniform mat4 toClip;
 uniform mat4 toLight;
 uniform float shadowOffset; // m
+uniform int hit; // a bit for each place: what moves with it has hit something
+uniform vec3 hitColour;
 uniform vec4 finishes[FINISHES]; // linear colour, gloss; gloss below 0 for what shines by itself
 
 out vec3 worldPosition;
@@ -26,5 +28,8 @@ void main() {
   // looked up a little outside the surface, or it would throw shadows on itself
   lightPosition = (toLight * (world + vec4(worldNormal * shadowOffset, 0.0))).xyz;
   finish = finishes[placeAndFinish.y];
+  if ((hit >> placeAndFinish.x & 1) != 0) {
+    finish.rgb = mix(finish.rgb, hitColour, 0.75);
+  }
   gl_Position = toClip * world;
 }

@@ -83,6 +83,22 @@ final class OffscreenSceneTest {
   }
 
   @Test
+  void aLinkThatHasHitSomethingIsRed() {
+    SceneModel model = Models.of("ur5e");
+    SafetySight hit =
+        new SafetySight(List.of(), List.of(), List.of(), false, List.of("forearm", "wrist 2"));
+    double before = redShare(draw(model));
+    double share = redShare(draw(model.withSafety(hit)));
+    assertTrue(share > before + 0.02, "red: " + before + ", then " + share);
+  }
+
+  private static double redShare(int[] pixels) {
+    long red =
+        Arrays.stream(pixels).filter(rgb -> (rgb >> 16 & 0xFF) > 1.4 * (rgb >> 8 & 0xFF)).count();
+    return (double) red / pixels.length;
+  }
+
+  @Test
   void everyArmIsSeenAndLooksLikeNoOther() {
     Map<String, int[]> pictures = new HashMap<>();
     for (String id : ArmLibrary.ids()) {
