@@ -20,7 +20,7 @@ import org.pendant.models.pose.Transforms;
  */
 public final class RigidBodyWorld {
   /** Most bodies. */
-  public static final int MAX_BODIES = 200;
+  public static final int MAX_BODIES = 220;
 
   /** So many more may be added. */
   private static final int MAX_MORE = 300;

@@ -51,7 +51,7 @@ class RigidBodyRefusalTest {
     for (int i = 0; i <= RigidBodyWorld.MAX_BODIES; i++) {
       bodies.add(Bodies.cube("box " + i, 0.01, Bodies.at(0.02 * i, 0, 1), 0.3));
     }
-    refused("bodies: are 201, may be at most 200", () -> Bodies.upright(bodies));
+    refused("bodies: are 221, may be at most 220", () -> Bodies.upright(bodies));
   }
 
   private static void refused(String message, Executable made) {

@@ -32,6 +32,7 @@ final class ExternalForces {
   private final double[] ahead = new double[N];
   private final double[] flange12 = new double[Transforms.SIZE];
   private final double[] twist6 = new double[6];
+  private final double[][] linkFrames = new double[N][Transforms.SIZE];
   private final HandForces grip;
   private Wrench applied;
   private long gripChange;
@@ -67,6 +68,10 @@ final class ExternalForces {
     predict(body, FrameTime.FRAME_S);
     jacobian.at(ahead, Pose.ZERO, jacobian36);
     moveFlange(body);
+    if (world.hasFreeBodies()) {
+      forward.frames(ahead, linkFrames);
+      world.moveLinks(linkFrames, body.qd);
+    }
     world.advance(flange12, tcpInFlange3, twist6, FrameTime.FRAME_S);
     feelAhead(body);
   }
@@ -92,6 +97,7 @@ final class ExternalForces {
   private void feelAhead(ArmBody body) {
     world.wrench(flange12, tcpInFlange3, twist6, wrench6);
     Jacobian.transposed(jacobian36, wrench6, torqueNm);
+    world.addLinkTorques(torqueNm);
     grip.add(ahead, body.qd, torqueNm, wrench6);
   }
 

@@ -10,6 +10,7 @@ import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.LinkCollisions;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.collision.LinkCapsules;
 
 /**
  * Robot arm: the simulated one in its world, what the controller believes about it, how its base is
@@ -31,7 +32,7 @@ public final class RobotArm {
     description = setup.arm();
     scene = setup.scene();
     model = new ArmModel(description);
-    world = new ContactWorld(scene);
+    world = new ContactWorld(scene, LinkCapsules.of(description));
     // an ideal arm touches nothing
     collisions =
         setup.armChoice() == ArmChoice.IDEAL

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.cell.BodyProbe;
+import org.pendant.models.collision.Capsule;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
@@ -51,15 +52,26 @@ public final class ContactWorld {
   private final double[] normal = new double[3];
   private double clearanceM = Double.POSITIVE_INFINITY;
 
-  /** The forces of {@code scene}. */
+  /** The forces of {@code scene} on a tool that has no arm. */
   public ContactWorld(Scene scene) {
+    this(scene, List.of());
+  }
+
+  /**
+   * The forces of {@code scene}.
+   *
+   * @param links what the links of the arm are made of, which push what has a mass where the scene
+   *     has them solid
+   */
+  public ContactWorld(Scene scene, List<Capsule> links) {
     objects = scene.objects();
     toolPoints = scene.toolPoints();
     surfaces = new Surface[objects.size()];
     for (int i = 0; i < surfaces.length; i++) {
       surfaces[i] = Surface.of(objects.get(i));
     }
-    free = FreeBodies.any(objects) ? new FreeBodies(objects, toolPoints) : null;
+    List<Capsule> solid = scene.links() == LinkContact.STOP ? links : List.of();
+    free = FreeBodies.any(objects) ? new FreeBodies(objects, toolPoints, solid) : null;
     depthM = new double[surfaces.length];
     forceN = new double[3 * surfaces.length];
     apply(scene.pushAtTcpInBase());
@@ -117,6 +129,30 @@ public final class ContactWorld {
       double[] flange12, double[] tcpInFlange3, double[] flangeTwist6, double stepS) {
     if (free != null) {
       free.advance(flange12, tcpInFlange3, tcpInFlange, toolPoints.isEmpty(), flangeTwist6, stepS);
+    }
+  }
+
+  /** Whether there are objects that links can push. */
+  public boolean hasFreeBodies() {
+    return free != null;
+  }
+
+  /**
+   * Says where the links of the arm are before {@link #advance}, and how they move.
+   *
+   * @param linkFrames Denavit-Hartenberg frames 1 to 6 in the base frame
+   * @param qd joint speeds, rad/s
+   */
+  public void moveLinks(double[][] linkFrames, double[] qd) {
+    if (free != null) {
+      free.moveLinks(linkFrames, qd);
+    }
+  }
+
+  /** Adds the torques that joints feel of the objects that links push, Nm. */
+  public void addLinkTorques(double[] torqueNm) {
+    if (free != null) {
+      free.addTorques(torqueNm);
     }
   }
 

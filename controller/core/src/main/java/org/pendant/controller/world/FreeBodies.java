@@ -8,6 +8,7 @@ import org.pendant.cell.BodyDescription;
 import org.pendant.cell.BodyShape;
 import org.pendant.cell.BodySurface;
 import org.pendant.cell.RigidBodyWorld;
+import org.pendant.models.collision.Capsule;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
@@ -20,9 +21,14 @@ final class FreeBodies {
   /** A tool point without a radius is a ball of this one to them, m. */
   private static final double MIN_POINT_M = 0.002;
 
+  /** Most objects and tool points together. */
+  private static final int MAX_BODIES = 200;
+
   private final RigidBodyWorld bodies;
   private final List<SceneObject> objects;
   private final List<ToolPoint> points;
+  private final LinkBodies links;
+  private final int firstLink;
 
   /** Force and torque on the flange's origin, along the base's axes, in the latest step. */
   private final double[] felt6 = new double[6];
@@ -45,10 +51,12 @@ final class FreeBodies {
   /**
    * The bodies of a scene.
    *
+   * @param capsules of the links that push them
    * @throws IllegalArgumentException if there are too many, or if they overlap
    */
-  FreeBodies(List<SceneObject> objects, List<ToolPoint> toolPoints) {
+  FreeBodies(List<SceneObject> objects, List<ToolPoint> toolPoints, List<Capsule> capsules) {
     this.objects = objects;
+    links = new LinkBodies(capsules);
     points = toolPoints.isEmpty() ? List.of(new ToolPoint(new Vector3(0, 0, 0), 0)) : toolPoints;
     List<BodyDescription> all = new ArrayList<>();
     for (SceneObject object : objects) {
@@ -68,6 +76,12 @@ final class FreeBodies {
               Pose.ZERO,
               new BodySurface(Material.DEFAULT.friction(), 0, Material.STIFFNESS.most())));
     }
+    firstLink = all.size();
+    if (firstLink > MAX_BODIES) {
+      throw new IllegalArgumentException(
+          "bodies: are " + firstLink + ", may be at most " + MAX_BODIES);
+    }
+    all.addAll(links.descriptions());
     bodies = new RigidBodyWorld(all, 0, 0, -ArmDynamics.STANDARD_GRAVITY_M_PER_S2);
   }
 
@@ -82,12 +96,27 @@ final class FreeBodies {
    * @throws IllegalArgumentException if there are too many, or if they overlap
    */
   static void require(List<SceneObject> objects, List<ToolPoint> toolPoints) {
-    var _ = new FreeBodies(objects, toolPoints);
+    var _ = new FreeBodies(objects, toolPoints, List.of());
   }
 
   /** Sets gravity, m/s², along the axes of the base. */
   void setGravity(double x, double y, double z) {
     bodies.setGravity(x, y, z);
+  }
+
+  /**
+   * Says where the links of the arm are, and how they move.
+   *
+   * @param linkFrames Denavit-Hartenberg frames 1 to 6 in the base frame
+   * @param qd joint speeds, rad/s
+   */
+  void moveLinks(double[][] linkFrames, double[] qd) {
+    links.move(linkFrames, qd, bodies, firstLink);
+  }
+
+  /** Adds the torques that joints feel of what links push, Nm. */
+  void addTorques(double[] torqueNm) {
+    links.addTorques(torqueNm, bodies, firstLink);
   }
 
   /**
