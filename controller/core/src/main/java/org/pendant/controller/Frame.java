@@ -99,7 +99,7 @@ final class Frame {
     this.tracer = tracer;
     this.installed = installed;
     warn = box.log()::warning;
-    ArmSurroundings around = new ArmSurroundings(box.arm().description(), box.arm().scene());
+    ArmSurroundings around = box.arm().surroundings();
     links = arm -> around.nearestM(arm.actualPositionRad(), arm.tool().inFlange());
     sampler = new VariableSampler(machine);
     state = snapshot();

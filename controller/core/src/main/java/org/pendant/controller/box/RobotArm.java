@@ -6,6 +6,7 @@ import org.pendant.controller.arm.DynamicArm;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.arm.SupplyMeter;
+import org.pendant.controller.world.ArmSurroundings;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.LinkCollisions;
 import org.pendant.controller.world.Scene;
@@ -22,6 +23,7 @@ public final class RobotArm {
   private final ArmModel model;
   private final ContactWorld world;
   private final Optional<LinkCollisions> collisions;
+  private final ArmSurroundings surroundings;
   private final SimulatedArm simulated;
   private final ArmSupply supply;
   private final SupplyMeter supplyMeter;
@@ -33,6 +35,7 @@ public final class RobotArm {
     scene = setup.scene();
     model = new ArmModel(description);
     world = new ContactWorld(scene, LinkCapsules.of(description));
+    surroundings = new ArmSurroundings(description, scene);
     // an ideal arm touches nothing
     collisions =
         setup.armChoice() == ArmChoice.IDEAL
@@ -97,6 +100,11 @@ public final class RobotArm {
   /** What its links get into; empty where they pass through everything. */
   Optional<LinkCollisions> collisions() {
     return collisions;
+  }
+
+  /** How near its links are to one another and to what stands around; ask for the nearest only. */
+  public ArmSurroundings surroundings() {
+    return surroundings;
   }
 
   /** What is felt at the flange. */

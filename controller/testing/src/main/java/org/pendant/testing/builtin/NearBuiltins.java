@@ -60,6 +60,21 @@ final class NearBuiltins {
         .returns(Type.BOOL)
         .effect(Effect.SENSES)
         .does(call -> inside(call, call.host().kinematics().actualTcpInBase()));
+    TestBuiltins.declare(builtins, "min_distance", SECTION)
+        .doc(
+            "How far a link of the arm is from another link, or from an object of the scene that"
+                + " stands still, at the nearest; negative where it is inside.")
+        .returns(Unit.METRE)
+        .effect(Effect.SENSES)
+        .does(
+            call ->
+                call.answer(
+                    call.host()
+                        .arm()
+                        .surroundings()
+                        .nearestM(
+                            call.host().drive().actualPositionRad(),
+                            call.host().flange().tool().inFlange())));
     TestBuiltins.declare(builtins, "robot_time", SECTION)
         .doc("How long the test has been running, in s of robot time.")
         .returns(Unit.SECOND)

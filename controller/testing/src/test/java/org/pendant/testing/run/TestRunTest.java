@@ -46,6 +46,19 @@ class TestRunTest {
   }
 
   @Test
+  void aTestWatchesHowNearLinksComeToOneAnother() {
+    TestResult result =
+        Suite.of(
+                "def test_fold():",
+                "  assert_near(min_distance(), 0.0971, 0.001)",
+                "  movej([0, -1.57, 2.6, 0, 0, 0], a=10, v=3)",
+                "  assert_near(min_distance(), 0.0226, 0.001)",
+                "end")
+            .only();
+    assertEquals(TestStatus.PASSED, result.status(), result::toString);
+  }
+
+  @Test
   void aTestCallsTheFunctionsInsideOfAnImportedProgram() {
     TestResult result =
         Suite.of(
