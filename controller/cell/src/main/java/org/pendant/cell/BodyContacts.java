@@ -24,7 +24,8 @@ final class BodyContacts {
 
   private final List<CellBody> bodies;
   private final List<BodyHold> holds;
-  private final DContactGeomBuffer buffer = new DContactGeomBuffer(MAX_PLACES);
+  private final DContactGeomBuffer buffer = new DContactGeomBuffer(MAX_PLACES + 1);
+  private final RoundContacts round = new RoundContacts();
 
   /** Bodies that are awake, in the order in which they were looked at. */
   private final CellBody[] awake;
@@ -166,6 +167,9 @@ final class BodyContacts {
     int count = PhysicsLibrary.touch(first.geom, second.geom, MAX_PLACES, buffer);
     if (count == 0) {
       return;
+    }
+    if (RoundContacts.concern(first, second)) {
+      count = round.more(first, second, buffer, count);
     }
     if (other.free() && !other.awake) {
       other.wake();
