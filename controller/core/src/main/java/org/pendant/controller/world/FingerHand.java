@@ -50,6 +50,11 @@ public final class FingerHand extends Hand {
 
   private double toM;
 
+  /** The same of those that they hold. */
+  private double heldFromM;
+
+  private double heldToM;
+
   FingerHand(HandSetup setup, HandSetup.Grip.Pads pads, double strokeM, FreeBodies among) {
     super(setup, among);
     this.pads = pads;
@@ -73,7 +78,11 @@ public final class FingerHand extends Hand {
    * @param forceN how hard they press
    */
   public double closesToM(double openingM, double forceN) {
-    if (!placed() || !look(openingM)) {
+    if (holds()) {
+      // as in the frame before: what is held goes along
+      fromM = heldFromM;
+      toM = heldToM;
+    } else if (!placed() || !look(openingM)) {
       return 0;
     }
     double widthM = toM - fromM;
@@ -95,10 +104,13 @@ public final class FingerHand extends Hand {
   }
 
   private void hold(double forceN) {
+    heldFromM = Double.POSITIVE_INFINITY;
+    heldToM = Double.NEGATIVE_INFINITY;
     for (int i = holds.size() - 1; i >= 0; i--) {
       BodyHold hold = holds.get(i);
       if (look(hold.body(), openingM)) {
         hold.withstand(limits(hold.body(), forceN));
+        reachHeld();
       } else {
         bodies.release(hold);
         holds.remove(i);
@@ -113,8 +125,14 @@ public final class FingerHand extends Hand {
           && toM >= openingM / 2 - TOUCH_M
           && !bodies.held(body)) {
         holds.add(bodies.hold(body, frame12, limits(body, forceN), among.tools()));
+        reachHeld();
       }
     }
+  }
+
+  private void reachHeld() {
+    heldFromM = Math.min(heldFromM, fromM);
+    heldToM = Math.max(heldToM, toM);
   }
 
   private HoldLimits limits(int body, double forceN) {
