@@ -10,24 +10,23 @@ import java.util.stream.Stream;
 
 /**
  * Compilation of a module's descriptor, in the module's folder: runs javac with the given
- * arguments, and its own class path for a module path, unless nothing below {@code target/classes}
- * has changed since it did so last. A descriptor made anew makes another jar, and for another jar
- * Maven compiles every module above once more.
+ * arguments, and its own class path for a module path, unless nothing in the folder that is named
+ * after {@code -d} has changed since it did so last. A descriptor made anew makes another jar, and
+ * for another jar Maven compiles every module above once more.
  */
 final class ModuleDescriptor {
-  private static final Path CLASSES = Path.of("target", "classes");
-  private static final Path STAMP = Path.of("target", "module-descriptor");
-
   private ModuleDescriptor() {}
 
   public static void main(String[] arguments) throws IOException {
-    List<Path> inputs = List.of(CLASSES, Path.of("src", "main", "java", "module-info.java"));
-    if (!Files.exists(STAMP) || changedSince(Files.getLastModifiedTime(STAMP), inputs)) {
+    Path classes = Path.of(arguments[Arrays.asList(arguments).indexOf("-d") + 1]);
+    Path stamp = classes.resolveSibling("module-descriptor");
+    List<Path> inputs = List.of(classes, Path.of("src", "main", "java", "module-info.java"));
+    if (!Files.exists(stamp) || changedSince(Files.getLastModifiedTime(stamp), inputs)) {
       int code = javac(arguments);
       if (code != 0) {
         System.exit(code);
       }
-      Files.writeString(STAMP, Arrays.toString(arguments));
+      Files.writeString(stamp, Arrays.toString(arguments));
     }
   }
 

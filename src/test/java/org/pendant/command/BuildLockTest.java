@@ -139,8 +139,8 @@ final class BuildLockTest {
     program("maven/java", "echo older");
     program(
         "maven/mvn",
-        "java >builds; mkdir -p gui/desktop/target/lib; touch gui/desktop/target/lib/stamp"
-            + " gui/desktop/target/pendant.jar");
+        "\"$JAVA_HOME/bin/java\" >builds; mkdir -p gui/desktop/target/lib; touch"
+            + " gui/desktop/target/lib/stamp gui/desktop/target/pendant.jar");
     assertBuilds();
     assertEquals("ran\n", Files.readString(folder.resolve("builds")));
   }

@@ -5,9 +5,11 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -29,9 +31,9 @@ public enum ProductJvm {
     this.fileName = fileName;
   }
 
-  /** The class path of these tests, of nothing but jars where there is an AOT cache. */
+  /** The class path of these tests, of nothing but startable jars where there is an AOT cache. */
   public String classPath() {
-    return trained().isEmpty() ? testClassPath() : jars();
+    return trained().isEmpty() ? testClassPath() : startableJars();
   }
 
   /** Options: an AOT cache serves only a JVM with the access that it was made with. */
@@ -55,19 +57,45 @@ public enum ProductJvm {
    * Whether its AOT cache is younger than all jars of the class path; the JVM refuses it otherwise.
    */
   public boolean isFresh() {
-    return Files.exists(cache())
-        && Arrays.stream(jars().split(File.pathSeparator))
-            .map(Path::of)
-            .allMatch(jar -> age(jar) <= age(cache()));
+    return Files.exists(cache()) && jars().stream().allMatch(jar -> age(jar) <= age(cache()));
+  }
+
+  /** The class path of startable jars, copies in {@link #folder}; see {@link #copyJars}. */
+  public static String startableJars() {
+    return copies().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+  }
+
+  /** Copies all jars into {@link #folder}, where they can be made startable. */
+  public static void copyJars() throws IOException {
+    Files.createDirectories(folder());
+    List<Path> jars = jars();
+    List<Path> copies = copies();
+    for (int i = 0; i < jars.size(); i++) {
+      Files.copy(jars.get(i), copies.get(i), StandardCopyOption.REPLACE_EXISTING);
+    }
+  }
+
+  /** Where startable jars lie. */
+  public static Path folder() {
+    return Path.of(System.getProperty("pendant.aot")).resolve("startable");
+  }
+
+  /** The copies, numbered since two jars may have the same name. */
+  private static List<Path> copies() {
+    List<Path> jars = jars();
+    return IntStream.range(0, jars.size())
+        .mapToObj(i -> folder().resolve(i + "-" + jars.get(i).getFileName()))
+        .toList();
   }
 
   /** The jars of the class path, which is all that an AOT cache takes, and that of the tests. */
-  public static String jars() {
+  private static List<Path> jars() {
     return Stream.concat(
             Arrays.stream(testClassPath().split(File.pathSeparator))
                 .filter(each -> each.endsWith(".jar")),
             Stream.of(System.getProperty("pendant.tests")))
-        .collect(Collectors.joining(File.pathSeparator));
+        .map(Path::of)
+        .toList();
   }
 
   private List<Path> trained() {

@@ -15,6 +15,9 @@ final class AotTraining {
   private AotTraining() {}
 
   public static void main(String[] arguments) throws IOException {
+    if (!ProductJvm.COMMAND.isFresh()) {
+      makeJarsStartable();
+    }
     Optional<Process> command =
         ProductJvm.COMMAND.isFresh() ? Optional.empty() : Optional.of(startCommand());
     if (VirtualDisplay.isAvailable() && !ProductJvm.WINDOW.isFresh()) {
@@ -23,11 +26,35 @@ final class AotTraining {
     command.ifPresent(Launcher::await);
   }
 
-  /** Runs a small program. */
+  /** As the launcher does with the jars that it starts. */
+  private static void makeJarsStartable() throws IOException {
+    ProductJvm.copyJars();
+    Process rewriting =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                Launcher.home().resolve(".build/StartableJars.java").toString(),
+                ProductJvm.folder().toString())
+            .inheritIO()
+            .start();
+    if (Launcher.await(rewriting) != 0) {
+      throw new IOException("the jars cannot be made startable");
+    }
+  }
+
+  /** Runs small programs. */
   private static Process startCommand() throws IOException {
     Files.deleteIfExists(ProductJvm.COMMAND.cache());
-    ProcessBuilder command = Launcher.prepare(Launcher.home(), "run", "examples/hello.script");
-    command.environment().put("PENDANT_CLASSPATH", ProductJvm.jars());
+    ProcessBuilder command =
+        Launcher.prepare(
+            Launcher.home(),
+            "run",
+            "examples/hello.script",
+            "examples/pick_and_place.script",
+            "examples/shared_counter.script",
+            "examples/statistics.script");
+    command.environment().put("PENDANT_CLASSPATH", ProductJvm.startableJars());
     command
         .environment()
         .put("PENDANT_JAVA_OPTIONS", String.join(" ", ProductJvm.COMMAND.trainingOptions()));

@@ -92,7 +92,7 @@ final class OpenWindow implements AutoCloseable {
         display,
         folder,
         List.of(),
-        ProductJvm.jars(),
+        ProductJvm.startableJars(),
         ProductJvm.WINDOW.trainingOptions(),
         // The JVM that writes the cache says there with which options, a page of them.
         ProcessBuilder.Redirect.to(folder.resolve("errors.txt").toFile()));

@@ -26,6 +26,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
@@ -52,6 +53,7 @@ import org.pendant.protocols.teachpendant.RemotePendant;
 
 /** Clients that break every protocol. {@code -Dtest.cases=5} or more for a thorough run. */
 @Tag("slow")
+@Isolated("the memory of the whole JVM is measured")
 class HostilePeersTest {
   private static final long SEED = 20_261_122;
   private static final int PACKETS = 8_000 * Integer.getInteger("test.cases", 1);

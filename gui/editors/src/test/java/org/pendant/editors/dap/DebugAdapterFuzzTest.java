@@ -24,6 +24,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.pendant.editors.wire.BytePipe;
 import org.pendant.editors.wire.ProtocolLog;
 
@@ -31,6 +32,7 @@ import org.pendant.editors.wire.ProtocolLog;
  * A client without manners: requests in any order, about things that do not exist, malformed and
  * cut, of programs that wait, compute for ever and fail. {@code -Dtest.cases=100} makes it long.
  */
+@Isolated("the threads of the whole JVM are looked at")
 final class DebugAdapterFuzzTest {
   private static final int SESSIONS = 12 * Integer.getInteger("test.cases", 1);
   private static final int MESSAGES = 60;
