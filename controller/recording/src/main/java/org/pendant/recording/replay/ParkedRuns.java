@@ -38,6 +38,10 @@ public final class ParkedRuns implements AutoCloseable {
   private final List<Repetition> parked = new ArrayList<>();
   private Optional<Repetition> led = Optional.empty();
   private OptionalLong looked = OptionalLong.empty();
+
+  /** The first frame that people can look at. */
+  private long oldest;
+
   private boolean working;
   private boolean ended;
 
@@ -111,7 +115,17 @@ public final class ParkedRuns implements AutoCloseable {
 
   /** Has them follow the run, which has gone on. Any thread, at next to no cost. */
   public void follow() {
+    follow(0);
+  }
+
+  /**
+   * As {@link #follow()}.
+   *
+   * @param recordedFrom the first frame that people can look at
+   */
+  public void follow(long recordedFrom) {
     synchronized (lock) {
+      oldest = Math.max(oldest, recordedFrom);
       if (working || gap().isEmpty()) {
         return;
       }
@@ -245,7 +259,7 @@ public final class ParkedRuns implements AutoCloseable {
       return Optional.empty();
     }
     List<Repetition> free = new ArrayList<>(parked);
-    List<ParkingPlaces.Place> wanted = places.of(journal.lastRepeatable(), looked);
+    List<ParkingPlaces.Place> wanted = places.of(oldest, journal.lastRepeatable(), looked);
     for (ParkingPlaces.Place place : wanted.subList(0, Math.min(most(), wanted.size()))) {
       Optional<Repetition> there = free.stream().filter(each -> place.fits(each.frame())).findAny();
       if (there.isEmpty()) {

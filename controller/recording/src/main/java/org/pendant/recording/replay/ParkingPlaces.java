@@ -5,17 +5,21 @@ import java.util.List;
 import java.util.OptionalLong;
 
 /**
- * Parking places: where in a run {@link ParkedRuns} should stand, so that most moments have one
- * close before them: around the moment that people look at, and ever fewer the longer ago.
+ * Parking places: where in a run {@link ParkedRuns} should stand, so that each moment that people
+ * can look at has one close before it: around the moment that they look at, and at equal distances
+ * all along what is recorded.
  */
 final class ParkingPlaces {
-  /** How far back from the newest frame the first place is, s; nearer it is hardly worth it. */
-  private static final long NEAREST_S = 30;
+  /**
+   * The least distance of two places of a row, s: a way of half of it takes a tenth of a second.
+   */
+  private static final long DISTANCE_S = 60;
 
-  /** Each place behind the newest frame is so many times as far back as the one before. */
-  private static final int FACTOR = 4;
+  /** Nearer to the newest frame it is not worth it, s. */
+  private static final long NEAREST_S = 15;
 
-  private static final int BEHIND = 4;
+  /** How many there are in a row; where more would be needed, the distance is twice as long. */
+  private static final int ROW = 10;
 
   /** From how long before a moment that people look at a run is close enough, s. */
   private static final long CLOSE_S = 20;
@@ -23,7 +27,7 @@ final class ParkingPlaces {
   private static final long SHORT_S = 3;
 
   /** So many at most. */
-  static final int MAX = BEHIND + 2;
+  static final int MAX = ROW + 2;
 
   private final long second;
 
@@ -46,10 +50,11 @@ final class ParkingPlaces {
    * Where runs should stand, those that matter most first. Places that a controller fits that was
    * just switched on are left out.
    *
+   * @param oldest the first frame that people can look at
    * @param newest the last frame that can be repeated
    * @param looked the frame that people look at; empty for now
    */
-  List<Place> of(long newest, OptionalLong looked) {
+  List<Place> of(long oldest, long newest, OptionalLong looked) {
     List<Place> places = new ArrayList<>();
     if (looked.isPresent()) {
       long frame = Math.min(looked.getAsLong(), newest);
@@ -58,12 +63,22 @@ final class ParkingPlaces {
       // for another one from the same moment, and for those who look at what was before it
       add(places, frame - 4 * close, frame - close - 1, frame - 2 * close);
     }
-    long back = NEAREST_S * second;
-    for (int i = 0; i < BEHIND; i++) {
-      add(places, newest - FACTOR * back, newest - back, newest - back);
-      back *= FACTOR;
-    }
+    addRow(places, oldest, newest - NEAREST_S * second);
     return places;
+  }
+
+  /**
+   * Multiples of a distance: those that are there stay where they are while the run goes on, and
+   * where the distance doubles every other one does.
+   */
+  private void addRow(List<Place> places, long oldest, long newest) {
+    long distance = DISTANCE_S * second;
+    while (newest / distance - oldest / distance >= ROW) {
+      distance *= 2;
+    }
+    for (long i = newest / distance; i >= Math.max(1, oldest / distance); i--) {
+      add(places, i * distance - distance / 4, i * distance, i * distance);
+    }
   }
 
   private static void add(List<Place> places, long from, long to, long goal) {

@@ -65,10 +65,10 @@ final class ParkedRunsTest {
   void whatGoesOnFromAParkedRunEqualsWhatGoesOnFromTheSwitchOn() throws RerunRefused {
     Play play = play(LAST);
     ParkedRuns parked = parked(play);
-    long moment = 61 * S + 7;
+    long moment = 50 * S + 7;
     parked.look(OptionalLong.of(moment));
     work();
-    assertEquals(List.of(moment - 3 * S, 100 * S), parked.frames());
+    assertEquals(List.of(moment - 3 * S, 60 * S), parked.frames());
     Repetition near = parked.before(moment);
     assertEquals(moment - 3 * S, near.frame());
     Rerun rerun = Rerun.to(moment, play.journal);
@@ -91,9 +91,9 @@ final class ParkedRunsTest {
     assertEquals(0, parked.before(LAST).frame());
     parked.follow();
     work();
-    assertEquals(List.of(100 * S), parked.frames());
-    assertEquals(0, parked.before(100 * S).frame());
-    assertEquals(100 * S, parked.before(100 * S + 1).frame());
+    assertEquals(List.of(60 * S), parked.frames());
+    assertEquals(0, parked.before(60 * S).frame());
+    assertEquals(60 * S, parked.before(60 * S + 1).frame());
     assertEquals(List.of(), parked.frames());
   }
 
@@ -106,20 +106,24 @@ final class ParkedRunsTest {
     Repetition first = parked.before(LAST);
     Repetition second = parked.before(LAST);
     assertNotSame(first, second);
-    assertEquals(List.of(LAST - 3 * S, LAST - 30 * S), List.of(first.frame(), second.frame()));
+    assertEquals(List.of(LAST - 3 * S, LAST - 40 * S), List.of(first.frame(), second.frame()));
   }
 
   @Test
-  void theyGoOnWithTheRunInsteadOfBecomingMore() {
+  void theyStandAllAlongWhatIsRecordedAndGoOnWithIt() {
     Play play = play(125 * S);
     ParkedRuns parked = parked(play);
     parked.follow();
     work();
-    assertEquals(List.of(95 * S), parked.frames());
-    play.until(250 * S);
+    assertEquals(List.of(60 * S), parked.frames());
+    play.until(260 * S);
     parked.follow();
     work();
-    assertEquals(List.of(220 * S), parked.frames());
+    assertEquals(List.of(60 * S, 120 * S, 180 * S, 240 * S), parked.frames());
+    play.until(330 * S);
+    parked.follow(200 * S);
+    work();
+    assertEquals(List.of(180 * S, 240 * S, 300 * S), parked.frames().subList(1, 4));
   }
 
   @Test

@@ -13,32 +13,48 @@ final class ParkingPlacesTest {
 
   private static List<Long> goalsS(long newestS, OptionalLong lookedS) {
     OptionalLong looked = lookedS.isPresent() ? OptionalLong.of(S * lookedS.getAsLong()) : lookedS;
-    return PLACES.of(S * newestS, looked).stream().map(each -> each.goal() / S).toList();
+    return PLACES.of(0, S * newestS, looked).stream().map(each -> each.goal() / S).toList();
   }
 
   @Test
   void aShortRunHasNone() {
-    assertEquals(List.of(), goalsS(100, OptionalLong.empty()));
-    assertEquals(List.of(), goalsS(100, OptionalLong.of(15)));
-    assertEquals(List.of(), PLACES.of(-1, OptionalLong.of(15 * S)));
+    assertEquals(List.of(), goalsS(70, OptionalLong.empty()));
+    assertEquals(List.of(), goalsS(70, OptionalLong.of(15)));
+    assertEquals(List.of(), PLACES.of(0, -1, OptionalLong.of(15 * S)));
   }
 
   @Test
-  void theyAreEverFewerTheLongerAgo() {
-    assertEquals(List.of(570L, 480L), goalsS(600, OptionalLong.empty()));
-    assertEquals(List.of(9970L, 9880L, 9520L, 8080L), goalsS(10_000, OptionalLong.empty()));
+  void theyStandInARowAllAlongTheRun() {
+    assertEquals(List.of(240L, 180L, 120L, 60L), goalsS(260, OptionalLong.empty()));
+    assertEquals(List.of(600L, 480L, 360L, 240L, 120L), goalsS(660, OptionalLong.empty()));
+    assertEquals(
+        List.of(3360L, 2880L, 2400L, 1920L, 1440L, 960L, 480L), goalsS(3600, OptionalLong.empty()));
+  }
+
+  @Test
+  void whatIsNotRecordedAnyMoreNeedsNone() {
+    assertEquals(
+        List.of(3540L, 3480L, 3420L, 3360L),
+        PLACES.of(3400 * S, 3600 * S, OptionalLong.empty()).stream()
+            .map(each -> each.goal() / S)
+            .toList());
   }
 
   @Test
   void theFirstIsShortlyBeforeTheMomentThatPeopleLookAt() {
-    assertEquals(List.of(297L, 260L, 570L, 480L), goalsS(600, OptionalLong.of(300)));
+    assertEquals(List.of(197L, 160L, 240L, 180L, 120L, 60L), goalsS(260, OptionalLong.of(200)));
   }
 
   @Test
   void theyAreWhatTheirPlacesWant() {
-    for (ParkingPlaces.Place each : PLACES.of(12_345_678, OptionalLong.of(9_000_000))) {
-      assertTrue(each.fits(each.goal()), each::toString);
+    int most = 0;
+    for (long newest = 0; newest < 12_345_678; newest += 54_321) {
+      List<ParkingPlaces.Place> all = PLACES.of(90 * S, newest, OptionalLong.of(newest - 50 * S));
+      most = Math.max(most, all.size());
+      for (ParkingPlaces.Place each : all) {
+        assertTrue(each.fits(each.goal()), each::toString);
+      }
     }
-    assertEquals(ParkingPlaces.MAX, PLACES.of(12_345_678, OptionalLong.of(9_000_000)).size());
+    assertEquals(ParkingPlaces.MAX, most);
   }
 }

@@ -18,6 +18,7 @@ import org.pendant.models.time.FrameTime;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.RecordingRing;
 import org.pendant.recording.replay.Journal;
+import org.pendant.script.vm.ProgramState;
 
 /** Driven controller: one controller with the thread that drives it, until it is switched off. */
 final class DrivenController implements AutoCloseable {
@@ -29,6 +30,9 @@ final class DrivenController implements AutoCloseable {
   private final SteerableClock clock;
   private final FrameLoop loop;
   private volatile boolean closed;
+
+  /** Whether there is anything to repeat since the repetitions followed last. */
+  private boolean happened;
 
   /**
    * Starts driving a controller.
@@ -55,12 +59,15 @@ final class DrivenController implements AutoCloseable {
             });
   }
 
-  /** Has the repetitions follow the run, unless people are in a hurry. */
+  /** Has the repetitions follow the run, unless people are in a hurry or nothing happens. */
   private void followBehind(ControllerState state) {
+    happened |= state.program().state() == ProgramState.RUNNING || !state.arm().rests();
     if (state.frame() % FOLLOWED_FRAMES == 0
+        && happened
         && clock.pace() instanceof Pace.Times(double factor)
         && factor <= 1) {
-      on.parked().follow();
+      happened = false;
+      on.parked().follow(on.ring().recording().firstFrame());
     }
   }
 
