@@ -86,6 +86,7 @@ final class DesktopWindow {
   private final Menus menus;
   private final WelcomeCard welcome;
   private final RefreshTimer refresh;
+  private final HeapCare heap = new HeapCare();
   private final Timer keep = Faults.timer(KEEP_MS, this::keep);
   private final Runnable closed;
   private boolean failureTold;
@@ -483,6 +484,7 @@ final class DesktopWindow {
     Faults.guard(scenes::look);
     Faults.guard(others::look);
     Faults.guard(views.keeper()::look);
+    Faults.guard(() -> heap.look(HeapCare.Doing.of(session.robot())));
   }
 
   private void chooseRobot(String id) {
