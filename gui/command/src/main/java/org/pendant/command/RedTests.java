@@ -191,6 +191,8 @@ final class RedTests {
         options.robotId(),
         arm,
         options.scene(),
+        List.of(),
+        List.of(),
         Optional.empty(),
         safety,
         StandardView.ISO,

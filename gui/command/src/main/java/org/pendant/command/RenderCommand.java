@@ -106,6 +106,8 @@ final class RenderCommand implements Subcommand {
         options.run().controller().robotId(),
         exposure.state().arm(),
         MovedScene.of(options.run().controller().scene(), exposure.state().moved()),
+        options.run().controller().equipment().devices(),
+        exposure.state().devices(),
         options.showSafety() ? Optional.of(controller.safety()) : Optional.empty(),
         exposure.state().safety(),
         options.view(),

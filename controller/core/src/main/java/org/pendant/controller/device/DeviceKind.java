@@ -13,7 +13,7 @@ import org.pendant.models.json.Range;
  *
  * @param type as files say it
  * @param title as people say it
- * @param reached what programs reach it by, in words
+ * @param reached what programs reach it by, in words; empty for nothing
  */
 public record DeviceKind(String type, String title, String reached, List<DeviceField> fields) {
   /** Parts that all sources have at most: each is looked at in every frame. */
@@ -132,7 +132,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
           new DeviceKind(
               "sink",
               "Sink of parts",
-              "nothing: it takes away what is there",
+              "",
               List.of(
                   place("min", "Least", "the corner with the least numbers"),
                   place("max", "Greatest", "the corner with the greatest numbers"))));

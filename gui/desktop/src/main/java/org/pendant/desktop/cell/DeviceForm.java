@@ -87,7 +87,10 @@ final class DeviceForm {
         () -> {
           Part whole = new Part(device -> device, (device, next) -> next, kind.type());
           kind.fields().forEach(each -> addRow(each, whole));
-          form.note("Programs reach it by " + kind.reached() + ".");
+          form.note(
+              kind.reached().isEmpty()
+                  ? "It takes away what has its middle there."
+                  : "Programs reach it by " + kind.reached() + ".");
         });
     form.naming("");
   }

@@ -10,6 +10,7 @@ import org.pendant.command.service.PictureRenderer;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.scene.Camera;
+import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
@@ -54,6 +55,7 @@ final class OffscreenRenderer implements PictureRenderer {
                 new Touching(world)
                     .names(arm.kinematics(), arm.actualPositionRad(), arm.tool().inFlange()))
             .withSafety(safety(picture))
+            .withDevices(DeviceSight.of(picture.devices(), picture.deviceStates(), false))
             .withTrace(ring.trace())
             .withTheme(picture.dark() ? SceneTheme.DARK : SceneTheme.LIGHT);
     double aspect = (double) picture.widthPx() / picture.heightPx();

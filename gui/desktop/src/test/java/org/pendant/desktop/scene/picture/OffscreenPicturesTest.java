@@ -10,6 +10,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import javax.imageio.ImageIO;
@@ -21,6 +22,8 @@ import org.pendant.command.service.PictureRenderer;
 import org.pendant.command.service.StandardView;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.box.CellEquipment;
+import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -48,6 +51,8 @@ final class OffscreenPicturesTest {
               options.robotId(),
               arm,
               Scene.EMPTY,
+              options.equipment().devices(),
+              controller.state().devices(),
               safety ? Optional.of(controller.safety()) : Optional.empty(),
               controller.state().safety(),
               view,
@@ -89,6 +94,17 @@ final class OffscreenPicturesTest {
 
     assertArrayEquals(picture(StandardView.ISO, false), hidden);
     assertFalse(Arrays.equals(hidden, picture(fenced, StandardView.ISO, false, true)));
+  }
+
+  @Test
+  void theGripperOfTheCellIsDrawn() throws IOException {
+    ControllerOptions gripping =
+        ControllerOptions.headless()
+            .withEquipment(
+                new CellEquipment(List.of(DeviceSetup.of("two-finger").orElseThrow()), List.of()));
+    assertFalse(
+        Arrays.equals(
+            picture(StandardView.ISO, false), picture(gripping, StandardView.ISO, false, false)));
   }
 
   @Test
