@@ -20,7 +20,6 @@ import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StateStream;
-import org.pendant.controller.world.ArmSurroundings;
 import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionControl;
@@ -99,8 +98,8 @@ final class Frame {
     this.tracer = tracer;
     this.installed = installed;
     warn = box.log()::warning;
-    ArmSurroundings around = box.arm().surroundings();
-    links = arm -> around.nearestM(arm.actualPositionRad(), arm.tool().inFlange());
+    links =
+        arm -> box.arm().surroundings().nearestM(arm.actualPositionRad(), arm.tool().inFlange());
     sampler = new VariableSampler(machine);
     state = snapshot();
     feed.publish(state);

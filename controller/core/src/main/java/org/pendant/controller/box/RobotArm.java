@@ -23,7 +23,10 @@ public final class RobotArm {
   private final ArmModel model;
   private final ContactWorld world;
   private final Optional<LinkCollisions> collisions;
-  private final ArmSurroundings surroundings;
+
+  /** Made when it is asked for: most runs never do. */
+  private Optional<ArmSurroundings> surroundings = Optional.empty();
+
   private final SimulatedArm simulated;
   private final ArmSupply supply;
   private final SupplyMeter supplyMeter;
@@ -34,8 +37,7 @@ public final class RobotArm {
     description = setup.arm();
     scene = setup.scene();
     model = new ArmModel(description);
-    world = new ContactWorld(scene, LinkCapsules.of(description));
-    surroundings = new ArmSurroundings(description, scene);
+    world = new ContactWorld(scene, () -> LinkCapsules.of(description));
     // an ideal arm touches nothing
     collisions =
         setup.armChoice() == ArmChoice.IDEAL
@@ -102,9 +104,15 @@ public final class RobotArm {
     return collisions;
   }
 
-  /** How near its links are to one another and to what stands around; ask for the nearest only. */
-  public ArmSurroundings surroundings() {
-    return surroundings;
+  /**
+   * How near its links are to one another and to what stands around; ask for the nearest only. Any
+   * thread.
+   */
+  public synchronized ArmSurroundings surroundings() {
+    if (surroundings.isEmpty()) {
+      surroundings = Optional.of(new ArmSurroundings(description, scene));
+    }
+    return surroundings.get();
   }
 
   /** What is felt at the flange. */

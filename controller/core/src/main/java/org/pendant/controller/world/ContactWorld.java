@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.pendant.cell.BodyProbe;
 import org.pendant.models.collision.Capsule;
 import org.pendant.models.json.Range;
@@ -54,7 +55,7 @@ public final class ContactWorld {
 
   /** The forces of {@code scene} on a tool that has no arm. */
   public ContactWorld(Scene scene) {
-    this(scene, List.of());
+    this(scene, List::of);
   }
 
   /**
@@ -63,18 +64,22 @@ public final class ContactWorld {
    * @param links what the links of the arm are made of, which push what has a mass where the scene
    *     has them solid
    */
-  public ContactWorld(Scene scene, List<Capsule> links) {
+  public ContactWorld(Scene scene, Supplier<List<Capsule>> links) {
     objects = scene.objects();
     toolPoints = scene.toolPoints();
     surfaces = new Surface[objects.size()];
     for (int i = 0; i < surfaces.length; i++) {
       surfaces[i] = Surface.of(objects.get(i));
     }
-    List<Capsule> solid = scene.links() == LinkContact.STOP ? links : List.of();
-    free = FreeBodies.any(objects) ? new FreeBodies(objects, toolPoints, solid) : null;
+    free =
+        FreeBodies.any(objects) ? new FreeBodies(objects, toolPoints, solid(scene, links)) : null;
     depthM = new double[surfaces.length];
     forceN = new double[3 * surfaces.length];
     apply(scene.pushAtTcpInBase());
+  }
+
+  private static List<Capsule> solid(Scene scene, Supplier<List<Capsule>> links) {
+    return scene.links() == LinkContact.STOP ? links.get() : List.of();
   }
 
   /**
