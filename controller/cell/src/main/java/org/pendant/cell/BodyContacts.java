@@ -153,7 +153,9 @@ final class BodyContacts {
   private void meet(CellBody one, CellBody other, double stepS) {
     CellBody first = one.free() ? one : other;
     CellBody second = one.free() ? other : one;
-    if (!first.free() || first.geom.getAABB().isDisjoint(second.geom.getAABB())) {
+    if (!first.free()
+        || first.farFrom(second)
+        || first.geom.getAABB().isDisjoint(second.geom.getAABB())) {
       return;
     }
     if (first.hold != null && first.hold.ignores(second)) {

@@ -24,6 +24,9 @@ final class CellBody {
   /** Of contacts in the latest step: force, N, and torque about its origin, Nm, base's axes. */
   final double[] wrench = new double[6];
 
+  /** No point of it is farther from its origin, m. */
+  private final double reachM;
+
   /** 0 unless it is free. */
   final double inverseMass;
 
@@ -64,10 +67,30 @@ final class CellBody {
     this.index = index;
     Transforms.of(description.poseInBase(), pose);
     geom = PhysicsLibrary.shape(description.shape(), pose);
+    reachM = reachM(description.shape());
     inertia = BodyInertia.of(description.shape(), description.massKg());
     inverseMass = free() ? 1 / description.massKg() : 0;
     awake = description.motion() != BodyMotion.FIXED;
     moved();
+  }
+
+  private static double reachM(BodyShape shape) {
+    return switch (shape) {
+      case BodyShape.Box(double x, double y, double z) -> Math.sqrt(x * x + y * y + z * z) / 2;
+      case BodyShape.Sphere(double radius) -> radius;
+      case BodyShape.Cylinder(double radius, double length) -> Math.hypot(radius, length / 2);
+      case BodyShape.Capsule(double radius, double length) -> radius + length / 2;
+      case BodyShape.HalfSpace() -> Double.POSITIVE_INFINITY;
+    };
+  }
+
+  /** Whether balls around both are apart: the quickest way to tell that they do not touch. */
+  boolean farFrom(CellBody other) {
+    double x = pose[9] - other.pose[9];
+    double y = pose[10] - other.pose[10];
+    double z = pose[11] - other.pose[11];
+    double reach = reachM + other.reachM;
+    return x * x + y * y + z * z > reach * reach;
   }
 
   boolean free() {
