@@ -66,7 +66,7 @@ final class DeviceForm {
       UnaryOperator<String> signalName,
       Supplier<Scene> scene) {
     this.scene = scene;
-    this.form = form.in(measures);
+    this.form = form.in(measures).telling(why -> ShownRange.of(why, measures));
     this.measures = measures;
     this.rotation = rotation;
     this.signalName = signalName;

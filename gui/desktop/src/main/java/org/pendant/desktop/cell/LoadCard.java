@@ -23,7 +23,10 @@ final class LoadCard {
    */
   LoadCard(SceneDraft draft, Measures measures) {
     this.draft = draft;
-    form = new PartsForm<Scene>("cell-load", this::refusal, draft::set).in(measures);
+    form =
+        new PartsForm<Scene>("cell-load", this::refusal, draft::set)
+            .in(measures)
+            .telling(why -> ShownRange.of(why, measures));
     form.check(
         "A load hangs there",
         now -> now.load().isPresent(),

@@ -82,7 +82,8 @@ final class ObjectsCard {
                 false,
                 Material.DEFAULT,
                 0));
-    PartsForm<SceneObject> form = items.form().in(measures);
+    PartsForm<SceneObject> form =
+        items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
     form.section(SceneObject.Box.class::isInstance, () -> addBox(form, rotation));
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));

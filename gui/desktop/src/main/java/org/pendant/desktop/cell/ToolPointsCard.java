@@ -35,7 +35,8 @@ final class ToolPointsCard {
             new Drafted(),
             this::words);
     items.adder("Add point", () -> new ToolPoint(new Vector3(0, 0, 0.1), 0));
-    PartsForm<ToolPoint> form = items.form().in(measures);
+    PartsForm<ToolPoint> form =
+        items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.heading("Where it is, in the flange");
     Axes.addTo(
         form,

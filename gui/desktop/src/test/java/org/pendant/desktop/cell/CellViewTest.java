@@ -152,7 +152,7 @@ final class CellViewTest {
           press(view, "cell-object-add-ball");
           JTextField radius = find(view, "cell-object-radius", JTextField.class);
           radius.setText("0");
-          assertEquals("radius is 0 m, must be 0.001 to 10 m", ((EntryField) radius).refusal());
+          assertEquals("radius is 0 mm, must be 1 to 10000 mm", ((EntryField) radius).refusal());
           radius.postActionEvent();
           assertEquals(0.05, ((SceneObject.Sphere) draft.scene().objects().getFirst()).radiusM());
           press(view, "cell-object-add-ball");

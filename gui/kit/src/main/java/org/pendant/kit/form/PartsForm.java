@@ -20,6 +20,7 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
+import java.util.function.UnaryOperator;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
@@ -69,6 +70,7 @@ public final class PartsForm<T> {
 
   private Runnable nothing = () -> {};
   private Measures measures = Measures.USUAL;
+  private UnaryOperator<String> telling = why -> why;
 
   /** Shows its part of a value. */
   private interface Follower<T> {
@@ -101,6 +103,12 @@ public final class PartsForm<T> {
   /** Shows numbers in other measures than the usual ones. */
   public PartsForm<T> in(Measures wanted) {
     measures = wanted;
+    return this;
+  }
+
+  /** Tells why a text cannot be taken in the words that {@code words} makes of it. */
+  public PartsForm<T> telling(UnaryOperator<String> words) {
+    telling = words;
     return this;
   }
 
@@ -145,9 +153,9 @@ public final class PartsForm<T> {
       return "";
     }
     try {
-      return refusal.apply(change.with(value.get(), text));
+      return telling.apply(refusal.apply(change.with(value.get(), text)));
     } catch (IllegalArgumentException e) {
-      return e.getMessage();
+      return telling.apply(e.getMessage());
     }
   }
 
