@@ -27,7 +27,17 @@ final class TrainingEditor {
           "codeLens",
           "inlayHint",
           "documentHighlight",
-          "formatting");
+          "formatting",
+          "diagnostic");
+
+  /** Behind the program, so that edits leave something as it is. */
+  private static final String DEFINITION =
+      "\ndef trained(x):\n  local y = [x, 1]\n  while x > 1:\n    textmsg(y[0])\n  end\nend\n";
+
+  /** What is asked after each edit. */
+  private static final List<String> QUESTIONS_OF_EDITS = List.of("completion", "diagnostic");
+
+  private static final int EDITS = 3;
 
   /** What any of the questions may ask for. */
   private static final String ANYWHERE =
@@ -42,7 +52,7 @@ final class TrainingEditor {
   private final ByteArrayOutputStream messages = new ByteArrayOutputStream();
   private final CountDownLatch terminated = new CountDownLatch(1);
 
-  /** A session of the language server: {@code text} is opened, and asked about. */
+  /** A session of the language server: {@code text} is opened, asked about, and typed in. */
   InputStream questions(String text) {
     say("\"id\":1,\"method\":\"initialize\",\"params\":{\"capabilities\":{}}");
     say("\"method\":\"initialized\",\"params\":{}");
@@ -50,15 +60,31 @@ final class TrainingEditor {
         "\"method\":\"textDocument/didOpen\",\"params\":{\"textDocument\":{\"uri\":\""
             + URI
             + "\",\"languageId\":\"urscript\",\"version\":1,\"text\":"
-            + quoted(text)
+            + quoted(text + DEFINITION)
             + "}}");
     int id = 2;
     for (String method : QUESTIONS) {
-      say("\"id\":" + id++ + ",\"method\":\"textDocument/" + method + "\",\"params\":" + ANYWHERE);
+      ask(id++, method);
+    }
+    for (int edit = 0; edit < EDITS; edit++) {
+      say(
+          "\"method\":\"textDocument/didChange\",\"params\":{\"textDocument\":{\"uri\":\""
+              + URI
+              + "\",\"version\":"
+              + (edit + 2)
+              + "},\"contentChanges\":[{\"range\":{\"start\":{\"line\":1,\"character\":0},\"end\":"
+              + "{\"line\":1,\"character\":0}},\"text\":\"sleep(1)\\n\"}]}");
+      for (String method : QUESTIONS_OF_EDITS) {
+        ask(id++, method);
+      }
     }
     say("\"id\":" + id + ",\"method\":\"shutdown\"");
     say("\"method\":\"exit\"");
     return said();
+  }
+
+  private void ask(int id, String method) {
+    say("\"id\":" + id + ",\"method\":\"textDocument/" + method + "\",\"params\":" + ANYWHERE);
   }
 
   /**
