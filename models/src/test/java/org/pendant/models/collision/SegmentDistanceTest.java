@@ -96,7 +96,7 @@ class SegmentDistanceTest {
   }
 
   private SolidShape obstacle(int n) {
-    return switch (n % 3) {
+    return switch (n % 5) {
       case 0 ->
           new SolidShape.Block(
               new Pose(number(), number(), number(), 3 * number(), 3 * number(), 3 * number()),
@@ -104,6 +104,12 @@ class SegmentDistanceTest {
               0.1 + random.nextDouble(),
               0.1 + random.nextDouble());
       case 1 -> new SolidShape.Ball(number(), number(), number(), 0.1 + random.nextDouble());
+      case 2, 3 ->
+          new SolidShape.Rod(
+              new Pose(number(), number(), number(), 3 * number(), 3 * number(), 3 * number()),
+              0.1 + 0.5 * random.nextDouble(),
+              0.1 + random.nextDouble(),
+              n % 5 == 2);
       default -> {
         double angle = 6 * number();
         yield new SolidShape.HalfSpace(
