@@ -15,6 +15,8 @@ public record Example(String file, Topic topic, List<String> companions) {
   public enum Topic {
     /** Moving the arm. */
     MOTION("Motion"),
+    /** Grippers, belts and parts around the arm. */
+    CELL("Cell"),
     /** The language by itself. */
     LANGUAGE("Language"),
     /** Programs made of nodes. */
@@ -47,7 +49,12 @@ public record Example(String file, Topic topic, List<String> companions) {
         new Example("conveyor.script", Topic.MOTION, List.of()),
         new Example("engrave.script", Topic.MOTION, List.of("flower.nc")),
         new Example("weigh_and_press.script", Topic.MOTION, List.of("table.scene.json")),
-        new Example("grip_part.script", Topic.MOTION, List.of("grip_part.scene.json")),
+        new Example("grip_part.script", Topic.CELL, List.of("grip_part.scene.json")),
+        new Example("belt_pick.script", Topic.CELL, List.of("belt_pick.scene.json")),
+        new Example("stack_vacuum.script", Topic.CELL, List.of("stack_vacuum.scene.json")),
+        new Example("sort_parts.script", Topic.CELL, List.of("sort_parts.scene.json")),
+        new Example("peg_in_hole.script", Topic.CELL, List.of("peg_in_hole.scene.json")),
+        new Example("tend_machine.script", Topic.CELL, List.of("tend_machine.scene.json")),
         new Example("hello.script", Topic.LANGUAGE, List.of()),
         new Example("watch_input.script", Topic.LANGUAGE, List.of()),
         new Example("shared_counter.script", Topic.LANGUAGE, List.of()),
