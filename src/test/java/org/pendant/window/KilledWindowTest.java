@@ -27,7 +27,7 @@ import org.pendant.project.program.text.ReadProgram;
  */
 @Tag("slow")
 final class KilledWindowTest {
-  private static final int KILLS = 2;
+  private static final int KILLS = Integer.getInteger("test.cases", 1);
   private static final long SEED = 11;
   private static final double MAX_S = 8;
   private static final long MAX_LOST_MS = 5_000;
