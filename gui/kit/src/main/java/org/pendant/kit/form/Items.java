@@ -23,6 +23,7 @@ import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.layout.ShownFocus;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -126,7 +127,9 @@ public final class Items<T> {
     TitledCard.compact(remove, up, down);
     buttons.setOpaque(false);
     panel.setOpaque(false);
-    panel.add(new JScrollPane(list), "hmin 60");
+    JScrollPane scroll = new JScrollPane(list);
+    ShownFocus.of(list, scroll);
+    panel.add(scroll, "hmin 60");
     panel.add(buttons, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
     panel.add(empty, Remark.LAYOUT);
     panel.add(problem, Remark.LAYOUT);

@@ -31,6 +31,7 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.layout.ShownFocus;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -167,7 +168,8 @@ public final class PartsForm<T> {
   public EntryField entry(String name, String tip, Function<T, String> text, Change<T> change) {
     EntryField field =
         TitledCard.named(
-                new EntryField(8, typed -> why(change, typed), typed -> take(change, typed)),
+                ShownFocus.of(
+                    new EntryField(8, typed -> why(change, typed), typed -> take(change, typed))),
                 id + "-" + name,
                 tip)
             .withTip(tip);
@@ -299,7 +301,8 @@ public final class PartsForm<T> {
       Function<C, String> words,
       Function<T, C> get,
       BiFunction<T, C, T> with) {
-    JComboBox<C> box = TitledCard.named(new JComboBox<C>(), id + "-" + nameOf(label), tip);
+    JComboBox<C> box =
+        TitledCard.named(ShownFocus.of(new JComboBox<C>()), id + "-" + nameOf(label), tip);
     box.setRenderer(new Words<>(words));
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
     List<C> shown = new ArrayList<>();
@@ -369,7 +372,8 @@ public final class PartsForm<T> {
    */
   public PartsForm<T> check(
       String label, String tip, Function<T, Boolean> get, BiFunction<T, Boolean, T> with) {
-    JCheckBox box = TitledCard.named(new JCheckBox(label), id + "-" + nameOf(label), tip);
+    JCheckBox box =
+        TitledCard.named(ShownFocus.of(new JCheckBox(label)), id + "-" + nameOf(label), tip);
     box.setOpaque(false);
     Remark problem = new Remark(box.getName() + "-problem", Palette::error);
     followers.add(
