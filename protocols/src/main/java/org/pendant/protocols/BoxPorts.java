@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.pendant.controller.device.DeviceState;
 import org.pendant.protocols.dashboard.DashboardServer;
 import org.pendant.protocols.device.DeviceServer;
 import org.pendant.protocols.eip.EipServer;
@@ -66,8 +67,8 @@ public final class BoxPorts implements AutoCloseable {
           RobotApiServer.STANDARD_PORT,
           () -> RobotApiServer.open(serverContext, numbers, remotePendant));
     }
-    if (DeviceServer.wanted(serverContext)) {
-      ports.open(DeviceServer.TWO_FINGER_PORT, () -> DeviceServer.open(serverContext, numbers));
+    for (DeviceState device : DeviceServer.wanted(serverContext)) {
+      ports.open(device.port(), () -> DeviceServer.open(serverContext, numbers, device));
     }
     ports.needFramesOf(serverContext.frames());
     return ports;

@@ -2,18 +2,18 @@ package org.pendant.protocols.device;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
+import org.pendant.controller.device.DeviceState;
 import org.pendant.protocols.net.Listening;
 import org.pendant.protocols.net.TcpPort;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.Server;
 import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.toolserial.ToolSerialServer;
 
 /** Device server: the port of a device of the cell, as the driver of a real one opens it. */
 public final class DeviceServer implements Server {
-  /** The port of the driver of a two-finger gripper. */
-  public static final int TWO_FINGER_PORT = 63_352;
-
   private static final int MAX_PORT = 65_535;
 
   private final TcpPort port;
@@ -22,10 +22,11 @@ public final class DeviceServer implements Server {
     this.port = port;
   }
 
-  /** Whether the cell has a device for it. */
-  public static boolean wanted(ServerContext serverContext) {
+  /** The devices that programs on other computers reach at a port. */
+  public static List<DeviceState> wanted(ServerContext serverContext) {
     return serverContext.robot().state().devices().stream()
-        .anyMatch(each -> each.port() == TWO_FINGER_PORT);
+        .filter(each -> each.port() > 0 && each.port() != ToolSerialServer.STANDARD_PORT)
+        .toList();
   }
 
   /**
@@ -33,17 +34,22 @@ public final class DeviceServer implements Server {
    *
    * @throws IOException if the port cannot be had
    */
-  public static DeviceServer open(ServerContext serverContext, PortNumbers numbers)
-      throws IOException {
-    Listening listening = numbers.listening("Two-finger gripper", TWO_FINGER_PORT);
+  public static DeviceServer open(
+      ServerContext serverContext, PortNumbers numbers, DeviceState device) throws IOException {
+    String kind = device.kind();
+    Listening listening =
+        numbers.listening(
+            kind.substring(0, 1).toUpperCase(Locale.ROOT) + kind.substring(1), device.port());
     if (listening.port() > MAX_PORT) {
       throw new IOException(
-          "the two-finger gripper would listen at port "
+          "the "
+              + kind
+              + " would listen at port "
               + listening.port()
               + ", must be at most "
               + MAX_PORT
               + ": an offset of "
-              + (MAX_PORT - TWO_FINGER_PORT)
+              + (MAX_PORT - device.port())
               + " leaves room");
     }
     AtomicLong connections = new AtomicLong();
@@ -54,7 +60,7 @@ public final class DeviceServer implements Server {
                 new DeviceSession(
                     connection,
                     serverContext.robot(),
-                    TWO_FINGER_PORT,
+                    device.port(),
                     connections.incrementAndGet()),
             serverContext.log()));
   }

@@ -15,6 +15,7 @@ import org.pendant.controller.FrameLoop;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.device.DeviceState;
 import org.pendant.protocols.net.PeerLog;
 import org.pendant.protocols.net.StateBroadcaster;
 import org.pendant.protocols.server.PortNumbers;
@@ -23,6 +24,9 @@ import org.pendant.protocols.server.ServerContext;
 
 class DeviceServerTest {
   private static final int GIVE_UP_MS = 20_000;
+
+  private static final DeviceState TWO_FINGER =
+      new DeviceState("gripper", "two-finger gripper", 0.085, 0.085, 0, false, 0.085, 0, 63_352);
 
   @Test
   void anOffsetThatLeavesNoRoomIsRefused() {
@@ -33,7 +37,8 @@ class DeviceServerTest {
           new ServerContext(controller, frames, log, new RemoteControl(false, true));
       PortNumbers numbers = new PortNumbers(InetAddress.getLoopbackAddress(), 4000, false);
       String why =
-          assertThrows(IOException.class, () -> DeviceServer.open(context, numbers)).getMessage();
+          assertThrows(IOException.class, () -> DeviceServer.open(context, numbers, TWO_FINGER))
+              .getMessage();
       assertEquals(
           "the two-finger gripper would listen at port 67352, must be at most 65535: an offset of"
               + " 2183 leaves room",
@@ -54,7 +59,8 @@ class DeviceServerTest {
         DeviceServer server =
             DeviceServer.open(
                 new ServerContext(controller, frames, log, new RemoteControl(false, true)),
-                PortNumbers.anyFree());
+                PortNumbers.anyFree(),
+                controller.state().devices().getFirst());
         Socket client =
             new Socket(InetAddress.getLoopbackAddress(), server.ports().getFirst().number())) {
       client.setSoTimeout(GIVE_UP_MS);

@@ -93,6 +93,7 @@ public final class CellDevices {
               new SourceDevice(
                   source, world.pool(source.object(), source.count()), signals.digital(), log);
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
+          case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
           case DeviceSetup.Sensor sensor ->
               new SensorDevice(
                   sensor, this::tcpInBase, sensor.zone().watch(world), signals.digital());

@@ -3,6 +3,7 @@ package org.pendant.controller.device;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.models.json.Range;
+import org.pendant.models.pose.Pose;
 
 /** Device field: what a device of a kind may have in the file of a scene. */
 public sealed interface DeviceField {
@@ -86,12 +87,33 @@ public sealed interface DeviceField {
   }
 
   /**
-   * A pose in the flange, six numbers; where there is none, that of the active tool centre point.
+   * Objects of the scene that have a mass, by their names; all where there is no name.
    *
+   * @param most how many
+   */
+  record Subjects(String key, String title, String help, int most) implements DeviceField {
+    @Override
+    public boolean required() {
+      return false;
+    }
+  }
+
+  /**
+   * A pose, six numbers, which may be left out.
+   *
+   * @param without what holds without one, in words
+   * @param first the pose that people begin with
    * @param position range of the first three
    * @param rotation range of the others
    */
-  record Spot(String key, String title, String help, Range position, Range rotation)
+  record Spot(
+      String key,
+      String title,
+      String help,
+      String without,
+      Pose first,
+      Range position,
+      Range rotation)
       implements DeviceField {
     @Override
     public boolean required() {

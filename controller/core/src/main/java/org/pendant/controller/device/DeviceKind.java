@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.pendant.controller.world.HandSetup;
 import org.pendant.models.json.Range;
+import org.pendant.models.pose.Pose;
 
 /**
  * Device kind: what there is of devices, and what each may have in the file of a scene besides its
@@ -19,6 +20,9 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   /** Parts that all sources have at most: each is looked at in every frame. */
   static final int MAX_PARTS = 100;
 
+  /** Names that a camera may know. */
+  private static final int MAX_NAMES = 100;
+
   private static final String SIGNALS = "outputs and inputs";
   private static final Range STROKE = new Range(0.001, 1, "m");
   private static final Range TIME = new Range(0.01, 60, "s");
@@ -26,6 +30,14 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   private static final Range SPOT = new Range(-4, 4, "m");
   private static final Range ROTATION = new Range(-100, 100, "rad");
   private static final Range DISTANCE = new Range(0.001, 10, "m");
+
+  /** Where fingers are at first that are not at the TCP, in the flange. */
+  private static final Pose FIRST_HAND = new Pose(0, 0, 0.15, 0, 0, 0);
+
+  /** Where a camera is at first that tells poses in its own frame: it looks down. */
+  private static final Pose FIRST_CAMERA = new Pose(0.4, 0, 1, Math.PI, 0, 0);
+
+  private static final Range PORT = new Range(1024, 65_535, "");
 
   /** All kinds, as documentation lists them. */
   public static final List<DeviceKind> ALL =
@@ -121,21 +133,20 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                   optional("every", "Every", "how often", new Range(0.01, 3600, "s"), false),
                   new DeviceField.Wire(
                       "when", "When", "the output that has one come when it rises", false, false),
-                  new DeviceField.Amount(
+                  whole(
                       "count",
                       "Count",
                       "how many there are at most, the object itself among them",
                       new Range(1, MAX_PARTS, ""),
-                      OptionalDouble.of(10),
-                      false,
-                      true))),
+                      10))),
           new DeviceKind(
               "sink",
               "Sink of parts",
               "",
               List.of(
                   place("min", "Least", "the corner with the least numbers"),
-                  place("max", "Greatest", "the corner with the greatest numbers"))));
+                  place("max", "Greatest", "the corner with the greatest numbers"))),
+          camera());
 
   /** Copies the list. */
   public DeviceKind {
@@ -168,6 +179,37 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   private static DeviceKind procedures(String type, String title, double strokeM) {
     return new DeviceKind(
         type, title, "XML-RPC at http://localhost:41414", List.of(part(strokeM), fingers()));
+  }
+
+  private static DeviceKind camera() {
+    return new DeviceKind(
+        "camera",
+        "Camera",
+        "a socket and XML-RPC at its ports",
+        List.of(
+            place("min", "Least", "the corner of its view with the least numbers"),
+            place("max", "Greatest", "the corner of its view with the greatest numbers"),
+            new DeviceField.Subjects(
+                "objects", "Objects", "the names of those that it knows", MAX_NAMES),
+            new DeviceField.Spot(
+                "at",
+                "At",
+                "where it is in the base, if it tells poses in its own frame",
+                "Poses in the base frame",
+                FIRST_CAMERA,
+                POSITION,
+                ROTATION),
+            whole("port", "Port", "of its socket", PORT, 50_100),
+            whole("rpc", "XML-RPC port", "of its procedures", PORT, 50_101),
+            amount(
+                "noise", "Noise", "standard deviation along each axis", new Range(0, 0.1, "m"), 0),
+            amount(
+                "turn_noise",
+                "Noise of turns",
+                "standard deviation about each axis",
+                new Range(0, 0.5, "rad"),
+                0),
+            whole("seed", "Seed", "of the noise", new Range(0, 1_000_000, ""), 0)));
   }
 
   private static DeviceKind sensor(String type, String title, DeviceField... zone) {
@@ -248,7 +290,13 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
 
   private static DeviceField spot(String what) {
     return new DeviceField.Spot(
-        "at", "At", what + ", in the flange: z goes on, fingers close along y", SPOT, ROTATION);
+        "at",
+        "At",
+        what + ", in the flange: z goes on, fingers close along y",
+        "At the active TCP",
+        FIRST_HAND,
+        SPOT,
+        ROTATION);
   }
 
   private static DeviceField friction() {
@@ -264,6 +312,12 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
       String key, String title, String help, Range range, double standing) {
     return new DeviceField.Amount(
         key, title, help, range, OptionalDouble.of(standing), false, false);
+  }
+
+  private static DeviceField whole(
+      String key, String title, String help, Range range, double standing) {
+    return new DeviceField.Amount(
+        key, title, help, range, OptionalDouble.of(standing), false, true);
   }
 
   /** A number that must be there. */

@@ -19,6 +19,8 @@ public final class DeviceReader {
 
   private final Map<String, FilePosition> places = new HashMap<>();
 
+  private final CameraReader cameras = new CameraReader();
+
   private final PartReader parts;
 
   private DeviceReader(PartReader parts) {
@@ -80,6 +82,7 @@ public final class DeviceReader {
               Optional.empty());
       case "belt" -> parts.belt(name, fields);
       case "source" -> parts.source(name, fields);
+      case "camera" -> cameras.camera(name, fields, parts);
       case "sink" -> new DeviceSetup.Sink(name, fields.area("min", "max"));
       default ->
           new DeviceSetup.Sensor(

@@ -2,8 +2,10 @@ package org.pendant.controller.device;
 
 import java.util.List;
 import java.util.Optional;
+import org.pendant.controller.device.camera.PartCamera;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.world.HandSetup;
+import org.pendant.models.pose.Pose;
 
 /** Setup of a device: what it is and how it begins. */
 public sealed interface DeviceSetup {
@@ -198,6 +200,45 @@ public sealed interface DeviceSetup {
    * @param area where
    */
   record Sink(String name, Zone.Area area) implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * Camera that tells where parts are.
+   *
+   * @param area where it sees the objects that have their middle there
+   * @param objects names of those that it knows, with their copies; empty for all
+   * @param atInBase where it is, if it tells poses in its own frame; in the base frame otherwise
+   */
+  record Camera(
+      String name,
+      Zone.Area area,
+      List<String> objects,
+      Optional<Pose> atInBase,
+      Ports ports,
+      PartCamera.Errors errors)
+      implements DeviceSetup {
+    /**
+     * Where programs reach it.
+     *
+     * @param lines port of the socket
+     * @param procedures port of its remote procedures
+     */
+    public record Ports(int lines, int procedures) {}
+
+    /** Copies the list. */
+    public Camera {
+      objects = List.copyOf(objects);
+    }
+
     @Override
     public boolean holdsParts() {
       return false;

@@ -121,6 +121,11 @@ final class FieldReader {
     return declared(key, DeviceField.Subject.class);
   }
 
+  /** What is declared of several objects of the scene. */
+  DeviceField.Subjects subjects(String key) {
+    return declared(key, DeviceField.Subjects.class);
+  }
+
   /** A pose that may be left out. */
   Optional<Pose> spot(String key) throws JsonException {
     DeviceField.Spot spot = declared(key, DeviceField.Spot.class);

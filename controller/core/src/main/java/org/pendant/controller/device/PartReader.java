@@ -1,6 +1,8 @@
 package org.pendant.controller.device;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.io.Signal;
@@ -67,6 +69,18 @@ final class PartReader {
     }
     return new DeviceSetup.Source(
         name, object(fields, Kind.WITH_MASS), timed ? fields.number("every") : 0, when, parts);
+  }
+
+  /** Names of objects with a mass; none for all. */
+  List<String> named(FieldReader fields, String key) throws JsonException {
+    List<String> names = new ArrayList<>();
+    for (Json each : fields.all().array(key, fields.subjects(key).most())) {
+      if (!(each instanceof Json.Text name) || objects.get(name.value()) != Kind.WITH_MASS) {
+        throw JsonFields.wrong(key, each, "the name of an object with a mass");
+      }
+      names.add(name.value());
+    }
+    return names;
   }
 
   private String object(FieldReader fields, Kind kind) throws JsonException {

@@ -19,7 +19,7 @@ public record MovedObject(String name, Pose poseInBase, boolean there) {
   }
 
   /** The name of the object that this is, or is a copy of. */
-  String original() {
+  public String original() {
     int mark = name.lastIndexOf(COPY);
     return mark < 0 ? name : name.substring(0, mark);
   }

@@ -69,6 +69,14 @@ class EquipmentReaderTest {
             + " \"digital_out[8]\", must be a signal, such as digital_out[0]",
         "{'devices': [{'type': 'proximity', 'signal': 'digital_out[0]', 'at': [0,0,0], 'range':"
             + " 1}]} | 1:46: signal is \"digital_out[0]\", must be an input",
+        "{'devices': [{'type': 'camera', 'min': [0,0,0], 'max': [1,1,1], 'objects': ['lid']}]} |"
+            + " 1:77: objects is \"lid\", must be the name of an object with a mass",
+        "{'devices': [{'type': 'camera', 'min': [0,0,0], 'max': [1,1,1], 'port': 63352}]} | 1:73:"
+            + " port is 63352, which the controller has, must be another",
+        "{'devices': [{'type': 'camera', 'min': [0,0,0], 'max': [1,1,1], 'rpc': 50100}]} | 1:72:"
+            + " rpc is 50100 as the other, must be another",
+        "{'devices': [{'type': 'camera', 'min': [0,0,0], 'max': [1,1,1], 'noise': 1}]} | 1:74:"
+            + " noise is 1 m, must be 0 to 0.1 m",
         "{'rules': [{'when': 'digital_out[2] jumps', 'set': 'digital_in[3]'}]} | 1:21: when: is"
             + " \"digital_out[2] jumps\", must be signals with rises, falls, is on or is off",
         "{'rules': [{'set': 'digital_in[3]'}]} | 1:12: a rule has 0 of when, while, every, must"

@@ -30,14 +30,17 @@ import org.pendant.models.pose.Pose;
 final class DeviceForm {
   private static final String NONE = "none";
 
-  /** Where fingers are at first that are not at the TCP, in the flange. */
-  private static final Pose FIRST_SPOT = new Pose(0, 0, 0.15, 0, 0, 0);
-
   /** How near a new proximity sensor sees, m, and how fast a new belt is, m/s. */
   private static final double FIRST_NUMBER = 0.05;
 
   /** A source has to say when, in one way or another. */
   private static final String SOURCE = "source";
+
+  /** Each has ports of its own. */
+  private static final String CAMERA = "camera";
+
+  /** Of a camera that says none. */
+  private static final double FIRST_PORT = 50_100;
 
   private static final double FIRST_EVERY_S = 2;
 
@@ -133,6 +136,12 @@ final class DeviceForm {
               name -> name,
               device -> part.get.apply(device).text(subject.key()),
               (device, name) -> part.change(device, text -> text.withText(subject.key(), name)));
+      case DeviceField.Subjects subjects ->
+          form.text(
+              subjects.title(),
+              device -> String.join(", ", part.get.apply(device).list(subjects.key())),
+              (device, names) ->
+                  part.change(device, text -> text.withList(subjects.key(), names(names))));
       case DeviceField.Spot spot -> addSpot(spot, part);
       case DeviceField.Group group -> {
         form.heading(group.title() + ": " + group.help());
@@ -159,16 +168,24 @@ final class DeviceForm {
         });
   }
 
+  /** Names with commas between. */
+  private static List<String> names(String typed) {
+    return Arrays.stream(typed.split(",", -1))
+        .map(String::strip)
+        .filter(each -> !each.isEmpty())
+        .toList();
+  }
+
   private void addSpot(DeviceField.Spot spot, Part part) {
     form.check(
-        "At the active TCP",
+        spot.without(),
         spot.title() + ": " + spot.help(),
         device -> part.get.apply(device).pose(spot.key()).isEmpty(),
         (device, on) ->
             part.change(
                 device,
                 text ->
-                    text.withPose(spot.key(), on ? Optional.empty() : Optional.of(FIRST_SPOT))));
+                    text.withPose(spot.key(), on ? Optional.empty() : Optional.of(spot.first()))));
     form.section(
         device -> part.get.apply(device).pose(spot.key()).isPresent(),
         () ->
@@ -208,6 +225,7 @@ final class DeviceForm {
       case "m" -> Measure.MILLIMETRE;
       case "s" -> Measure.SECOND;
       case "N" -> Measure.NEWTON;
+      case "rad" -> Measure.DEGREE;
       case "m/s" -> Measure.MILLIMETRE_PER_S;
       case "m/s^2" -> Measure.MILLIMETRE_PER_S2;
       default -> Measure.PLAIN;
@@ -292,13 +310,35 @@ final class DeviceForm {
                   device.withText(
                       subject.key(),
                       subjects(subject, scene).stream().findFirst().orElse(NO_SUBJECT));
-              case DeviceField.Flag _, DeviceField.Spot _, DeviceField.Group _ -> device;
+              case DeviceField.Flag _,
+                  DeviceField.Subjects _,
+                  DeviceField.Spot _,
+                  DeviceField.Group _ ->
+                  device;
             };
       }
     }
-    return kind.type().equals(SOURCE)
-        ? device.withNumber("every", OptionalDouble.of(FIRST_EVERY_S))
-        : device;
+    return switch (kind.type()) {
+      case SOURCE -> device.withNumber("every", OptionalDouble.of(FIRST_EVERY_S));
+      case CAMERA -> withFreePorts(device, others);
+      default -> device;
+    };
+  }
+
+  /** With ports that no other camera has. */
+  private static DeviceText withFreePorts(DeviceText camera, List<DeviceText> others) {
+    double next = 0;
+    for (DeviceText other : others) {
+      if (other.type().equals(CAMERA)) {
+        next = Math.max(next, 1 + other.number("rpc").orElse(FIRST_PORT + 1));
+        next = Math.max(next, 1 + other.number("port").orElse(FIRST_PORT));
+      }
+    }
+    return next == 0
+        ? camera
+        : camera
+            .withNumber("port", OptionalDouble.of(next))
+            .withNumber("rpc", OptionalDouble.of(next + 1));
   }
 
   /** In front of the base: a beam from side to side, or a box. */

@@ -123,6 +123,24 @@ record DeviceText(Map<String, String> members) {
     return text.isEmpty() ? without(key) : with(key, JsonValues.text(text));
   }
 
+  /** Several texts; none where there are none. */
+  List<String> list(String key) {
+    String json = members.get(key);
+    return json != null && parsed(json) instanceof Json.Elements elements
+        ? elements.values().stream()
+            .map(each -> each instanceof Json.Text text ? text.value() : "")
+            .toList()
+        : List.of();
+  }
+
+  /** With other texts; nothing where there are none. */
+  DeviceText withList(String key, List<String> texts) {
+    return texts.isEmpty()
+        ? without(key)
+        : with(
+            key, texts.stream().map(JsonValues::text).collect(Collectors.joining(", ", "[", "]")));
+  }
+
   OptionalDouble number(String key) {
     String json = members.get(key);
     return json != null && parsed(json) instanceof Json.Numeral number

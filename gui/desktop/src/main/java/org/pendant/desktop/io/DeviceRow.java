@@ -15,6 +15,7 @@ import org.pendant.controller.device.DeviceState;
 record DeviceRow(String name, String kind, String doing, boolean takesPart, boolean hasPart) {
   private static final double MM = 1e-3;
   private static final String DOOR = "door";
+  private static final String CAMERA = "camera";
 
   static DeviceRow of(DeviceState device) {
     return new DeviceRow(
@@ -23,6 +24,9 @@ record DeviceRow(String name, String kind, String doing, boolean takesPart, bool
 
   private static String doing(DeviceState device) {
     if (device.strokeM() == 0) {
+      if (device.kind().equals(CAMERA)) {
+        return device.on() ? "Sees a part" : "Sees nothing";
+      }
       if (device.mostM() == 0) {
         return device.on() ? "Sees the tool" : "Sees nothing";
       }

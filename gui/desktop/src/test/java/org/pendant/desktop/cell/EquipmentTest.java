@@ -36,4 +36,23 @@ final class EquipmentTest {
     assertEquals("door_2", second.name());
     assertEquals("digital_out[1]", second.text("close"));
   }
+
+  @Test
+  void newCamerasHavePortsOfTheirOwn() {
+    DeviceKind camera = DeviceKind.of("camera").orElseThrow();
+    DeviceText first = DeviceForm.fresh(camera, List.of(), Scene.EMPTY);
+    DeviceText second = DeviceForm.fresh(camera, List.of(first), Scene.EMPTY);
+    DeviceText third = DeviceForm.fresh(camera, List.of(first, second), Scene.EMPTY);
+    assertEquals(
+        "",
+        Equipment.refusal(Scene.EMPTY, Equipment.with(Map.of(), List.of(first, second, third))));
+  }
+
+  @Test
+  void namesOfObjectsAreKeptAsAList() {
+    DeviceText camera = DeviceText.read("[{\"type\": \"camera\"}]").getFirst();
+    DeviceText knows = camera.withList("objects", List.of("block", "disc"));
+    assertEquals(List.of("block", "disc"), knows.list("objects"));
+    assertEquals(camera, knows.withList("objects", List.of()));
+  }
 }

@@ -29,6 +29,7 @@ final class DeviceRowTest {
   void whatHasNoFingersTellsWhatItSeesOrHolds() {
     assertEquals(
         "Holds a part", doing(new DeviceState("v", "vacuum gripper", 0, 0, 0, true, 1, 1, 0)));
+    assertEquals("Sees a part", doing(new DeviceState("c", "camera", 0, 0, 0, true, 0, 0, 50_100)));
     assertEquals("Sees nothing", doing(new DeviceState("s", "sensor", 0, 0, 0, false, 0, 0, 0)));
   }
 }

@@ -1,0 +1,90 @@
+package org.pendant.controller.device;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.pendant.controller.device.camera.CameraLines;
+import org.pendant.controller.device.camera.CameraProcedures;
+import org.pendant.controller.device.camera.PartCamera;
+import org.pendant.controller.external.DeviceTalk;
+import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.world.ContactWorld;
+import org.pendant.controller.world.MovedObject;
+import org.pendant.models.pose.Pose;
+import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
+
+/** Camera device: tells programs where parts are. */
+final class CameraDevice implements CellDevice {
+  private final DeviceSetup.Camera setup;
+  private final MessageLog log;
+  private final PartCamera camera;
+  private final CameraProcedures procedures;
+
+  CameraDevice(DeviceSetup.Camera setup, ContactWorld world, MessageLog log) {
+    this.setup = setup;
+    this.log = log;
+    camera = new PartCamera(world::moved, this::inView, setup.atInBase(), setup.errors());
+    procedures = new CameraProcedures(camera);
+  }
+
+  private boolean inView(MovedObject each) {
+    Pose middle = each.poseInBase();
+    return setup.area().holds(middle.x(), middle.y(), middle.z())
+        && (setup.objects().isEmpty()
+            || setup.objects().stream().anyMatch(name -> PartCamera.goesBy(each, name)));
+  }
+
+  @Override
+  public String name() {
+    return setup.name();
+  }
+
+  @Override
+  public String kind() {
+    return "camera";
+  }
+
+  @Override
+  public boolean on() {
+    return camera.sees();
+  }
+
+  @Override
+  public String described() {
+    return "camera at 127.0.0.1:"
+        + setup.ports().lines()
+        + " and by XML-RPC at http://localhost:"
+        + setup.ports().procedures();
+  }
+
+  @Override
+  public OptionalInt port() {
+    return OptionalInt.of(setup.ports().lines());
+  }
+
+  @Override
+  public DeviceTalk connect() {
+    return new CameraLines(camera, text -> log.warnOnce(name() + ": " + text));
+  }
+
+  @Override
+  public OptionalInt procedurePort() {
+    return OptionalInt.of(setup.ports().procedures());
+  }
+
+  @Override
+  public Optional<Value> call(String method, List<Value> arguments) throws ScriptError {
+    return procedures.call(method, arguments);
+  }
+
+  @Override
+  public boolean putPart(double widthM) {
+    return false;
+  }
+
+  @Override
+  public void step() {
+    // it looks when it is asked
+  }
+}
