@@ -1,0 +1,128 @@
+package org.pendant.models.mesh;
+
+import java.util.Arrays;
+
+/**
+ * Triangle mesh: the surface of a solid, made of triangles that are counter-clockwise as seen from
+ * outside. It is closed: each edge of a triangle is one of another triangle, in the other
+ * direction. Immutable; lengths in m.
+ */
+public final class TriangleMesh {
+  /** Triangles at most: a machine's housing has fewer, and its picture stays quick. */
+  public static final int MAX_TRIANGLES = 100_000;
+
+  /** No mesh is longer, m. */
+  public static final double MAX_LENGTH_M = 10;
+
+  /** No mesh is shorter along its longest side, m. */
+  public static final double MIN_LENGTH_M = 0.001;
+
+  private final double[] points;
+  private final int[] corners;
+  private final double volumeM3;
+
+  /**
+   * Takes over both.
+   *
+   * @param points three coordinates each
+   * @param corners three numbers of points for each triangle
+   */
+  TriangleMesh(double[] points, int[] corners) {
+    this.points = points;
+    this.corners = corners;
+    volumeM3 = volume(points, corners);
+  }
+
+  /** How many points there are. */
+  public int points() {
+    return points.length / 3;
+  }
+
+  /** How many triangles there are. */
+  public int triangles() {
+    return corners.length / 3;
+  }
+
+  /**
+   * The number of a point of a triangle.
+   *
+   * @param corner 0 to 2
+   */
+  public int corner(int triangle, int corner) {
+    return corners[3 * triangle + corner];
+  }
+
+  /**
+   * A coordinate of a point, m.
+   *
+   * @param axis 0 to 2
+   */
+  public double coordinate(int point, int axis) {
+    return points[3 * point + axis];
+  }
+
+  /** The least coordinate along an axis, m. */
+  public double least(int axis) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = axis; i < points.length; i += 3) {
+      least = Math.min(least, points[i]);
+    }
+    return least;
+  }
+
+  /** The largest coordinate along an axis, m. */
+  public double most(int axis) {
+    double most = Double.NEGATIVE_INFINITY;
+    for (int i = axis; i < points.length; i += 3) {
+      most = Math.max(most, points[i]);
+    }
+    return most;
+  }
+
+  /** What it fills, m^3; above 0. */
+  public double volumeM3() {
+    return volumeM3;
+  }
+
+  /** The sum of what is between a point and each triangle; below 0 for one that is inside out. */
+  static double volume(double[] points, int[] corners) {
+    double six = 0;
+    double ox = points[0];
+    double oy = points[1];
+    double oz = points[2];
+    for (int i = 0; i < corners.length; i += 3) {
+      int a = 3 * corners[i];
+      int b = 3 * corners[i + 1];
+      int c = 3 * corners[i + 2];
+      double bx = points[b] - ox;
+      double by = points[b + 1] - oy;
+      double bz = points[b + 2] - oz;
+      double cx = points[c] - ox;
+      double cy = points[c + 1] - oy;
+      double cz = points[c + 2] - oz;
+      six +=
+          (points[a] - ox) * (by * cz - bz * cy)
+              + (points[a + 1] - oy) * (bz * cx - bx * cz)
+              + (points[a + 2] - oz) * (bx * cy - by * cx);
+    }
+    return six / 6;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other == this
+        || (other instanceof TriangleMesh mesh
+            && Arrays.equals(points, mesh.points)
+            && Arrays.equals(corners, mesh.corners));
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Arrays.hashCode(points) + Arrays.hashCode(corners);
+  }
+
+  @Override
+  public String toString() {
+    return triangles() + " triangles";
+  }
+}
