@@ -24,6 +24,19 @@ public final class BoxLinks {
   private final Assemblies assemblies = new Assemblies();
   private Published published = Published.NOTHING;
 
+  /** What rules do to devices. */
+  private record DeviceHand(CellDevices devices) implements Rules.Hand {
+    @Override
+    public void putPart(String gripper, double widthM) {
+      devices.putPart(gripper, widthM);
+    }
+
+    @Override
+    public void press(String device, boolean pressed) {
+      devices.press(device, pressed);
+    }
+  }
+
   BoxLinks(
       CellEquipment equipment,
       CellDevices devices,
@@ -31,7 +44,7 @@ public final class BoxLinks {
       Signals signals,
       MessageLog log) {
     this.devices = devices;
-    rules = new Rules(equipment.rules(), signals.digital(), devices::putPart);
+    rules = new Rules(equipment.rules(), signals.digital(), new DeviceHand(devices));
     outside = new ExternalConnections(devices.before(connectors));
     modbus = new ModbusSignals(connectors.modbus(), log);
     signals.runState().lead(modbus::follow);

@@ -34,6 +34,8 @@ public final class EquipmentReader {
         grippers.put(device.name(), device.strokeM());
       }
     }
-    return new CellEquipment(devices, RuleReader.read(scene, grippers));
+    List<String> switches =
+        devices.stream().filter(DeviceSetup::canBePressed).map(DeviceSetup::name).toList();
+    return new CellEquipment(devices, RuleReader.read(scene, grippers, switches));
   }
 }

@@ -94,6 +94,10 @@ public final class CellDevices {
                   source, world.pool(source.object(), source.count()), signals.digital(), log);
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
+          case DeviceSetup.Lamp lamp -> new LampDevice(lamp, signals.digital());
+          case DeviceSetup.Switch pressed ->
+              new SwitchDevice(
+                  pressed, this::tcpInBase, pressed.area().watch(world), signals.digital());
           case DeviceSetup.Sensor sensor ->
               new SensorDevice(
                   sensor, this::tcpInBase, sensor.zone().watch(world), signals.digital());
@@ -150,6 +154,23 @@ public final class CellDevices {
       throw new IllegalArgumentException(
           "gripper is " + Json.quoted(gripper) + ", must be a gripper of the cell" + names());
     }
+  }
+
+  /**
+   * Presses a switch by hand, or lets go of it.
+   *
+   * @throws IllegalArgumentException if there is no such switch
+   */
+  public void press(String name, boolean pressed) {
+    CellDevice device = find(name).orElse(null);
+    if (!(device instanceof SwitchDevice)) {
+      throw new IllegalArgumentException(
+          "device is "
+              + Json.quoted(name)
+              + ", must be a limit switch or a button of the cell"
+              + names());
+    }
+    var _ = device.putPart(pressed ? 1 : 0);
   }
 
   private String names() {

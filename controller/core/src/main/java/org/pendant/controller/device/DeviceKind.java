@@ -95,6 +95,13 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
               "Watched area",
               place("min", "Least", "the corner with the least numbers"),
               place("max", "Greatest", "the corner with the greatest numbers")),
+          pressed("limit-switch", "Limit switch"),
+          pressed("button", "Button"),
+          new DeviceKind(
+              "lamp",
+              "Lamp",
+              "an output",
+              List.of(new DeviceField.Wire("signal", "Signal", "that it shows", false, true))),
           new DeviceKind(
               "belt",
               "Belt",
@@ -210,6 +217,19 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 new Range(0, 0.5, "rad"),
                 0),
             whole("seed", "Seed", "of the noise", new Range(0, 1_000_000, ""), 0)));
+  }
+
+  private static DeviceKind pressed(String type, String title) {
+    return new DeviceKind(
+        type,
+        title,
+        "an input",
+        List.of(
+            new DeviceField.Wire("signal", "Signal", "the input that it sets", true, true),
+            new DeviceField.Flag(
+                "inverted", "Inverted", "the input is high while nothing presses it", false),
+            place("min", "Least", "the corner with the least numbers"),
+            place("max", "Greatest", "the corner with the greatest numbers")));
   }
 
   private static DeviceKind sensor(String type, String title, DeviceField... zone) {

@@ -82,6 +82,14 @@ public final class DeviceReader {
               Optional.empty());
       case "belt" -> parts.belt(name, fields);
       case "source" -> parts.source(name, fields);
+      case "limit-switch", "button" ->
+          new DeviceSetup.Switch(
+              name,
+              kind.type(),
+              fields.signal("signal"),
+              fields.area("min", "max"),
+              fields.flag("inverted"));
+      case "lamp" -> new DeviceSetup.Lamp(name, fields.signal("signal"));
       case "camera" -> cameras.camera(name, fields, parts);
       case "sink" -> new DeviceSetup.Sink(name, fields.area("min", "max"));
       default ->

@@ -26,6 +26,11 @@ public sealed interface DeviceSetup {
     return Optional.empty();
   }
 
+  /** Whether it can be pressed. */
+  default boolean canBePressed() {
+    return false;
+  }
+
   /** How wide a part may be that it holds, m. */
   double strokeM();
 
@@ -239,6 +244,49 @@ public sealed interface DeviceSetup {
       objects = List.copyOf(objects);
     }
 
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * Switch that is pressed by what touches it, and by hand.
+   *
+   * @param kind limit-switch or button
+   * @param signal the input that tells
+   * @param area where something presses it
+   * @param inverted whether the input is high while nothing does
+   */
+  record Switch(String name, String kind, Signal signal, Zone.Area area, boolean inverted)
+      implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public boolean canBePressed() {
+      return true;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * Lamp.
+   *
+   * @param signal that it shows
+   */
+  record Lamp(String name, Signal signal) implements DeviceSetup {
     @Override
     public boolean holdsParts() {
       return false;

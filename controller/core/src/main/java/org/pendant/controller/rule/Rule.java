@@ -30,7 +30,7 @@ final class Rule {
     return timeS > 0 ? FrameTime.framesFor(timeS) : 0;
   }
 
-  void step(DigitalIo io, Rules.Parts parts, long frame) {
+  void step(DigitalIo io, Rules.Hand hand, long frame) {
     switch (setup.trigger()) {
       case Trigger.When when -> {
         boolean holds = when.condition().holds(io);
@@ -56,7 +56,7 @@ final class Rule {
       }
     }
     begun = true;
-    carryOut(io, parts, frame);
+    carryOut(io, hand, frame);
   }
 
   private void begin(long frame) {
@@ -74,11 +74,11 @@ final class Rule {
     }
   }
 
-  private void carryOut(DigitalIo io, Rules.Parts parts, long frame) {
+  private void carryOut(DigitalIo io, Rules.Hand hand, long frame) {
     int kept = 0;
     for (int i = 0; i < waiting; i++) {
       if (due[i] <= frame) {
-        act(io, parts, forth[i]);
+        act(io, hand, forth[i]);
       } else {
         due[kept] = due[i];
         forth[kept] = forth[i];
@@ -88,11 +88,12 @@ final class Rule {
     waiting = kept;
   }
 
-  private void act(DigitalIo io, Rules.Parts parts, boolean wanted) {
+  private void act(DigitalIo io, Rules.Hand hand, boolean wanted) {
     switch (setup.action()) {
       case Action.SetInput set ->
           io.set(set.input().bank(), set.input().index(), set.level() == wanted);
-      case Action.PutPart put -> parts.put(put.gripper(), wanted ? put.widthM() : 0);
+      case Action.PutPart put -> hand.putPart(put.gripper(), wanted ? put.widthM() : 0);
+      case Action.Press press -> hand.press(press.device(), wanted);
     }
   }
 }

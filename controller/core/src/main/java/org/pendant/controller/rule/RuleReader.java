@@ -18,20 +18,23 @@ public final class RuleReader {
   public static final int MAX_RULES = 256;
 
   private final Map<String, Double> grippers;
+  private final List<String> switches;
 
-  private RuleReader(Map<String, Double> grippers) {
+  private RuleReader(Map<String, Double> grippers, List<String> switches) {
     this.grippers = grippers;
+    this.switches = switches;
   }
 
   /**
    * Reads the section {@code rules}.
    *
    * @param grippers how far each gripper opens, m, by its name
+   * @param switches names of limit switches and buttons
    * @throws JsonException for the first thing that is wrong, with its place
    */
-  public static List<RuleSetup> read(JsonFields scene, Map<String, Double> grippers)
-      throws JsonException {
-    RuleReader reader = new RuleReader(grippers);
+  public static List<RuleSetup> read(
+      JsonFields scene, Map<String, Double> grippers, List<String> switches) throws JsonException {
+    RuleReader reader = new RuleReader(grippers, switches);
     List<RuleSetup> rules = new ArrayList<>();
     for (Json each : scene.array("rules", MAX_RULES)) {
       rules.add(reader.rule(new JsonFields(each, "a rule")));
@@ -41,7 +44,17 @@ public final class RuleReader {
 
   private RuleSetup rule(JsonFields fields) throws JsonException {
     fields.allow(
-        Nearest::among, "when", "while", "every", "after", "for", "set", "to", "part", "width");
+        Nearest::among,
+        "when",
+        "while",
+        "every",
+        "after",
+        "for",
+        "set",
+        "to",
+        "part",
+        "width",
+        "press");
     Trigger trigger = trigger(fields);
     double forS = fields.number("for", RuleSetup.TIME, 0);
     if (forS > 0 && trigger instanceof Trigger.While) {
@@ -82,10 +95,13 @@ public final class RuleReader {
   }
 
   private Action action(JsonFields fields) throws JsonException {
-    one(fields, "set", "part");
+    one(fields, "set", "part", "press");
     if (fields.optional("set").isPresent()) {
       return new Action.SetInput(
           SignalFields.input(fields, "set"), fields.optional("to").isEmpty() || fields.flag("to"));
+    }
+    if (fields.optional("press").isPresent()) {
+      return press(fields.text("press"));
     }
     Json.Text name = fields.text("part");
     Double strokeM = grippers.get(name.value());
@@ -98,5 +114,17 @@ public final class RuleReader {
                   + (grippers.isEmpty() ? "" : ": " + String.join(", ", grippers.keySet())));
     }
     return new Action.PutPart(name.value(), fields.number("width", new Range(0, strokeM, "m")));
+  }
+
+  private Action press(Json.Text name) throws JsonException {
+    if (!switches.contains(name.value())) {
+      throw name.place()
+          .refusal(
+              "press is "
+                  + name.described()
+                  + ", must be the name of a limit switch or a button"
+                  + (switches.isEmpty() ? "" : ": " + String.join(", ", switches)));
+    }
+    return new Action.Press(name.value());
   }
 }

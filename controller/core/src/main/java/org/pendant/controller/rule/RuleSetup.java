@@ -41,5 +41,8 @@ public record RuleSetup(Trigger trigger, double afterS, Action action, double fo
      * @param widthM 0 for no part
      */
     record PutPart(String gripper, double widthM) implements Action {}
+
+    /** Presses a switch; the opposite lets go of it. */
+    record Press(String device) implements Action {}
   }
 }

@@ -83,6 +83,9 @@ class EquipmentReaderTest {
             + " have one",
         "{'rules': [{'every': 0, 'set': 'digital_in[3]'}]} | 1:22: every is 0 s, must be 0.01 to"
             + " 3600 s",
+        "{'devices': [{'type': 'lamp', 'signal': 'digital_out[1]'}], 'rules': [{'every': 1,"
+            + " 'press': 'lamp'}]} | 1:93: press is \"lamp\", must be the name of a limit switch or"
+            + " a button",
         "{'rules': [{'every': 1, 'part': 'left', 'width': 0}]} | 1:33: part is \"left\", must be"
             + " the name of a gripper",
       })

@@ -13,6 +13,7 @@ import org.pendant.script.function.Effect;
 import org.pendant.script.function.Outcome;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /** Devices of the cell that answer programs, and the parts in their fingers. */
 final class CellBuiltins {
@@ -38,6 +39,19 @@ final class CellBuiltins {
             call -> {
               try {
                 call.host().links().devices().putPart(call.text(0), call.number(1));
+              } catch (IllegalArgumentException e) {
+                throw call.failure(NO_DEVICE, e.getMessage());
+              }
+              return call.answer();
+            });
+    TestBuiltins.declare(builtins, "press_button", SECTION)
+        .doc("Presses a button or a limit switch by hand; False lets go of it.")
+        .needs("device", Type.STRING)
+        .takes("pressed", Type.BOOL, Value.of(true))
+        .does(
+            call -> {
+              try {
+                call.host().links().devices().press(call.text(0), call.bool(1));
               } catch (IllegalArgumentException e) {
                 throw call.failure(NO_DEVICE, e.getMessage());
               }

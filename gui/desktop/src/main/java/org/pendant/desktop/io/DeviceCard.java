@@ -91,7 +91,12 @@ final class DeviceCard {
       line.doing.setName("device-" + row.name() + "-doing");
       line.part.setOpaque(false);
       TitledCard.named(
-          line.part, "device-" + row.name() + "-part", "Put a part where " + row.name() + " grips");
+          line.part,
+          "device-" + row.name() + "-part",
+          row.pressable()
+              ? "Press " + row.name() + " by hand"
+              : "Put a part where " + row.name() + " grips");
+      line.part.setText(row.pressable() ? "Press" : "Part");
       line.part.setVisible(row.takesPart());
       line.part.addActionListener(
           event -> put(device.name(), line.part.isSelected() ? PART * device.mostM() : 0));

@@ -15,22 +15,30 @@ import org.pendant.controller.device.DeviceState;
 record DeviceRow(String name, String kind, String doing, boolean takesPart, boolean hasPart) {
   private static final double MM = 1e-3;
   private static final String DOOR = "door";
-  private static final String CAMERA = "camera";
+  private static final String LIMIT_SWITCH = "limit switch";
+  private static final String BUTTON = "button";
 
   static DeviceRow of(DeviceState device) {
     return new DeviceRow(
         device.name(), device.kind(), doing(device), device.mostM() > 0, device.partM() > 0);
   }
 
+  /** Whether people press it, and put no part into it. */
+  boolean pressable() {
+    return kind.equals(LIMIT_SWITCH) || kind.equals(BUTTON);
+  }
+
   private static String doing(DeviceState device) {
     if (device.strokeM() == 0) {
-      if (device.kind().equals(CAMERA)) {
-        return device.on() ? "Sees a part" : "Sees nothing";
-      }
-      if (device.mostM() == 0) {
-        return device.on() ? "Sees the tool" : "Sees nothing";
-      }
-      return device.on() ? "Holds a part" : "Holds nothing";
+      return switch (device.kind()) {
+        case "camera" -> device.on() ? "Sees a part" : "Sees nothing";
+        case "lamp" -> device.on() ? "Lit" : "Not lit";
+        case LIMIT_SWITCH, BUTTON -> device.on() ? "Pressed" : "Not pressed";
+        default ->
+            device.mostM() == 0
+                ? device.on() ? "Sees the tool" : "Sees nothing"
+                : device.on() ? "Holds a part" : "Holds nothing";
+      };
     }
     if (device.kind().equals(DOOR)) {
       return Math.round(100 * device.openingM() / device.strokeM()) + " % open";

@@ -87,6 +87,9 @@ public record DeviceSight(Optional<Gripper> gripper, List<Sensor> sensors, List<
             new Sensor(sensor.name(), sensor.zone(), state.map(DeviceState::on).orElse(false)));
       } else if (setup instanceof DeviceSetup.Sink sink) {
         sensors.add(new Sensor(sink.name(), sink.area(), state.map(DeviceState::on).orElse(false)));
+      } else if (setup instanceof DeviceSetup.Switch pressed) {
+        sensors.add(
+            new Sensor(pressed.name(), pressed.area(), state.map(DeviceState::on).orElse(false)));
       } else if (setup instanceof DeviceSetup.Camera camera) {
         sensors.add(
             new Sensor(camera.name(), camera.area(), state.map(DeviceState::on).orElse(false)));

@@ -1,6 +1,7 @@
 package org.pendant.desktop.io;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.device.DeviceState;
@@ -31,5 +32,16 @@ final class DeviceRowTest {
         "Holds a part", doing(new DeviceState("v", "vacuum gripper", 0, 0, 0, true, 1, 1, 0)));
     assertEquals("Sees a part", doing(new DeviceState("c", "camera", 0, 0, 0, true, 0, 0, 50_100)));
     assertEquals("Sees nothing", doing(new DeviceState("s", "sensor", 0, 0, 0, false, 0, 0, 0)));
+  }
+
+  @Test
+  void switchesTellWhetherTheyArePressedAndLampsWhetherTheyAreLit() {
+    DeviceState button = new DeviceState("b", "button", 0, 0, 0, true, 1, 1, 0);
+    assertEquals("Pressed", doing(button));
+    assertTrue(DeviceRow.of(button).pressable());
+    assertEquals(
+        "Not pressed", doing(new DeviceState("l", "limit switch", 0, 0, 0, false, 1, 0, 0)));
+    assertEquals("Lit", doing(new DeviceState("r", "lamp", 0, 0, 0, true, 0, 0, 0)));
+    assertEquals("Not lit", doing(new DeviceState("r", "lamp", 0, 0, 0, false, 0, 0, 0)));
   }
 }

@@ -1,0 +1,77 @@
+package org.pendant.controller.device;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.pendant.cell.BodyProbe;
+import org.pendant.controller.io.DigitalIo;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Switch device: a limit switch or a button, pressed by the tool centre point, by a body, or by
+ * hand. A part of any width that is put there is the hand.
+ */
+final class SwitchDevice implements CellDevice {
+  private final DeviceSetup.Switch setup;
+  private final Supplier<Pose> tcpInBase;
+  private final Optional<BodyProbe> bodies;
+  private final SensorLine line;
+  private boolean byHand;
+  private boolean pressed;
+
+  SwitchDevice(
+      DeviceSetup.Switch setup,
+      Supplier<Pose> tcpInBase,
+      Optional<BodyProbe> bodies,
+      DigitalIo io) {
+    this.setup = setup;
+    this.tcpInBase = tcpInBase;
+    this.bodies = bodies;
+    line = new SensorLine(io, Optional.of(setup.signal()));
+  }
+
+  @Override
+  public String name() {
+    return setup.name();
+  }
+
+  @Override
+  public String kind() {
+    return setup.kind().equals("button") ? "button" : "limit switch";
+  }
+
+  @Override
+  public boolean on() {
+    return pressed;
+  }
+
+  @Override
+  public double mostM() {
+    return 1;
+  }
+
+  @Override
+  public double partM() {
+    return byHand ? 1 : 0;
+  }
+
+  @Override
+  public String described() {
+    return kind() + " at " + setup.signal();
+  }
+
+  @Override
+  public boolean putPart(double widthM) {
+    byHand = widthM > 0;
+    return true;
+  }
+
+  @Override
+  public void step() {
+    Pose tcp = tcpInBase.get();
+    pressed =
+        byHand
+            || setup.area().holds(tcp.x(), tcp.y(), tcp.z())
+            || (bodies.isPresent() && bodies.get().sees());
+    line.tell(pressed != setup.inverted());
+  }
+}
