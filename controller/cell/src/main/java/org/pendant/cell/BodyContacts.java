@@ -166,7 +166,7 @@ final class BodyContacts {
       first = second;
       second = later;
     }
-    int count = PhysicsLibrary.touch(first.geom, second.geom, MAX_PLACES, buffer);
+    int count = CellBody.touch(first, second, MAX_PLACES, buffer);
     if (count == 0) {
       return;
     }

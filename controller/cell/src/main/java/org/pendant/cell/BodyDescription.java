@@ -33,15 +33,17 @@ public record BodyDescription(
   /**
    * Checks the numbers.
    *
-   * @throws IllegalArgumentException if one is outside its range, or if a half space is to move
+   * @throws IllegalArgumentException if one is outside its range, or if a shape is to move that
+   *     cannot
    */
   public BodyDescription {
     for (int i = 0; i < Pose.SIZE; i++) {
       (i < 3 ? POSITION : ROTATION).require("pose[" + i + "]", poseInBase.get(i));
     }
     MASS.require("mass", massKg);
-    if (shape instanceof BodyShape.HalfSpace && motion != BodyMotion.FIXED) {
-      throw new IllegalArgumentException("half space " + name + ": must be fixed");
+    boolean still = shape instanceof BodyShape.HalfSpace || shape instanceof BodyShape.Faces;
+    if (still && motion != BodyMotion.FIXED) {
+      throw new IllegalArgumentException(name + ": has a shape that cannot move, must be fixed");
     }
   }
 

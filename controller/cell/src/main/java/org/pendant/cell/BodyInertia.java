@@ -17,7 +17,7 @@ final class BodyInertia {
       case BodyShape.Cylinder(double r, double length) ->
           round(massKg * (3 * r * r + length * length) / 12, massKg * r * r / 2);
       case BodyShape.Capsule(double r, double length) -> capsule(massKg, r, length);
-      case BodyShape.HalfSpace() -> round(1, 1);
+      case BodyShape.HalfSpace(), BodyShape.Faces(_) -> round(1, 1);
     };
   }
 

@@ -1,6 +1,7 @@
 package org.pendant.cell;
 
 import org.pendant.models.json.Range;
+import org.pendant.models.mesh.TriangleMesh;
 
 /** Body shape: what a rigid body fills, around its own origin. */
 public sealed interface BodyShape {
@@ -78,6 +79,13 @@ public sealed interface BodyShape {
       SIZE.require("length", lengthM);
     }
   }
+
+  /**
+   * A solid made of triangles. Cannot move.
+   *
+   * @param mesh its triangles
+   */
+  record Faces(TriangleMesh mesh) implements BodyShape {}
 
   /** Everything below its own z = 0: a floor, a wall. Cannot move. */
   record HalfSpace() implements BodyShape {}

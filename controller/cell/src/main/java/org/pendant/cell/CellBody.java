@@ -2,7 +2,9 @@ package org.pendant.cell;
 
 import java.util.Arrays;
 import org.ode4j.math.DMatrix3;
+import org.ode4j.ode.DContactGeomBuffer;
 import org.ode4j.ode.DGeom;
+import org.pendant.models.mesh.TriangleMesh;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
@@ -32,6 +34,9 @@ final class CellBody {
 
   /** Inverse of its inertia along the base's axes, rows; 0 unless it is free. */
   final double[] inverseInertia = new double[9];
+
+  /** Where others touch it, if it is made of triangles; else null. */
+  final MeshContacts faces;
 
   boolean awake;
 
@@ -67,11 +72,30 @@ final class CellBody {
     this.index = index;
     Transforms.of(description.poseInBase(), pose);
     geom = PhysicsLibrary.shape(description.shape(), pose);
+    faces =
+        description.shape() instanceof BodyShape.Faces(TriangleMesh mesh)
+            ? new MeshContacts(mesh, pose)
+            : null;
     reachM = reachM(description.shape());
     inertia = BodyInertia.of(description.shape(), description.massKg());
     inverseMass = free() ? 1 / description.massKg() : 0;
     awake = description.motion() != BodyMotion.FIXED;
     moved();
+  }
+
+  /** No point of it is farther from its origin, m. */
+  double reachM() {
+    return reachM;
+  }
+
+  /** Where two bodies touch, at {@code most} places at most; answers how many. */
+  static int touch(CellBody one, CellBody other, int most, DContactGeomBuffer found) {
+    if (other.faces != null) {
+      return other.faces.find(one, most, found);
+    }
+    return one.faces != null
+        ? one.faces.find(other, most, found)
+        : PhysicsLibrary.touch(one.geom, other.geom, most, found);
   }
 
   private static double reachM(BodyShape shape) {
@@ -81,6 +105,7 @@ final class CellBody {
       case BodyShape.Cylinder(double radius, double length) -> Math.hypot(radius, length / 2);
       case BodyShape.Capsule(double radius, double length) -> radius + length / 2;
       case BodyShape.HalfSpace() -> Double.POSITIVE_INFINITY;
+      case BodyShape.Faces(TriangleMesh mesh) -> mesh.reachM();
     };
   }
 

@@ -7,6 +7,7 @@ import org.ode4j.ode.DGeom;
 import org.ode4j.ode.DRay;
 import org.ode4j.ode.DRotation;
 import org.ode4j.ode.OdeHelper;
+import org.pendant.models.mesh.TriangleMesh;
 
 /**
  * Physics library: where the shapes of ode4j are made and brought together; sets the library's
@@ -38,6 +39,8 @@ final class PhysicsLibrary {
           OdeHelper.createCylinder(radius, length);
       case BodyShape.Capsule(double radius, double length) ->
           OdeHelper.createCapsule(radius, length);
+      // a ball around it: the library only tells what is near
+      case BodyShape.Faces(TriangleMesh mesh) -> OdeHelper.createSphere(mesh.reachM());
       case BodyShape.HalfSpace() ->
           OdeHelper.createPlane(
               null, at[2], at[5], at[8], at[2] * at[9] + at[5] * at[10] + at[8] * at[11]);

@@ -152,7 +152,7 @@ public final class RigidBodyWorld {
   private static boolean overlap(CellBody one, CellBody other) {
     DContactGeomBuffer found = new DContactGeomBuffer(1);
     return !one.geom.getAABB().isDisjoint(other.geom.getAABB())
-        && PhysicsLibrary.touch(one.geom, other.geom, 1, found) > 0
+        && CellBody.touch(one, other, 1, found) > 0
         && found.get(0).depth > MAX_OVERLAP_M;
   }
 
@@ -338,7 +338,7 @@ public final class RigidBodyWorld {
         if (one.free()
             && !other.kinematic()
             && (!other.free() || other.index > one.index)
-            && PhysicsLibrary.touch(one.geom, other.geom, 1, found) > 0
+            && CellBody.touch(one, other, 1, found) > 0
             && found.get(0).depth > MAX_OVERLAP_M) {
           throw new IllegalArgumentException(
               "bodies: %s and %s overlap by %s mm"

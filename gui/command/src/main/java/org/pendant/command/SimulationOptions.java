@@ -15,6 +15,7 @@ import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyConfigurationReader;
+import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.models.arm.ArmDescription;
@@ -170,8 +171,9 @@ final class SimulationOptions {
   }
 
   private static Scene scene(String name, SourceFiles files) throws UsageException {
-    try (InputStream in = Files.newInputStream(files.path("the scene", name))) {
-      return SceneReader.read(name, in);
+    Path file = files.path("the scene", name);
+    try (InputStream in = Files.newInputStream(file)) {
+      return SceneReader.read(name, in, MeshFiles.in(file.toAbsolutePath().getParent()));
     } catch (JsonException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {

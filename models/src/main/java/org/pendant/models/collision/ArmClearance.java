@@ -7,6 +7,7 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.DhParameters;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.mesh.SegmentDistance;
 import org.pendant.models.pose.Transforms;
 
 /**

@@ -1,10 +1,15 @@
 package org.pendant.models.collision;
 
+import org.pendant.models.mesh.MeshDistance;
+import org.pendant.models.mesh.MeshLine;
+import org.pendant.models.mesh.SegmentDistance;
+import org.pendant.models.mesh.TriangleMesh;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Solid shape: a solid that stands around an arm. Immutable; all lengths in m, in the base frame.
+ * Solid shape: a solid that stands around an arm; for one thread at a time. All lengths in m, in
+ * the base frame.
  */
 public sealed interface SolidShape {
   /** How far a point is from it: below 0 by the depth inside. */
@@ -137,7 +142,7 @@ public sealed interface SolidShape {
       return Math.min(atEnds, Math.min(atLeft, atRight));
     }
 
-    private double own(int axis, double x, double y, double z) {
+    final double own(int axis, double x, double y, double z) {
       return inBase[axis] * (x - inBase[9])
           + inBase[3 + axis] * (y - inBase[10])
           + inBase[6 + axis] * (z - inBase[11]);
@@ -201,6 +206,36 @@ public sealed interface SolidShape {
       return beyondR <= 0 && beyondZ <= 0
           ? Math.max(beyondR, beyondZ)
           : Math.sqrt(outR * outR + outZ * outZ);
+    }
+  }
+
+  /** A solid made of triangles, at any angle. */
+  final class Faces extends Posed {
+    private final MeshDistance distance;
+    private final MeshLine line;
+    private final double[] unused = new double[3];
+
+    /** The solid of a mesh whose origin is at a pose. */
+    public Faces(Pose inBase, TriangleMesh mesh) {
+      super(inBase);
+      distance = new MeshDistance(mesh);
+      line = new MeshLine(mesh);
+    }
+
+    @Override
+    double ownToPoint(double x, double y, double z) {
+      return distance.toPoint(x, y, z, unused);
+    }
+
+    @Override
+    public double toSegment(double ax, double ay, double az, double bx, double by, double bz) {
+      return line.apartM(
+          own(0, ax, ay, az),
+          own(1, ax, ay, az),
+          own(2, ax, ay, az),
+          own(0, bx, by, bz),
+          own(1, bx, by, bz),
+          own(2, bx, by, bz));
     }
   }
 }

@@ -20,6 +20,7 @@ public final class TriangleMesh {
   private final double[] points;
   private final int[] corners;
   private final double volumeM3;
+  private MeshTree tree;
 
   /**
    * Takes over both.
@@ -79,9 +80,31 @@ public final class TriangleMesh {
     return most;
   }
 
+  /** How far its farthest point is from the origin, m. */
+  public double reachM() {
+    double square = 0;
+    for (int i = 0; i < points.length; i += 3) {
+      square =
+          Math.max(
+              square,
+              points[i] * points[i]
+                  + points[i + 1] * points[i + 1]
+                  + points[i + 2] * points[i + 2]);
+    }
+    return Math.sqrt(square);
+  }
+
   /** What it fills, m^3; above 0. */
   public double volumeM3() {
     return volumeM3;
+  }
+
+  /** Boxes around its triangles, made when they are asked for first. Any thread may ask. */
+  synchronized MeshTree tree() {
+    if (tree == null) {
+      tree = new MeshTree(this);
+    }
+    return tree;
   }
 
   /** The sum of what is between a point and each triangle; below 0 for one that is inside out. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.pendant.models.mesh.SegmentDistance;
 import org.pendant.models.pose.Pose;
 
 class SegmentDistanceTest {

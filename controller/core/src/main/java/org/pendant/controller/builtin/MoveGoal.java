@@ -91,6 +91,7 @@ final class MoveGoal {
         return switch (each) {
           case SceneObject.Box box -> box.poseInBase();
           case SceneObject.Rod rod -> rod.poseInBase();
+          case SceneObject.Mesh mesh -> mesh.poseInBase();
           case SceneObject.Sphere sphere -> at(sphere.centreInBaseM());
           case SceneObject.Plane plane -> at(plane.pointInBaseM());
         };

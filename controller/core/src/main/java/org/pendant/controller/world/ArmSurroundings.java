@@ -121,6 +121,8 @@ public final class ArmSurroundings {
       }
       case SceneObject.Rod rod ->
           new SolidShape.Rod(rod.poseInBase(), rod.radiusM(), rod.lengthM(), rod.capsule());
+      case SceneObject.Mesh mesh ->
+          new SolidShape.Faces(mesh.poseInBase(), mesh.part().triangles());
       case SceneObject.Sphere ball -> {
         Vector3 at = ball.centreInBaseM();
         yield new SolidShape.Ball(at.x(), at.y(), at.z(), ball.radiusM());

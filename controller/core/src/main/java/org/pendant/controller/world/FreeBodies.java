@@ -390,6 +390,12 @@ final class FreeBodies {
                   : new BodyShape.Cylinder(rod.radiusM(), rod.lengthM()),
               rod.poseInBase(),
               surface);
+      case SceneObject.Mesh mesh ->
+          BodyDescription.fixed(
+              mesh.name(),
+              new BodyShape.Faces(mesh.part().triangles()),
+              mesh.poseInBase(),
+              surface);
       case SceneObject.Sphere ball -> {
         Vector3 at = ball.centreInBaseM();
         yield body(

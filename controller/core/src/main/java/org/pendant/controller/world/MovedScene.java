@@ -49,6 +49,8 @@ public final class MovedScene {
     Pose pose = moved.poseInBase();
     return switch (object) {
       case SceneObject.Plane plane -> plane;
+      case SceneObject.Mesh mesh ->
+          new SceneObject.Mesh(moved.name(), pose, mesh.part(), mesh.material());
       case SceneObject.Box box ->
           new SceneObject.Box(moved.name(), pose, box.sizeM(), box.material());
       case SceneObject.Rod rod ->

@@ -124,6 +124,30 @@ public sealed interface SceneObject {
   }
 
   /**
+   * A solid made of triangles, which stands still.
+   *
+   * @param name how it is called
+   * @param poseInBase where the origin of its file is, m, each -10 to 10, and its orientation, rad,
+   *     each -100 to 100
+   * @param part its triangles
+   * @param material what it is of
+   */
+  record Mesh(String name, Pose poseInBase, MeshPart part, Material material)
+      implements SceneObject {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range
+     */
+    public Mesh {
+      ObjectName.require(name);
+      for (int i = 0; i < Pose.SIZE; i++) {
+        Box.poseRange(i).require("pose[" + i + "]", poseInBase.get(i));
+      }
+    }
+  }
+
+  /**
    * A ball.
    *
    * @param name how it is called

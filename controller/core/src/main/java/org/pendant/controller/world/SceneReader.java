@@ -21,17 +21,31 @@ public final class SceneReader {
   private final List<SceneObject> objects = new ArrayList<>();
   private final Map<String, FilePosition> places = new HashMap<>();
 
-  private SceneReader() {}
+  private final MeshReader meshes;
+
+  private SceneReader(MeshFiles files) {
+    meshes = new MeshReader(files);
+  }
+
+  /**
+   * Reads a scene that names no meshes; see {@link #read(String, InputStream, MeshFiles)}.
+   *
+   * @throws JsonException for the first thing that is wrong
+   */
+  public static Scene read(String fileName, InputStream in) throws JsonException {
+    return read(fileName, in, MeshFiles.NONE);
+  }
 
   /**
    * Reads all of {@code in}, which the caller closes.
    *
    * @param fileName for messages
+   * @param meshes the files that it may name
    * @throws JsonException for the first thing that is wrong, with its place; also if the file
    *     cannot be read or is too large
    */
-  public static Scene read(String fileName, InputStream in) throws JsonException {
-    return new SceneReader().scene(JsonFile.read(fileName, in));
+  public static Scene read(String fileName, InputStream in, MeshFiles meshes) throws JsonException {
+    return new SceneReader(meshes).scene(JsonFile.read(fileName, in));
   }
 
   private Scene scene(Json root) throws JsonException {
@@ -96,12 +110,13 @@ public final class SceneReader {
           case "box" -> box(new JsonFields(each, "a box"));
           case "sphere" -> sphere(new JsonFields(each, "a sphere"));
           case "cylinder", "capsule" -> rod(new JsonFields(each, "a " + type.value()));
+          case "mesh" -> mesh(each, new JsonFields(each, "a mesh"));
           default ->
               throw type.place()
                   .refusal(
                       "type is "
                           + type.described()
-                          + ", must be plane, box, sphere, cylinder or capsule");
+                          + ", must be plane, box, sphere, cylinder, capsule or mesh");
         };
     Json.Text name = fields.text("name");
     FilePosition first = places.putIfAbsent(object.name(), name.place());
@@ -151,6 +166,12 @@ public final class SceneReader {
         fields.text("type").value().equals("capsule"),
         material(fields),
         mass(fields));
+  }
+
+  private SceneObject mesh(Json whole, JsonFields fields) throws JsonException {
+    fields.allow(Nearest::among, "type", "name", "pose", "mesh", "unit", "material");
+    return new SceneObject.Mesh(
+        name(fields), pose(fields), meshes.part(whole, fields), material(fields));
   }
 
   private static Pose pose(JsonFields fields) throws JsonException {

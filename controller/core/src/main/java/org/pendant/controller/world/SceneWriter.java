@@ -83,6 +83,15 @@ public final class SceneWriter {
                   + JsonValues.number(rod.radiusM())
                   + ", \"length\": "
                   + JsonValues.number(rod.lengthM());
+          case SceneObject.Mesh mesh ->
+              "{\"type\": \"mesh\", "
+                  + name
+                  + "\"pose\": "
+                  + pose(mesh.poseInBase())
+                  + ", \"mesh\": "
+                  + JsonValues.text(mesh.part().file())
+                  + ", \"unit\": "
+                  + JsonValues.text(mesh.part().unit().word());
           case SceneObject.Sphere sphere ->
               "{\"type\": \"sphere\", "
                   + name

@@ -1,5 +1,6 @@
 package org.pendant.controller.world;
 
+import org.pendant.models.mesh.MeshDistance;
 import org.pendant.models.pose.Transforms;
 
 /** Surface: the boundary of a solid, prepared for finding how far points are from it. */
@@ -12,6 +13,7 @@ sealed interface Surface {
       case SceneObject.Box box -> new Block(box);
       case SceneObject.Sphere sphere -> new Ball(sphere);
       case SceneObject.Rod rod -> new Bar(rod);
+      case SceneObject.Mesh mesh -> new Faces(mesh);
     };
   }
 
@@ -185,6 +187,38 @@ sealed interface Surface {
             inBase[3 * row] * nx + inBase[3 * row + 1] * ny + inBase[3 * row + 2] * nz;
       }
       return (fromCoreM > 0 ? fromCoreM : Math.max(beyondR, beyondZ)) - skinM;
+    }
+  }
+
+  /** The surface of a mesh, with sharp edges. */
+  final class Faces implements Surface {
+    private final double[] inBase = new double[Transforms.SIZE];
+    private final double[] ownNormal = new double[3];
+    private final MeshDistance distance;
+
+    Faces(SceneObject.Mesh mesh) {
+      Transforms.of(mesh.poseInBase(), inBase);
+      distance = new MeshDistance(mesh.part().triangles());
+    }
+
+    @Override
+    public double distanceM(double x, double y, double z, double[] normalInBase) {
+      double dx = x - inBase[9];
+      double dy = y - inBase[10];
+      double dz = z - inBase[11];
+      double awayM =
+          distance.toPoint(
+              inBase[0] * dx + inBase[3] * dy + inBase[6] * dz,
+              inBase[1] * dx + inBase[4] * dy + inBase[7] * dz,
+              inBase[2] * dx + inBase[5] * dy + inBase[8] * dz,
+              ownNormal);
+      for (int row = 0; row < 3; row++) {
+        normalInBase[row] =
+            inBase[3 * row] * ownNormal[0]
+                + inBase[3 * row + 1] * ownNormal[1]
+                + inBase[3 * row + 2] * ownNormal[2];
+      }
+      return awayM;
     }
   }
 }

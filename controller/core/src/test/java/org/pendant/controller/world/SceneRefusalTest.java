@@ -223,7 +223,8 @@ final class SceneRefusalTest {
   @Test
   void typesThatDoNotExist() {
     assertRefused(
-        "scene.json:1:23: type is \"ball\", must be plane, box, sphere, cylinder or" + " capsule",
+        "scene.json:1:23: type is \"ball\", must be plane, box, sphere, cylinder,"
+            + " capsule or mesh",
         object("\"type\": \"ball\""));
   }
 

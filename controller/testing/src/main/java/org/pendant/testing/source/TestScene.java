@@ -7,6 +7,7 @@ import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.models.json.JsonException;
+import org.pendant.models.mesh.MeshFile;
 
 /**
  * Test scene: what stands around the arm of a test.
@@ -24,7 +25,10 @@ public record TestScene(Scene scene, CellEquipment equipment) {
   static TestScene read(TestSources files, String name) throws IOException, JsonException {
     byte[] file = files.read(name);
     return new TestScene(
-        SceneReader.read(name, new ByteArrayInputStream(file)),
+        SceneReader.read(
+            name,
+            new ByteArrayInputStream(file),
+            (mesh, unit) -> MeshFile.read(mesh, files.read(TestSources.beside(name, mesh)), unit)),
         EquipmentReader.read(name, new ByteArrayInputStream(file)));
   }
 }

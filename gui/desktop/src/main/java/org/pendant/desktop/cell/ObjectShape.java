@@ -15,6 +15,7 @@ final class ObjectShape {
       case SceneObject.Plane _ -> "plane";
       case SceneObject.Box _ -> "box";
       case SceneObject.Rod rod -> rod.type();
+      case SceneObject.Mesh mesh -> "mesh " + mesh.part().file();
       case SceneObject.Sphere _ -> "ball";
     };
   }
@@ -25,6 +26,8 @@ final class ObjectShape {
           new SceneObject.Plane(name, plane.pointInBaseM(), plane.normalInBase(), plane.material());
       case SceneObject.Box box ->
           new SceneObject.Box(name, box.poseInBase(), box.sizeM(), box.material(), box.massKg());
+      case SceneObject.Mesh mesh ->
+          new SceneObject.Mesh(name, mesh.poseInBase(), mesh.part(), mesh.material());
       case SceneObject.Rod rod -> with(rod, name, rod.poseInBase(), rod.material(), rod.massKg());
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
@@ -38,6 +41,8 @@ final class ObjectShape {
           new SceneObject.Plane(plane.name(), plane.pointInBaseM(), plane.normalInBase(), material);
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), material, box.massKg());
+      case SceneObject.Mesh mesh ->
+          new SceneObject.Mesh(mesh.name(), mesh.poseInBase(), mesh.part(), material);
       case SceneObject.Rod rod -> with(rod, rod.name(), rod.poseInBase(), material, rod.massKg());
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
@@ -51,6 +56,8 @@ final class ObjectShape {
       case SceneObject.Plane plane -> plane.pointInBaseM();
       case SceneObject.Box box ->
           new Vector3(box.poseInBase().x(), box.poseInBase().y(), box.poseInBase().z());
+      case SceneObject.Mesh mesh ->
+          new Vector3(mesh.poseInBase().x(), mesh.poseInBase().y(), mesh.poseInBase().z());
       case SceneObject.Rod rod ->
           new Vector3(rod.poseInBase().x(), rod.poseInBase().y(), rod.poseInBase().z());
       case SceneObject.Sphere ball -> ball.centreInBaseM();
@@ -71,6 +78,14 @@ final class ObjectShape {
             box.material(),
             box.massKg());
       }
+      case SceneObject.Mesh mesh -> {
+        Pose pose = mesh.poseInBase();
+        yield new SceneObject.Mesh(
+            mesh.name(),
+            new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
+            mesh.part(),
+            mesh.material());
+      }
       case SceneObject.Rod rod -> {
         Pose pose = rod.poseInBase();
         yield with(
@@ -90,6 +105,7 @@ final class ObjectShape {
   static SceneObject weighing(SceneObject object, double massKg) {
     return switch (object) {
       case SceneObject.Plane plane -> plane;
+      case SceneObject.Mesh mesh -> mesh;
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), box.material(), massKg);
       case SceneObject.Rod rod -> with(rod, rod.name(), rod.poseInBase(), rod.material(), massKg);

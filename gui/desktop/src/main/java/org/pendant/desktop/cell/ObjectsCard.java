@@ -89,8 +89,9 @@ final class ObjectsCard {
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
     form.section(SceneObject.Sphere.class::isInstance, () -> addBall(form));
     form.section(SceneObject.Rod.class::isInstance, () -> addRod(form, rotation));
+    form.section(SceneObject.Mesh.class::isInstance, () -> addMesh(form, rotation));
     form.section(
-        object -> !(object instanceof SceneObject.Plane),
+        object -> !(object instanceof SceneObject.Plane || object instanceof SceneObject.Mesh),
         () -> {
           form.numberRow("Mass", Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
           form.note("With a mass it falls, slides and is pushed; with 0 it stands still.");
@@ -205,6 +206,20 @@ final class ObjectsCard {
             object instanceof SceneObject.Rod rod
                 ? sized(rod, rod.poseInBase(), rod.radiusM(), lengthM)
                 : object);
+  }
+
+  private static void addMesh(PartsForm<SceneObject> form, RotationChoice rotation) {
+    form.heading("Origin of its file and orientation, in the base");
+    PoseRows.addTo(
+        form,
+        "pose",
+        rotation,
+        object -> object instanceof SceneObject.Mesh mesh ? mesh.poseInBase() : Pose.ZERO,
+        (object, pose) ->
+            object instanceof SceneObject.Mesh mesh
+                ? new SceneObject.Mesh(mesh.name(), pose, mesh.part(), mesh.material())
+                : object,
+        object -> true);
   }
 
   private static SceneObject sized(SceneObject.Rod rod, Pose pose, double radiusM, double lengthM) {

@@ -3,6 +3,7 @@ package org.pendant.desktop.cell;
 import java.io.IOException;
 import java.util.Map;
 import java.util.function.Supplier;
+import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
 import org.pendant.desktop.session.SceneFile;
@@ -21,7 +22,8 @@ final class SceneRefusal {
   static String of(Supplier<Scene> wanted, Map<String, String> equipment) {
     try {
       // what is shown here can be saved, and read again
-      var _ = SceneFile.of(FILE, SceneWriter.write(wanted.get(), equipment));
+      Scene scene = wanted.get();
+      var _ = SceneFile.of(FILE, SceneWriter.write(scene, equipment), MeshFiles.of(scene));
       return "";
     } catch (IllegalArgumentException e) {
       return e.getMessage();

@@ -7,6 +7,7 @@ import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.models.mesh.MeshLine;
 import org.pendant.models.pose.Pose;
 
 /** Object hit: where a ray meets what stands around the arm. */
@@ -62,6 +63,13 @@ final class ObjectHit {
         toRod.transformPosition(from);
         toRod.transformDirection(along);
         yield rodDistanceM(from, along, rod);
+      }
+      case SceneObject.Mesh mesh -> {
+        Matrix4d toMesh = frame(mesh.poseInBase()).invert();
+        toMesh.transformPosition(from);
+        toMesh.transformDirection(along);
+        yield new MeshLine(mesh.part().triangles())
+            .meets(new double[] {from.x, from.y, from.z}, new double[] {along.x, along.y, along.z});
       }
       case SceneObject.Box box -> {
         Matrix4d toBox = frame(box.poseInBase()).invert();

@@ -7,6 +7,7 @@ import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.mesh.TriangleMesh;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
@@ -78,10 +79,35 @@ public record SceneBounds(List<Ball> balls) {
                       centre,
                       rod.capsule() ? half + rod.radiusM() : Math.hypot(half, rod.radiusM())));
             }
+            case SceneObject.Mesh mesh -> Optional.of(around(mesh));
             case SceneObject.Plane plane -> Optional.empty();
           };
       ball.filter(each -> each.centreM().length() + each.radiusM() < nearM).ifPresent(balls::add);
     }
+  }
+
+  /** A ball around the box of its triangles. */
+  private static Ball around(SceneObject.Mesh mesh) {
+    TriangleMesh triangles = mesh.part().triangles();
+    double[] frame = new double[Transforms.SIZE];
+    Transforms.of(mesh.poseInBase(), frame);
+    double[] middle = new double[3];
+    double[] half = new double[3];
+    for (int axis = 0; axis < 3; axis++) {
+      middle[axis] = (triangles.least(axis) + triangles.most(axis)) / 2;
+      half[axis] = (triangles.most(axis) - triangles.least(axis)) / 2;
+    }
+    double[] centre = new double[3];
+    for (int row = 0; row < 3; row++) {
+      centre[row] =
+          frame[9 + row]
+              + frame[3 * row] * middle[0]
+              + frame[3 * row + 1] * middle[1]
+              + frame[3 * row + 2] * middle[2];
+    }
+    return new Ball(
+        new Vector3(centre[0], centre[1], centre[2]),
+        new Vector3(half[0], half[1], half[2]).length());
   }
 
   private static Vector3 along(double[] frame, double z) {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
 import org.pendant.models.json.JsonMembers;
@@ -63,7 +64,11 @@ public final class SceneDraft {
 
     static Read of(Content content) {
       try {
-        return new Read(content, SceneFile.of("scene", content.text()).equipment().devices());
+        return new Read(
+            content,
+            SceneFile.of("scene", content.text(), MeshFiles.of(content.scene()))
+                .equipment()
+                .devices());
       } catch (IOException e) {
         throw new IllegalStateException("a draft has devices that cannot be", e);
       }

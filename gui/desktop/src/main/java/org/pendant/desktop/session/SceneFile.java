@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.box.EquipmentReader;
+import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.controller.world.SceneWriter;
@@ -59,17 +60,28 @@ public record SceneFile(
         String.valueOf(whole.getFileName()),
         Optional.of(read),
         read.text(),
-        scene(whole.toString(), read.text()),
+        scene(whole.toString(), read.text(), MeshFiles.in(whole.getParent())),
         equipment(whole.toString(), read.text()));
+  }
+
+  /**
+   * A text that has no file, and names none.
+   *
+   * @throws IOException if it is no scene; its message has the place and the reason
+   */
+  public static SceneFile of(String name, String text) throws IOException {
+    return of(name, text, MeshFiles.NONE);
   }
 
   /**
    * A text that has no file.
    *
+   * @param meshes the files that it may name
    * @throws IOException if it is no scene; its message has the place and the reason
    */
-  public static SceneFile of(String name, String text) throws IOException {
-    return new SceneFile(name, Optional.empty(), text, scene(name, text), equipment(name, text));
+  public static SceneFile of(String name, String text, MeshFiles meshes) throws IOException {
+    return new SceneFile(
+        name, Optional.empty(), text, scene(name, text, meshes), equipment(name, text));
   }
 
   /**
@@ -98,9 +110,9 @@ public record SceneFile(
     return new SceneFile(newName, file, text, scene, equipment);
   }
 
-  private static Scene scene(String name, String text) throws IOException {
+  private static Scene scene(String name, String text, MeshFiles meshes) throws IOException {
     try {
-      return SceneReader.read(name, bytes(text));
+      return SceneReader.read(name, bytes(text), meshes);
     } catch (JsonException e) {
       throw new IOException(e.getMessage(), e);
     }

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.controller.world.MeshFiles;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -161,10 +162,15 @@ final class Autosave {
       if (document.text().isEmpty()) {
         document.setText(SceneFile.NONE.text());
       }
+      MeshFiles meshes =
+          document
+              .onDisk()
+              .map(saved -> MeshFiles.in(saved.path().getParent()))
+              .orElse(MeshFiles.NONE);
       scene.restore(
           document,
-          SceneFile.of(document.name(), document.text()).scene(),
-          SceneFile.of(document.name(), left.text()));
+          SceneFile.of(document.name(), document.text(), meshes).scene(),
+          SceneFile.of(document.name(), left.text(), meshes));
     } catch (IOException e) {
       notices.tell("not-restored", "Not restored: " + e.getMessage());
     }

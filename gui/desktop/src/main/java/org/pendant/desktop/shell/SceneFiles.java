@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import org.pendant.controller.world.MeshFiles;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.DiskChange;
 import org.pendant.desktop.session.ProgramDocument;
@@ -149,7 +150,9 @@ final class SceneFiles {
     ProgramDocument document = draft.document();
     SceneFile next;
     try {
-      next = SceneFile.of(document.name(), document.text()).at(document.name(), document.onDisk());
+      next =
+          SceneFile.of(document.name(), document.text(), MeshFiles.of(draft.scene()))
+              .at(document.name(), document.onDisk());
     } catch (IOException e) {
       trouble(e.getMessage(), Optional.empty());
       return;

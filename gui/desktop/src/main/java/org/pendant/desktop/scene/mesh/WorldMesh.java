@@ -9,8 +9,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Pose;
 
 /**
- * World mesh: the boxes and balls of a scene, in the base frame. Planes have no end and are drawn
- * otherwise.
+ * World mesh: the solids of a scene, in the base frame. Planes have no end and are drawn otherwise.
  */
 public final class WorldMesh {
   private static final double WIDEST_BEVEL_M = 0.003;
@@ -33,6 +32,10 @@ public final class WorldMesh {
         case SceneObject.Box box -> addBox(mesh, box);
         case SceneObject.Sphere sphere -> addSphere(mesh, sphere);
         case SceneObject.Rod rod -> addRod(mesh, rod);
+        case SceneObject.Mesh part -> {
+          mesh.at(frame(part.poseInBase()));
+          Facets.add(mesh, part.part().triangles());
+        }
         case SceneObject.Plane plane -> {
           // Drawn as a surface with a grid.
         }

@@ -1,14 +1,14 @@
-package org.pendant.models.collision;
+package org.pendant.models.mesh;
 
 /** Distances of straight lines from one point to another. */
-final class SegmentDistance {
+public final class SegmentDistance {
   /** Lines shorter than this are points, squared, m². */
   private static final double POINT_M2 = 1e-18;
 
   private SegmentDistance() {}
 
   /** Distance of a point from the line from a to b, m. */
-  static double toPoint(
+  public static double toPoint(
       double ax,
       double ay,
       double az,
@@ -36,7 +36,7 @@ final class SegmentDistance {
    * @param ends1 x, y and z of both ends of the first, from {@code at1} on
    * @param ends2 the same of the second, from {@code at2} on
    */
-  static double apart(double[] ends1, int at1, double[] ends2, int at2) {
+  public static double apart(double[] ends1, int at1, double[] ends2, int at2) {
     double x1 = ends1[at1 + 3] - ends1[at1];
     double y1 = ends1[at1 + 4] - ends1[at1 + 1];
     double z1 = ends1[at1 + 5] - ends1[at1 + 2];

@@ -1,0 +1,45 @@
+package org.pendant.controller.world;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.pendant.models.mesh.MeshException;
+import org.pendant.models.mesh.MeshUnit;
+import org.pendant.models.mesh.TriangleMesh;
+
+/** Mesh files: where a scene has the meshes from that it names. */
+@FunctionalInterface
+public interface MeshFiles {
+  /** No files: those of a text that is in no folder. */
+  MeshFiles NONE =
+      (name, unit) -> {
+        throw new IOException("cannot be read, the scene is in no folder");
+      };
+
+  /**
+   * Reads one.
+   *
+   * @param name of the file, from the folder of the scene on
+   * @throws IOException if it cannot be read; its message is the reason alone
+   * @throws MeshException if it is no mesh
+   */
+  TriangleMesh read(String name, MeshUnit unit) throws IOException, MeshException;
+
+  /** The files in a folder, and in those below it. */
+  static MeshFiles in(Path folder) {
+    return new MeshFolder(folder);
+  }
+
+  /** Those that a scene has already, for reading what was written of it. */
+  static MeshFiles of(Scene scene) {
+    return (name, unit) -> {
+      for (SceneObject object : scene.objects()) {
+        if (object instanceof SceneObject.Mesh mesh
+            && mesh.part().file().equals(name)
+            && mesh.part().unit() == unit) {
+          return mesh.part().triangles();
+        }
+      }
+      throw new IOException("is not there");
+    };
+  }
+}

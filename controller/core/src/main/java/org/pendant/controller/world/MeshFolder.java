@@ -1,0 +1,46 @@
+package org.pendant.controller.world;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+import org.pendant.models.mesh.MeshException;
+import org.pendant.models.mesh.MeshFile;
+import org.pendant.models.mesh.MeshUnit;
+import org.pendant.models.mesh.TriangleMesh;
+
+/** Mesh folder: the files of meshes in a folder and below it; links do not lead out of it. */
+record MeshFolder(Path folder) implements MeshFiles {
+
+  @Override
+  public TriangleMesh read(String name, MeshUnit unit) throws IOException, MeshException {
+    return MeshFile.read(name, bytes(name), unit);
+  }
+
+  private byte[] bytes(String name) throws IOException {
+    try {
+      Path root = folder.toRealPath();
+      Path file = root.resolve(name).toRealPath();
+      if (!file.startsWith(root)) {
+        throw new IOException("is a link that leads out of the folder of the scene");
+      }
+      if (!Files.isRegularFile(file)) {
+        throw new IOException("is not a file");
+      }
+      try (InputStream in = Files.newInputStream(file)) {
+        // one more than it may have, so that its reader refuses it
+        return in.readNBytes(MeshFile.MAX_BYTES + 1);
+      }
+    } catch (NoSuchFileException | NotDirectoryException e) {
+      throw new IOException("is not there", e);
+    } catch (AccessDeniedException e) {
+      throw new IOException("cannot be read, no permission", e);
+    } catch (InvalidPathException e) {
+      throw new IOException("is not a file name", e);
+    }
+  }
+}
