@@ -82,6 +82,19 @@ final class ObjectsCard {
                 false,
                 Material.DEFAULT,
                 0));
+    items.asker(
+        "Add mesh...",
+        take ->
+            MeshDialog.show(
+                card,
+                draft,
+                (name, part) ->
+                    take.accept(
+                        new SceneObject.Mesh(
+                            items.freshName(name),
+                            new Pose(IN_FRONT_M, besideM(), 0, 0, 0, 0),
+                            part,
+                            Material.DEFAULT))));
     PartsForm<SceneObject> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.AbstractAction;
@@ -138,11 +139,20 @@ public final class Items<T> {
 
   /** A button that adds one. */
   public Items<T> adder(String title, Supplier<T> fresh) {
+    return asker(title, take -> take.accept(fresh.get()));
+  }
+
+  /**
+   * A button that adds one after it has asked for more.
+   *
+   * @param ask is handed what adds one
+   */
+  public Items<T> asker(String title, Consumer<Consumer<T>> ask) {
     JButton button = new JButton(title);
-    String word = title.toLowerCase(Locale.ROOT).replace(' ', '-');
+    String word = title.toLowerCase(Locale.ROOT).replace("...", "").replace(' ', '-');
     TitledCard.named(button, id + "-" + word, title);
     TitledCard.compact(button);
-    button.addActionListener(event -> add(fresh.get()));
+    button.addActionListener(event -> ask.accept(this::add));
     adders.add(button);
     buttons.add(button, adders.size() - 1);
     return this;
