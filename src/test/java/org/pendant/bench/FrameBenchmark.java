@@ -52,6 +52,12 @@ public class FrameBenchmark {
     return controller.state();
   }
 
+  /** One frame whose snapshot nobody asks for. */
+  @Benchmark
+  public void frameThatNobodyLooksAt() {
+    controller.advance();
+  }
+
   /** Looks whether the frames were what they should be. */
   @TearDown
   public void check() {

@@ -6,28 +6,20 @@ import java.util.function.Consumer;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.eip.AssemblyWatchdog;
 import org.pendant.controller.io.InputWatchdogs;
-import org.pendant.controller.message.Popup;
 import org.pendant.controller.rtde.PublishedState;
 import org.pendant.controller.safety.FrameFacts;
 import org.pendant.controller.safety.SafetyAction;
-import org.pendant.controller.state.ArmGeometry;
-import org.pendant.controller.state.ArmReadings;
-import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControlMode;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.state.LinkDistance;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.SourceRange;
 import org.pendant.models.arm.Joints;
-import org.pendant.motion.MotionControl;
 import org.pendant.motion.MotionFailure;
-import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.Value;
-import org.pendant.script.variables.VariableSampler;
 import org.pendant.script.variables.VariableTracer;
 import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Machine;
@@ -45,19 +37,13 @@ final class Frame {
   private final ControlBox box;
   private final Machine machine;
   private final CommandQueue commandQueue;
-  private final Debugger debugger;
   private final ManualControl hand;
-  private final VariableSampler sampler;
-  private final VariableTracer tracer;
   private final InstallationHandler installed;
 
   /** Made once, since every frame hands it on. */
   private final Consumer<String> warn;
 
   private final StopSnapshot witness = new StopSnapshot();
-
-  /** Made once, since every snapshot hands it on. */
-  private final LinkDistance links;
 
   private final RuntimeStateTracker runtime = new RuntimeStateTracker();
   private ProgramState followed = ProgramState.STOPPED;
@@ -79,8 +65,7 @@ final class Frame {
   private long beganNs = System.nanoTime();
 
   private final StateStream feed = new StateStream();
-  private volatile ControllerState state;
-  private boolean still;
+  private final FrameImage image;
 
   Frame(
       ControlBox box,
@@ -92,17 +77,13 @@ final class Frame {
       InstallationHandler installed) {
     this.box = box;
     this.machine = machine;
-    this.debugger = debugger;
     this.commandQueue = commandQueue;
     this.hand = hand;
-    this.tracer = tracer;
     this.installed = installed;
     warn = box.log()::warning;
-    links =
-        arm -> box.arm().surroundings().nearestM(arm.actualPositionRad(), arm.tool().inFlange());
-    sampler = new VariableSampler(machine);
-    state = snapshot();
-    feed.publish(state);
+    image = new FrameImage(box, machine, debugger, tracer);
+    take();
+    feed.publish(state());
     box.links().setPublished(new PublishedState(this::state));
   }
 
@@ -174,12 +155,12 @@ final class Frame {
 
   /** The newest snapshot; any thread. */
   ControllerState state() {
-    return state;
+    return image.state();
   }
 
   /** Whether arm and cell stood still in the last frame. */
   boolean still() {
-    return still;
+    return image.still();
   }
 
   /** Every snapshot in turn; any thread. */
@@ -374,11 +355,15 @@ final class Frame {
   }
 
   private void publish() {
-    ControllerState before = state;
-    state = snapshot();
-    still = state.standsStillSince(before);
+    take();
     commandQueue.reply();
-    feed.publish(state);
+    if (feed.hasFollowers()) {
+      feed.publish(state());
+    }
+  }
+
+  private void take() {
+    image.take(executionTimeS(), controlMode(), safetyStatus(), programStatus());
   }
 
   /** Makes the motion do what the program's state asks for. */
@@ -506,64 +491,16 @@ final class Frame {
                     List.of())));
   }
 
-  private ControllerState snapshot() {
-    ArmState arm = armState();
-    ArmReadings readings = ArmReadings.of(box);
-    List<Popup> popups = box.prompts().popups().takeNew();
-    return new ControllerState(
-        box.clock().frame(),
-        box.clock().timeS(),
-        executionTimeS(),
-        box.clock().behindS(),
-        box.arm().simulated().rests(),
-        arm,
-        readings,
-        new ArmGeometry(arm, readings, links),
-        SafetyStatus.of(box, witness.place()),
-        programStatus(arm),
-        debugger.state(),
-        box.signals().digital().levels(),
-        box.signals().state(),
-        box.links().modbus().state(),
-        box.links().devices().states(),
-        box.arm().world().moved(),
-        box.links().assemblies().image(),
-        box.offsets().encoders().counts(),
-        box.modes().freedrive().state(box.drive().actualPositionRad()),
-        sampler.read(debugger.state().stop().map(DebugState.Stop::number).orElse(0L)),
-        tracer.read(),
-        box.prompts().popups().open(),
-        box.prompts().questions().open(),
-        box.log().takeNew(),
-        popups,
-        box.prompts().questions().takeNew(),
-        machine.takeEvents(),
-        box.log().newest());
+  /** The last status again while nothing has changed. */
+  private SafetyStatus safetyStatus() {
+    SafetyStatus last = image.safety();
+    return last.holdsFor(box, witness.place()) ? last : SafetyStatus.of(box, witness.place());
   }
 
   private double executionTimeS() {
     return box.clock().inRealTime()
         ? NS * (System.nanoTime() - beganNs)
         : box.clock().executionTimeS(machine.state() == ProgramState.RUNNING);
-  }
-
-  private ArmState armState() {
-    MotionControl motion = box.motion();
-    return new ArmState(
-        motion.positionRad(),
-        motion.speedRadPerS(),
-        motion.accelerationRadPerS2(),
-        box.drive().actualPositionRad(),
-        box.arm().simulated().speedRadPerS(),
-        box.flange().tool(),
-        box.arm().description(),
-        box.kinematics().forward(),
-        controlMode(),
-        motion.moving(),
-        motion.steady(),
-        motion.speedFraction(),
-        motion.scaling(),
-        motion.fault());
   }
 
   private ControlMode controlMode() {
@@ -577,12 +514,12 @@ final class Frame {
   }
 
   /** The last status again while nothing has changed: most frames wait. */
-  private ProgramStatus programStatus(ArmState arm) {
+  private ProgramStatus programStatus() {
     ProgramState now = machine.state();
     int line = machine.line();
     Optional<Ending> ending = internalEnding.isPresent() ? internalEnding : machine.ending();
-    boolean moves = !arm.targetSpeedRadPerS().equals(Joints.ZERO);
-    RuntimeState doing = runtime.look(now, machine.pausing(), moves, arm.speedScaling());
+    boolean moves = !box.motion().speedRadPerS().equals(Joints.ZERO);
+    RuntimeState doing = runtime.look(now, machine.pausing(), moves, box.motion().scaling());
     if (now != program.state()
         || doing != program.runtime()
         || line != program.line()

@@ -21,7 +21,7 @@ public final class SimulatedSensors implements ArmSensors {
   final double[] flangeNoise6 = new double[6];
 
   /** Takes over what {@code others} say. */
-  void set(SimulatedSensors others) {
+  public void set(SimulatedSensors others) {
     System.arraycopy(others.positionRad, 0, positionRad, 0, Joints.COUNT);
     System.arraycopy(others.speedRadPerS, 0, speedRadPerS, 0, Joints.COUNT);
     System.arraycopy(others.accelerationRadPerS2, 0, accelerationRadPerS2, 0, Joints.COUNT);
@@ -44,6 +44,15 @@ public final class SimulatedSensors implements ArmSensors {
   @Override
   public Joints speedRadPerS() {
     return Joints.of(speedRadPerS);
+  }
+
+  /** How fast the fastest joint turns, rad/s. */
+  public double fastestRadPerS() {
+    double fastest = 0;
+    for (double speed : speedRadPerS) {
+      fastest = Math.max(fastest, Math.abs(speed));
+    }
+    return fastest;
   }
 
   @Override

@@ -1,9 +1,6 @@
 package org.pendant.controller.state;
 
-import org.pendant.controller.arm.WarmUp;
-import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Mounting;
-import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
@@ -67,35 +64,4 @@ public record ArmReadings(
    * @param zMPerS2 along z, m/s²
    */
   public record Acceleration(double xMPerS2, double yMPerS2, double zMPerS2) {}
-
-  /** The readings of this frame. */
-  public static ArmReadings of(ControlBox box) {
-    ArmSensors sensors = box.arm().simulated().sensors();
-    return new ArmReadings(
-        sensors.accelerationRadPerS2(),
-        sensors.torqueNm(),
-        sensors.externalTorqueNm(),
-        sensors.targetTorqueNm(),
-        sensors.currentA(),
-        sensors.targetCurrentA(),
-        sensors.temperatureC(),
-        sensors.toolTemperatureC(),
-        WarmUp.CONTROL_BOX.temperatureC(box.clock().timeS()),
-        box.signals().toolCurrentA(box.drive().powered()),
-        new Acceleration(
-            sensors.toolAccelerationMPerS2(0),
-            sensors.toolAccelerationMPerS2(1),
-            sensors.toolAccelerationMPerS2(2)),
-        box.flange().wrenchInBase(),
-        box.flange().rawWrench(),
-        box.arm().model().payload(),
-        box.arm().model().mounting(),
-        SupplyVoltages.of(box),
-        box.arm().supplyMeter().currentA(),
-        box.arm().supply().consumedJ(),
-        box.arm().supply().dissipatedJ(),
-        box.safety().momentumKgMPerS(),
-        box.safety().deviationRatio(),
-        box.safety().collisionRatio());
-  }
 }

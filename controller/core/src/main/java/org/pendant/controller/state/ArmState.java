@@ -50,9 +50,12 @@ public record ArmState(
    * noise of what reads them.
    */
   public boolean rests() {
-    return steady
-        && controlMode == ControlMode.POSITION
-        && actualSpeedRadPerS.maxAbsDifference(Joints.ZERO) < NOISE_RAD_PER_S;
+    return rests(steady, controlMode, actualSpeedRadPerS.maxAbsDifference(Joints.ZERO));
+  }
+
+  /** The same of an arm whose fastest joint turns so fast, rad/s. */
+  static boolean rests(boolean steady, ControlMode mode, double fastestRadPerS) {
+    return steady && mode == ControlMode.POSITION && fastestRadPerS < NOISE_RAD_PER_S;
   }
 
   /** The same with its joints read elsewhere. */

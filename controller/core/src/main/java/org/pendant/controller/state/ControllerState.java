@@ -131,14 +131,6 @@ public record ControllerState(
         newestEntry);
   }
 
-  /** Whether neither the arm nor anything around it has moved since the frame {@code before}. */
-  public boolean standsStillSince(ControllerState before) {
-    return arm.rests()
-        && encoders.equals(before.encoders)
-        && devices.equals(before.devices)
-        && moved.equals(before.moved);
-  }
-
   /**
    * The log lines of this frame. A reader that takes longer than some frames may find that the log
    * keeps the first of them no longer; {@link #newestEntry} tells.

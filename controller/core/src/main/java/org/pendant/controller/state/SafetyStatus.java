@@ -46,4 +46,16 @@ public record SafetyStatus(
         box.safety().isShutDown(),
         box.safety().checksum());
   }
+
+  /** Whether the status of this frame is this one again. */
+  public boolean holdsFor(ControlBox box, Optional<StopPlace> place) {
+    return robotMode == box.safety().robotMode()
+        && safetyMode == box.safety().safetyMode()
+        && stop.equals(box.safety().stop())
+        && stopPlace.equals(place)
+        && reduced == box.safety().reduced()
+        && baseLight.equals(box.arm().baseLight())
+        && shutDown == box.safety().isShutDown()
+        && checksum.equals(box.safety().checksum());
+  }
 }

@@ -49,6 +49,11 @@ public final class StateStream {
     return follower;
   }
 
+  /** Whether anybody follows, by whatever rhythm: otherwise nothing need be published. */
+  public boolean hasFollowers() {
+    return !followers.isEmpty();
+  }
+
   /** Whether somebody needs each snapshot as soon as its frame is due. */
   public boolean followed() {
     for (Subscription follower : followers) {
