@@ -191,8 +191,10 @@ final class CommandQueue {
 
   /** Runs the secondary programs that have arrived. */
   void runSecondaries() {
-    secondaries.forEach(this::answer);
-    secondaries.clear();
+    if (!secondaries.isEmpty()) {
+      secondaries.forEach(this::answer);
+      secondaries.clear();
+    }
   }
 
   /** Refuses the secondary programs that have arrived. */

@@ -43,6 +43,8 @@ final class Frame {
   /** Made once, since every frame hands it on. */
   private final Consumer<String> warn;
 
+  private final Runnable follow = this::followProgram;
+
   private final StopSnapshot witness = new StopSnapshot();
 
   private final RuntimeStateTracker runtime = new RuntimeStateTracker();
@@ -124,7 +126,7 @@ final class Frame {
     }
     try {
       beganNs = box.clock().inRealTime() ? System.nanoTime() : 0;
-      commandQueue.drain(this::followProgram);
+      commandQueue.drain(follow);
       commandQueue.runSecondaries();
       followProgram();
       publish();
@@ -172,7 +174,7 @@ final class Frame {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
     if (!beforeCommands) {
-      commandQueue.drain(this::followProgram);
+      commandQueue.drain(follow);
     }
     box.signals().player().step(warn);
     installed.step();
@@ -185,24 +187,29 @@ final class Frame {
   /** Inputs that were not written in time hold or end the program. */
   private void followWatchdogs() {
     boolean running = machine.state() == ProgramState.RUNNING;
-    for (InputWatchdogs.Violation late :
-        box.links().inputWatchdogs().step(running, box.clock().timeS())) {
-      String what =
-          "RTDE input "
-              + late.input()
-              + " must be written at least at "
-              + Value.of(late.leastHz()).text()
-              + " Hz and was not: the program ";
-      switch (late.action()) {
-        case IGNORE -> box.log().warning(what + "continues");
-        case PAUSE -> {
-          box.log().error(what + "pauses");
-          machine.pause();
-        }
-        case STOP -> {
-          box.log().error(what + "ends");
-          machine.stop();
-        }
+    List<InputWatchdogs.Violation> all =
+        box.links().inputWatchdogs().step(running, box.clock().timeS());
+    if (!all.isEmpty()) {
+      all.forEach(this::follow);
+    }
+  }
+
+  private void follow(InputWatchdogs.Violation late) {
+    String what =
+        "RTDE input "
+            + late.input()
+            + " must be written at least at "
+            + Value.of(late.leastHz()).text()
+            + " Hz and was not: the program ";
+    switch (late.action()) {
+      case IGNORE -> box.log().warning(what + "continues");
+      case PAUSE -> {
+        box.log().error(what + "pauses");
+        machine.pause();
+      }
+      case STOP -> {
+        box.log().error(what + "ends");
+        machine.stop();
       }
     }
   }
@@ -210,26 +217,31 @@ final class Frame {
   /** Assemblies that no scanner has written in time stop the arm and hold or end the program. */
   private void followAssemblies() {
     boolean running = machine.state() == ProgramState.RUNNING;
-    for (AssemblyWatchdog.Violation late :
-        box.links().assemblies().step(running, box.clock().timeS())) {
-      String what =
-          "EtherNet/IP instance "
-              + late.instance()
-              + " must be written at least at "
-              + Value.of(late.leastHz()).text()
-              + " Hz and was not: ";
-      switch (late.action()) {
-        case IGNORE -> box.log().warning(what + "the program continues");
-        case PAUSE -> {
-          box.log().error(what + "protective stop, the program pauses");
-          box.safety().protectiveStop();
-          machine.pause();
-        }
-        case STOP -> {
-          box.log().error(what + "protective stop, the program ends");
-          box.safety().protectiveStop();
-          machine.stop();
-        }
+    List<AssemblyWatchdog.Violation> all =
+        box.links().assemblies().step(running, box.clock().timeS());
+    if (!all.isEmpty()) {
+      all.forEach(this::follow);
+    }
+  }
+
+  private void follow(AssemblyWatchdog.Violation late) {
+    String what =
+        "EtherNet/IP instance "
+            + late.instance()
+            + " must be written at least at "
+            + Value.of(late.leastHz()).text()
+            + " Hz and was not: ";
+    switch (late.action()) {
+      case IGNORE -> box.log().warning(what + "the program continues");
+      case PAUSE -> {
+        box.log().error(what + "protective stop, the program pauses");
+        box.safety().protectiveStop();
+        machine.pause();
+      }
+      case STOP -> {
+        box.log().error(what + "protective stop, the program ends");
+        box.safety().protectiveStop();
+        machine.stop();
       }
     }
   }

@@ -1,6 +1,7 @@
 package org.pendant.controller;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Inertia;
 import org.pendant.controller.box.ToolCentre;
@@ -34,6 +35,9 @@ final class ManualControl implements CommandHandler<ManualCommand> {
   private final Machine machine;
   private final Jogging jogging;
   private final FreedriveSession guiding;
+
+  /** Made once, since every frame hands it on. */
+  private final Supplier<Optional<Refusal>> unlessProgram = this::refusalOfInput;
 
   ManualControl(ControlBox box, Machine machine) {
     this.box = box;
@@ -75,7 +79,11 @@ final class ManualControl implements CommandHandler<ManualCommand> {
     guiding.step();
     guiding.followInput(
         box.signals().freedriveDemanded() || box.links().modbus().freedriveDemanded(),
-        () -> programRefusal("an input asks for freedrive"));
+        unlessProgram);
+  }
+
+  private Optional<Refusal> refusalOfInput() {
+    return programRefusal("an input asks for freedrive");
   }
 
   private Optional<Refusal> guide(FreeAxes axes, FreedriveFrame frame) {

@@ -8,7 +8,6 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
-import org.pendant.models.pose.Wrench;
 import org.pendant.models.time.FrameTime;
 
 /**
@@ -215,13 +214,13 @@ public final class DynamicArm implements SimulatedArm {
   }
 
   @Override
-  public Wrench loadOnFlange() {
-    return flange.loadOf(load, externalForces.wrench6);
+  public void copyLoadOnFlange(double[] load6) {
+    flange.loadOf(load, externalForces.wrench6, load6);
   }
 
   @Override
-  public Wrench weightOf(Payload payload) {
-    return flange.weightOf(payload);
+  public void copyWeightOf(Payload payload, double[] load6) {
+    flange.weightOf(payload, load6);
   }
 
   @Override

@@ -7,7 +7,6 @@ import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.JointAngles;
 import org.pendant.models.pose.Transforms;
-import org.pendant.models.pose.Wrench;
 
 /** Flange: where it is, and what an accelerometer in it and bodies on it feel of its motion. */
 final class Flange {
@@ -15,7 +14,6 @@ final class Flange {
   private final JointAngles angles = new JointAngles();
   private final ArmDynamics dynamics;
   private final double[] inBase12 = new double[Transforms.SIZE];
-  private final double[] load6 = new double[6];
 
   /** The flange of an arm that stands upright. */
   Flange(ArmDescription arm) {
@@ -49,29 +47,23 @@ final class Flange {
     }
   }
 
-  /** What {@code payload} weighs in this motion, at the flange's origin along its axes. */
-  Wrench weightOf(Payload payload) {
+  /** Writes what {@code payload} weighs in this motion, at the flange's origin along its axes. */
+  void weightOf(Payload payload, double[] load6) {
     dynamics.flangeMotion().loadOf(payload, load6);
-    return load();
   }
 
   /**
-   * What {@code payload} weighs and what pushes from outside, at the flange's origin along its
-   * axes.
+   * Writes what {@code payload} weighs and what pushes from outside, at the flange's origin along
+   * its axes.
    *
    * @param outside6 at the flange's origin along the base's axes
    */
-  Wrench loadOf(Payload payload, double[] outside6) {
+  void loadOf(Payload payload, double[] outside6, double[] load6) {
     dynamics.flangeMotion().loadOf(payload, load6);
     for (int axis = 0; axis < 3; axis++) {
       load6[axis] += alongOwn(axis, outside6, 0);
       load6[3 + axis] += alongOwn(axis, outside6, 3);
     }
-    return load();
-  }
-
-  private Wrench load() {
-    return new Wrench(load6[0], load6[1], load6[2], load6[3], load6[4], load6[5]);
   }
 
   private double alongOwn(int axis, double[] inBase, int from) {

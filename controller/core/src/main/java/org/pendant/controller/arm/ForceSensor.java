@@ -15,6 +15,11 @@ import org.pendant.models.pose.Wrench;
  */
 public final class ForceSensor {
   private final double[] flange12 = new double[Transforms.SIZE];
+
+  /** What is felt, and then what is read, along the axes of the flange. */
+  private final double[] own6 = new double[6];
+
+  private final double[] weight6 = new double[6];
   private Wrench zero = Wrench.ZERO;
   private Wrench felt = Wrench.ZERO;
 
@@ -28,8 +33,20 @@ public final class ForceSensor {
 
   /** The reading at the flange's origin, along the flange's axes. */
   public Wrench reading(SimulatedArm arm, Payload declared) {
-    felt = less(arm.loadOnFlange(), arm.sensors().flangeNoise6);
-    return less(felt, arm.weightOf(declared), zero);
+    read(arm, declared);
+    return new Wrench(own6[0], own6[1], own6[2], own6[3], own6[4], own6[5]);
+  }
+
+  private void read(SimulatedArm arm, Payload declared) {
+    arm.copyLoadOnFlange(own6);
+    felt = less(own6, arm.sensors().flangeNoise6);
+    arm.copyWeightOf(declared, weight6);
+    own6[0] = felt.fx() - weight6[0] - zero.fx();
+    own6[1] = felt.fy() - weight6[1] - zero.fy();
+    own6[2] = felt.fz() - weight6[2] - zero.fz();
+    own6[3] = felt.mx() - weight6[3] - zero.mx();
+    own6[4] = felt.my() - weight6[4] - zero.my();
+    own6[5] = felt.mz() - weight6[5] - zero.mz();
   }
 
   /**
@@ -43,18 +60,23 @@ public final class ForceSensor {
   /** The reading at the flange's origin, along the axes of the base (manual 16.32). */
   public Wrench wrenchAtFlangeInBase(SimulatedArm arm, Payload declared) {
     arm.copyFlangeInBase(flange12);
-    return alongBase(reading(arm, declared), flange12);
+    read(arm, declared);
+    return alongBase(own6, flange12);
   }
 
   /** A wrench along the axes of the flange, along those of the base. */
   static Wrench alongBase(Wrench w, double[] flange12) {
+    return alongBase(new double[] {w.fx(), w.fy(), w.fz(), w.mx(), w.my(), w.mz()}, flange12);
+  }
+
+  private static Wrench alongBase(double[] w6, double[] flange12) {
     return new Wrench(
-        alongBase(flange12, 0, w.fx(), w.fy(), w.fz()),
-        alongBase(flange12, 1, w.fx(), w.fy(), w.fz()),
-        alongBase(flange12, 2, w.fx(), w.fy(), w.fz()),
-        alongBase(flange12, 0, w.mx(), w.my(), w.mz()),
-        alongBase(flange12, 1, w.mx(), w.my(), w.mz()),
-        alongBase(flange12, 2, w.mx(), w.my(), w.mz()));
+        alongBase(flange12, 0, w6[0], w6[1], w6[2]),
+        alongBase(flange12, 1, w6[0], w6[1], w6[2]),
+        alongBase(flange12, 2, w6[0], w6[1], w6[2]),
+        alongBase(flange12, 0, w6[3], w6[4], w6[5]),
+        alongBase(flange12, 1, w6[3], w6[4], w6[5]),
+        alongBase(flange12, 2, w6[3], w6[4], w6[5]));
   }
 
   private static double alongBase(double[] flange12, int axis, double x, double y, double z) {
@@ -71,23 +93,8 @@ public final class ForceSensor {
         a.mz() - b.mz());
   }
 
-  private static Wrench less(Wrench a, Wrench b, Wrench c) {
+  private static Wrench less(double[] a6, double[] b6) {
     return new Wrench(
-        a.fx() - b.fx() - c.fx(),
-        a.fy() - b.fy() - c.fy(),
-        a.fz() - b.fz() - c.fz(),
-        a.mx() - b.mx() - c.mx(),
-        a.my() - b.my() - c.my(),
-        a.mz() - b.mz() - c.mz());
-  }
-
-  private static Wrench less(Wrench a, double[] b6) {
-    return new Wrench(
-        a.fx() - b6[0],
-        a.fy() - b6[1],
-        a.fz() - b6[2],
-        a.mx() - b6[3],
-        a.my() - b6[4],
-        a.mz() - b6[5]);
+        a6[0] - b6[0], a6[1] - b6[1], a6[2] - b6[2], a6[3] - b6[3], a6[4] - b6[4], a6[5] - b6[5]);
   }
 }

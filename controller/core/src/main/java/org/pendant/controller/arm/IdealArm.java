@@ -9,7 +9,6 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
-import org.pendant.models.pose.Wrench;
 
 /**
  * Ideal arm: simulated without mass, friction or delay, it is always exactly where it should be.
@@ -144,13 +143,13 @@ public final class IdealArm implements SimulatedArm {
   }
 
   @Override
-  public Wrench loadOnFlange() {
-    return flange.weightOf(load);
+  public void copyLoadOnFlange(double[] load6) {
+    flange.weightOf(load, load6);
   }
 
   @Override
-  public Wrench weightOf(Payload payload) {
-    return flange.weightOf(payload);
+  public void copyWeightOf(Payload payload, double[] load6) {
+    flange.weightOf(payload, load6);
   }
 
   @Override

@@ -29,13 +29,27 @@ public interface SimulatedArm extends MeasuredArm {
    * there, contacts and everything else that pushes, at the flange's origin along the flange's
    * axes.
    */
-  Wrench loadOnFlange();
+  default Wrench loadOnFlange() {
+    double[] load = new double[Joints.COUNT];
+    copyLoadOnFlange(load);
+    return new Wrench(load[0], load[1], load[2], load[3], load[4], load[5]);
+  }
+
+  /** Writes {@link #loadOnFlange} into six numbers. */
+  void copyLoadOnFlange(double[] load6);
 
   /**
    * What {@code payload} would add to {@link #loadOnFlange} if it hung on the flange in its present
    * motion: its weight and inertia, at the flange's origin along the flange's axes.
    */
-  Wrench weightOf(Payload payload);
+  default Wrench weightOf(Payload payload) {
+    double[] load = new double[Joints.COUNT];
+    copyWeightOf(payload, load);
+    return new Wrench(load[0], load[1], load[2], load[3], load[4], load[5]);
+  }
+
+  /** Writes {@link #weightOf} into six numbers. */
+  void copyWeightOf(Payload payload, double[] load6);
 
   @Override
   default void copyPositionRad(double[] q) {

@@ -88,6 +88,10 @@ public final class OpenPopups {
 
   /** Whether a popup that blocks is open. */
   public boolean blocked() {
+    return !open.isEmpty() && oneBlocks();
+  }
+
+  private boolean oneBlocks() {
     for (Popup popup : open) {
       if (popup.blocking()) {
         return true;

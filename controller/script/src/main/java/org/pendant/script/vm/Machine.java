@@ -180,7 +180,10 @@ public final class Machine {
     } catch (ThreadFailure thrown) {
       fail(thrown.thread(), ProgramFailure.of(thrown.thread(), thrown.error()));
     }
-    running.takeFault().ifPresent(fault -> tellOnce("translating a function", fault));
+    Optional<Throwable> fault = running.takeFault();
+    if (fault.isPresent()) {
+      tellOnce("translating a function", fault.get());
+    }
     if (!held && state == ProgramState.RUNNING) {
       lookAhead(running);
       pauseWhenPossible();
