@@ -27,6 +27,9 @@ final class Equipment {
   /** Lines of the whole above those of the rules. */
   private static final int ABOVE = 1;
 
+  /** Names of objects in a device that has several. */
+  private static final String OBJECTS = "objects";
+
   private Equipment() {}
 
   /** The devices among the members. */
@@ -49,7 +52,9 @@ final class Equipment {
     next.putAll(without(members, DEVICES));
     List<String> before = devices(members).stream().map(DeviceText::name).toList();
     List<String> after = devices.stream().map(DeviceText::name).toList();
-    next.computeIfPresent(RULES, (key, rules) -> renamed(rules, "part", before, after));
+    for (String names : List.of("part", "press")) {
+      next.computeIfPresent(RULES, (key, rules) -> renamed(rules, names, before, after));
+    }
     return next;
   }
 
@@ -57,15 +62,35 @@ final class Equipment {
   static Map<String, String> following(
       Map<String, String> members, List<SceneObject> before, List<SceneObject> after) {
     Map<String, String> next = new LinkedHashMap<>(members);
+    List<String> names = before.stream().map(SceneObject::name).toList();
+    List<String> now = after.stream().map(SceneObject::name).toList();
     next.computeIfPresent(
         DEVICES,
-        (key, devices) ->
-            renamed(
-                devices,
-                "object",
-                before.stream().map(SceneObject::name).toList(),
-                after.stream().map(SceneObject::name).toList()));
+        (key, devices) -> listsRenamed(renamed(devices, "object", names, now), names, now));
     return next;
+  }
+
+  /** Devices whose lists of objects follow those that are called otherwise now. */
+  private static String listsRenamed(String json, List<String> before, List<String> after) {
+    List<DeviceText> devices = DeviceText.read(json);
+    List<DeviceText> next =
+        devices.stream()
+            .map(
+                each ->
+                    each.withList(
+                        OBJECTS,
+                        each.list(OBJECTS).stream()
+                            .map(name -> nameNow(name, before, after))
+                            .toList()))
+            .toList();
+    return next.equals(devices) ? json : DeviceText.write(next);
+  }
+
+  private static String nameNow(String name, List<String> before, List<String> after) {
+    int index = before.indexOf(name);
+    return index >= 0 && before.size() == after.size() && !after.contains(name)
+        ? after.get(index)
+        : name;
   }
 
   /** A text in which what one of some names is said of is said of its name afterwards. */

@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.device.DeviceKind;
+import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
 
 final class EquipmentTest {
   @Test
@@ -54,5 +57,33 @@ final class EquipmentTest {
     DeviceText knows = camera.withList("objects", List.of("block", "disc"));
     assertEquals(List.of("block", "disc"), knows.list("objects"));
     assertEquals(camera, knows.withList("objects", List.of()));
+  }
+
+  @Test
+  void rulesThatPressASwitchFollowItsName() {
+    DeviceKind button = DeviceKind.of("button").orElseThrow();
+    DeviceText start = DeviceForm.fresh(button, List.of(), Scene.EMPTY);
+    Map<String, String> cell =
+        Equipment.with(
+            Equipment.with(Map.of(), List.of(start)), "[{\"every\": 5, \"press\": \"button\"}]");
+    assertEquals(
+        "[{\"every\": 5, \"press\": \"go\"}]",
+        Equipment.rules(Equipment.with(cell, List.of(start.named("go")))));
+  }
+
+  @Test
+  void camerasFollowTheNamesOfTheirObjects() {
+    DeviceText camera =
+        DeviceForm.fresh(DeviceKind.of("camera").orElseThrow(), List.of(), Scene.EMPTY)
+            .withList("objects", List.of("block", "disc"));
+    Map<String, String> cell = Equipment.with(Map.of(), List.of(camera));
+    Map<String, String> next =
+        Equipment.following(cell, List.of(plane("block")), List.of(plane("cube")));
+    assertEquals(List.of("cube", "disc"), Equipment.devices(next).getFirst().list("objects"));
+  }
+
+  private static SceneObject plane(String name) {
+    return new SceneObject.Plane(
+        name, new Vector3(0, 0, 0), new Vector3(0, 0, 1), Material.DEFAULT);
   }
 }
