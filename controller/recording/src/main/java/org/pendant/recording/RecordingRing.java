@@ -2,6 +2,7 @@ package org.pendant.recording;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.Source;
@@ -20,6 +21,7 @@ public final class RecordingRing {
 
   private final Supplier<Optional<Source>> programSource;
   private final long mostBytes;
+  private final Consumer<Segment> finished;
   private final Snapshots snapshots;
   private final SnapshotEncoder snapshotEncoder;
 
@@ -43,11 +45,35 @@ public final class RecordingRing {
   /**
    * As {@link #RecordingRing(ControllerState, Supplier)}.
    *
+   * @param store keeps most of what is recorded outside of the memory
+   */
+  public RecordingRing(
+      ControllerState start, Supplier<Optional<Source>> programSource, NumberStore store) {
+    this(start, programSource, STANDARD_BYTES, store::keep);
+  }
+
+  /**
+   * As {@link #RecordingRing(ControllerState, Supplier)}.
+   *
    * @param mostBytes about how much memory the ring takes; at least that of two of its segments,
    *     about a megabyte
    */
   public RecordingRing(
       ControllerState start, Supplier<Optional<Source>> programSource, long mostBytes) {
+    this(start, programSource, mostBytes, segment -> {});
+  }
+
+  /**
+   * As the public constructors.
+   *
+   * @param finished gets each segment to which nothing is appended any more, in a frame
+   */
+  RecordingRing(
+      ControllerState start,
+      Supplier<Optional<Source>> programSource,
+      long mostBytes,
+      Consumer<Segment> finished) {
+    this.finished = finished;
     this.programSource = programSource;
     this.mostBytes = mostBytes;
     snapshots = Snapshots.like(start);
@@ -65,16 +91,30 @@ public final class RecordingRing {
    */
   public static RecordingRing continuing(
       Recording before, ControllerState start, Supplier<Optional<Source>> programSource) {
-    return new RecordingRing(before, start, programSource);
+    return new RecordingRing(before, start, programSource, segment -> {});
+  }
+
+  /** As {@link #continuing(Recording, ControllerState, Supplier)}, with a store. */
+  public static RecordingRing continuing(
+      Recording before,
+      ControllerState start,
+      Supplier<Optional<Source>> programSource,
+      NumberStore store) {
+    return new RecordingRing(before, start, programSource, store::keep);
   }
 
   private RecordingRing(
-      Recording before, ControllerState start, Supplier<Optional<Source>> programSource) {
+      Recording before,
+      ControllerState start,
+      Supplier<Optional<Source>> programSource,
+      Consumer<Segment> finished) {
+    this.finished = finished;
     this.programSource = programSource;
     mostBytes = STANDARD_BYTES;
     snapshots = Snapshots.like(start);
     lastFrame = start.frame();
     segments = before.segmentsUntil(start.frame()).toArray(Segment[]::new);
+    Arrays.stream(segments).forEach(finished);
     fullBytes = Arrays.stream(segments).mapToLong(Segment::bytes).sum();
     texts = before.texts().until(start.frame());
     snapshotEncoder =
@@ -117,6 +157,7 @@ public final class RecordingRing {
     Segment[] changed = segments.clone();
     changed[changed.length - 1] = trimmed;
     segments = changed;
+    finished.accept(trimmed);
   }
 
   private void begun(Segment next) {

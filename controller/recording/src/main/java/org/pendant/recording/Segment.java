@@ -1,6 +1,7 @@
 package org.pendant.recording;
 
 import java.util.Arrays;
+import java.util.function.Supplier;
 
 /**
  * Segment: a stretch of frames: first a whole snapshot, then for each frame that changed something
@@ -9,7 +10,8 @@ import java.util.Arrays;
  *
  * <p>An entry has the number of its frame, a mask of {@link NumberGroup}s and one of {@link
  * SnapshotPart}s, whose values follow each other in the two pools in the order of their bits.
- * Snapshots of a frame that a debugger paused in have entries with the same frame.
+ * Snapshots of a frame that a debugger paused in have entries with the same frame. The numbers of a
+ * segment that is full may be in a {@link NumberStore}.
  */
 final class Segment implements SegmentRef {
   /** Entries of a segment. */
@@ -29,12 +31,14 @@ final class Segment implements SegmentRef {
   private final int[] frames;
   private final int[] numberMasks;
   private final int[] partMasks;
-  private final double[] numbers;
+  private final int numberRoom;
   private Object[] parts;
   private int entries;
   private int numbersUsed;
   private int partsUsed;
   private long partBytes;
+  private volatile Supplier<double[]> numbers;
+  private volatile boolean away;
   private volatile int published;
 
   /** One to be filled. */
@@ -59,7 +63,8 @@ final class Segment implements SegmentRef {
     this.frames = frames;
     this.numberMasks = numberMasks;
     this.partMasks = partMasks;
-    this.numbers = numbers;
+    this.numbers = () -> numbers;
+    numberRoom = numbers.length;
     this.parts = parts;
   }
 
@@ -91,8 +96,8 @@ final class Segment implements SegmentRef {
             Arrays.copyOf(partMasks, entries),
             // a copy is worth it where much is spare only
             numbersUsed > MAX_NUMBERS - MAX_NUMBERS / 8
-                ? numbers
-                : Arrays.copyOf(numbers, numbersUsed),
+                ? numbers()
+                : Arrays.copyOf(numbers(), numbersUsed),
             Arrays.copyOf(parts, partsUsed));
     copy.numbersUsed = numbersUsed;
     copy.partBytes = partBytes;
@@ -113,7 +118,7 @@ final class Segment implements SegmentRef {
             Arrays.copyOf(frames, count),
             Arrays.copyOf(numberMasks, count),
             Arrays.copyOf(partMasks, count),
-            Arrays.copyOf(numbers, numberCount),
+            Arrays.copyOf(numbers(), numberCount),
             Arrays.copyOf(parts, partCount));
     // all of them at most; how much each takes is not known any more
     copy.partBytes = partBytes;
@@ -123,7 +128,7 @@ final class Segment implements SegmentRef {
   /** Whether an entry of this size still has room. */
   boolean fits(long frame, int numberMask) {
     return entries < MAX_ENTRIES
-        && numbersUsed + NumberGroup.sizeOfAll(numberMask) <= numbers.length
+        && numbersUsed + NumberGroup.sizeOfAll(numberMask) <= numberRoom
         && partBytes < MAX_PART_BYTES
         && frame - firstFrame <= Integer.MAX_VALUE;
   }
@@ -137,7 +142,7 @@ final class Segment implements SegmentRef {
 
   /** The next group of the entry: {@code count} numbers of {@code from}, from {@code at} on. */
   void add(double[] from, int at, int count) {
-    System.arraycopy(from, at, numbers, numbersUsed, count);
+    System.arraycopy(from, at, numbers(), numbersUsed, count);
     numbersUsed += count;
   }
 
@@ -166,11 +171,11 @@ final class Segment implements SegmentRef {
     return published;
   }
 
-  /** What it takes, about. */
+  /** What it takes, about, its numbers included wherever they are. */
   long bytes() {
     return partBytes
         + (long) BYTES_AN_ENTRY * frames.length
-        + (long) Double.BYTES * numbers.length
+        + (long) Double.BYTES * numberRoom
         + (long) BYTES_A_PART * parts.length;
   }
 
@@ -197,8 +202,29 @@ final class Segment implements SegmentRef {
     return partMasks[entry];
   }
 
-  double number(int place) {
-    return numbers[place];
+  /**
+   * The pool of numbers, which may be longer than they are; not to be changed.
+   *
+   * @throws java.io.UncheckedIOException if they are in a file that cannot be read any more
+   */
+  double[] numbers() {
+    return numbers.get();
+  }
+
+  /** How many numbers it has. */
+  int numberCount() {
+    return numbersUsed;
+  }
+
+  /** The numbers are not kept here any more, but by {@code store}, which gives the same. */
+  void numbersAreIn(Supplier<double[]> store) {
+    numbers = store;
+    away = true;
+  }
+
+  /** Whether the numbers are kept elsewhere. */
+  boolean numbersAreAway() {
+    return away;
   }
 
   Object part(int place) {

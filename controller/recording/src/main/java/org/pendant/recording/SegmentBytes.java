@@ -41,6 +41,7 @@ final class SegmentBytes {
   private static void writeNumbers(Segment segment, int count, int numbers, ByteSink out) {
     byte[] planes = new byte[Long.BYTES * numbers];
     long[] last = new long[NumberGroup.NUMBERS];
+    double[] pool = segment.numbers();
     int at = 0;
     for (int i = 0; i < count; i++) {
       int column = 0;
@@ -48,7 +49,7 @@ final class SegmentBytes {
         int size = NumberGroup.sizeOf(group);
         if ((segment.numberMask(i) & 1 << group) != 0) {
           for (int k = column; k < column + size; k++) {
-            long bits = Double.doubleToRawLongBits(segment.number(at));
+            long bits = Double.doubleToRawLongBits(pool[at]);
             long difference = bits - last[k];
             last[k] = bits;
             long folded = (difference << 1) ^ (difference >> 63);

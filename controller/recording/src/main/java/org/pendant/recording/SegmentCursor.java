@@ -5,11 +5,17 @@ package org.pendant.recording;
  * thing is.
  */
 final class SegmentCursor {
+  private static final double[] NOT_ASKED_FOR = {};
+
   private final Segment segment;
   private final int count;
   private final int[] numberAt = new int[NumberGroup.COUNT];
   private final int[] partAt = new int[SnapshotPart.COUNT];
   private int numbers;
+
+  /** Those of the segment, once they were asked for. */
+  private double[] pool = NOT_ASKED_FOR;
+
   private int parts;
   private int entry = -1;
 
@@ -62,7 +68,10 @@ final class SegmentCursor {
 
   /** Number {@code index} of a group. */
   double number(NumberGroup group, int index) {
-    return segment.number(numberAt[group.index()] + index);
+    if (pool.length == 0) {
+      pool = segment.numbers();
+    }
+    return pool[numberAt[group.index()] + index];
   }
 
   /** A part. */

@@ -1,10 +1,12 @@
 package org.pendant.desktop.session;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -25,6 +27,7 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.recording.NumberStore;
 import org.pendant.recording.Recording;
 import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.lines.RunProfile;
@@ -53,6 +56,8 @@ public final class RobotSession implements AutoCloseable {
   private final ProgramOrigin origin = new ProgramOrigin();
   private final RunClock runClock = new RunClock();
   private final LineProfiler profiler = new LineProfiler(this::startedSource, this::safety);
+  private final AtomicReference<String> trouble = new AtomicReference<>();
+  private final NumberStore store = new NumberStore(this::staysInMemory);
   private final ReentrantLock switching = new ReentrantLock();
   private volatile DrivenController driven;
   private volatile Optional<Branching> branching = Optional.empty();
@@ -62,7 +67,7 @@ public final class RobotSession implements AutoCloseable {
     listeners.add(origin);
     listeners.add(runClock);
     listeners.add(profiler::see);
-    driven = new DrivenController(SwitchedOn.with(options), Pace.REAL_TIME, listeners);
+    driven = new DrivenController(SwitchedOn.with(options, store), Pace.REAL_TIME, listeners);
   }
 
   /**
@@ -98,6 +103,21 @@ public final class RobotSession implements AutoCloseable {
    */
   public Recording recording() {
     return driven.ring().recording();
+  }
+
+  /** That the recording stays in memory because its file cannot be written; told once. */
+  public Optional<String> newTrouble() {
+    return Optional.ofNullable(trouble.getAndSet(null));
+  }
+
+  private void staysInMemory(IOException e) {
+    trouble.set(
+        "The recording stays in memory, its temporary file cannot be written: " + e.getMessage());
+  }
+
+  /** How much of recordings is in a file rather than in memory, also of what nobody needs. */
+  public long storedBytes() {
+    return store.usedBytes();
   }
 
   /** Leaves a command for the next frame; while robot time is paused it is carried out at once. */
@@ -239,7 +259,7 @@ public final class RobotSession implements AutoCloseable {
    */
   public void restart(ControllerOptions options) {
     // Made first: where that fails, the old one continues.
-    SwitchedOn next = SwitchedOn.with(options);
+    SwitchedOn next = SwitchedOn.with(options, store);
     cancelBranch();
     double speedFraction = state().arm().speedFraction();
     switching.lock();
@@ -260,7 +280,7 @@ public final class RobotSession implements AutoCloseable {
    * @param guest sees its frames before all others
    */
   public void lend(ControllerOptions options, Controller made, FrameListener guest) {
-    SwitchedOn next = SwitchedOn.of(options, made, guest);
+    SwitchedOn next = SwitchedOn.of(options, made, guest, store);
     cancelBranch();
     switching.lock();
     try {
@@ -340,7 +360,7 @@ public final class RobotSession implements AutoCloseable {
   }
 
   private void branchOff(DrivenController from, Rerun rerun) throws RerunRefused {
-    SwitchedOn next = SwitchedOn.again(from.on(), rerun, from.ring().recording());
+    SwitchedOn next = SwitchedOn.again(from.on(), rerun, from.ring().recording(), store);
     switching.lock();
     try {
       if (closed || driven != from) {

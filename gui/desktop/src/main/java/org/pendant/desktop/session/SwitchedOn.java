@@ -7,6 +7,7 @@ import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.toolserial.ToolSerialLine;
+import org.pendant.recording.NumberStore;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
 import org.pendant.recording.replay.Journal;
@@ -38,9 +39,10 @@ record SwitchedOn(
   /**
    * Switches one on.
    *
+   * @param store for what it does
    * @throws IllegalArgumentException if the robot or an input is not known
    */
-  static SwitchedOn with(ControllerOptions options) {
+  static SwitchedOn with(ControllerOptions options, NumberStore store) {
     ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
     ToolSerialLine tool = new ToolSerialLine();
     boolean made = false;
@@ -55,7 +57,7 @@ record SwitchedOn(
               scriptConnectors,
               tool,
               Journal.of(controller),
-              new RecordingRing(controller.state(), controller::programSource),
+              new RecordingRing(controller.state(), controller::programSource, store),
               state -> {});
       made = true;
       return on;
@@ -75,7 +77,8 @@ record SwitchedOn(
    * @throws RerunRefused if the run came out otherwise
    * @throws CancellationException if the rerun was cancelled
    */
-  static SwitchedOn again(SwitchedOn from, Rerun rerun, Recording before) throws RerunRefused {
+  static SwitchedOn again(SwitchedOn from, Rerun rerun, Recording before, NumberStore store)
+      throws RerunRefused {
     Repetition repetition = from.parked().before(rerun.frame());
     Journal journal = rerun.run(repetition);
     Controller controller = repetition.controller();
@@ -87,7 +90,7 @@ record SwitchedOn(
         scriptConnectors,
         tool,
         journal,
-        RecordingRing.continuing(before, controller.state(), controller::programSource),
+        RecordingRing.continuing(before, controller.state(), controller::programSource, store),
         state -> {});
   }
 
@@ -96,13 +99,14 @@ record SwitchedOn(
    *
    * @param controller has run no frame
    */
-  static SwitchedOn of(ControllerOptions options, Controller controller, FrameListener guest) {
+  static SwitchedOn of(
+      ControllerOptions options, Controller controller, FrameListener guest, NumberStore store) {
     return of(
         options,
         new ScriptConnectors(AllowedHosts.ANY),
         new ToolSerialLine(),
         Journal.of(controller),
-        new RecordingRing(controller.state(), controller::programSource),
+        new RecordingRing(controller.state(), controller::programSource, store),
         guest);
   }
 

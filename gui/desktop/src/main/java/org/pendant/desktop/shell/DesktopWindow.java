@@ -86,7 +86,7 @@ final class DesktopWindow {
   private final Menus menus;
   private final WelcomeCard welcome;
   private final RefreshTimer refresh;
-  private final HeapCare heap = new HeapCare();
+  private final HeapCare heap;
   private final Timer keep = Faults.timer(KEEP_MS, this::keep);
   private final Runnable closed;
   private boolean failureTold;
@@ -107,6 +107,7 @@ final class DesktopWindow {
       Runnable closed) {
     assert EventQueue.isDispatchThread();
     this.session = session;
+    heap = HeapCare.with(session::storedBytes);
     this.look = look;
     this.programs = programs;
     this.closed = closed;
@@ -484,6 +485,7 @@ final class DesktopWindow {
     Faults.guard(scenes::look);
     Faults.guard(others::look);
     Faults.guard(views.keeper()::look);
+    Faults.guard(() -> session.newTrouble().ifPresent(this::warn));
     Faults.guard(() -> heap.look(HeapCare.Doing.of(session.robot())));
   }
 

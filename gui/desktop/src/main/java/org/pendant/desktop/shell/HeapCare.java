@@ -41,9 +41,15 @@ final class HeapCare {
     }
   }
 
-  /** The heap of this process, which is collected in a thread of its own. */
-  HeapCare() {
-    this(HeapCare::used, () -> Thread.ofPlatform().daemon().name("heap care").start(System::gc));
+  /**
+   * The heap of this process, which is collected in a thread of its own.
+   *
+   * @param besides bytes elsewhere that become free when the heap is collected
+   */
+  static HeapCare with(LongSupplier besides) {
+    return new HeapCare(
+        () -> used() + besides.getAsLong(),
+        () -> Thread.ofPlatform().daemon().name("heap care").start(System::gc));
   }
 
   HeapCare(LongSupplier usedBytes, Runnable collect) {
