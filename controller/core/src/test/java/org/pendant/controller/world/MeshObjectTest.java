@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -169,6 +170,7 @@ final class MeshObjectTest {
     ContactWorld one = settled(scene);
     ContactWorld again = settled(scene);
 
+    assertFalse(one.bodiesMove());
     for (int i = 0; i < heights.length; i++) {
       Pose pose = one.moved().get(i).poseInBase();
       assertEquals(heights[i], pose.z(), 3e-4, one.moved().get(i).name());
