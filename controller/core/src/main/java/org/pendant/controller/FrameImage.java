@@ -49,9 +49,14 @@ final class FrameImage {
 
   private boolean still;
 
+  /**
+   * The snapshot of the frame that was taken last, once somebody has asked for it; written under
+   * the lock, after all else, and read without it.
+   */
+  private volatile Optional<ControllerState> made = Optional.empty();
+
   // from here on all belongs to whoever holds this object's lock
   private final ArmImage arm;
-  private Optional<ControllerState> made = Optional.empty();
   private long frame;
   private double timeS;
   private double executionTimeS;
@@ -164,11 +169,18 @@ final class FrameImage {
   }
 
   /** The snapshot of the frame that was taken last; any thread. */
-  synchronized ControllerState state() {
-    if (made.isEmpty()) {
-      made = Optional.of(snapshot());
+  ControllerState state() {
+    Optional<ControllerState> known = made;
+    return known.isPresent() ? known.get() : makeState();
+  }
+
+  private synchronized ControllerState makeState() {
+    Optional<ControllerState> known = made;
+    if (known.isEmpty()) {
+      known = Optional.of(snapshot());
+      made = known;
     }
-    return made.get();
+    return known.get();
   }
 
   private ControllerState snapshot() {
