@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.world.MeshFiles;
+import org.pendant.controller.world.Scene;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -124,9 +125,7 @@ final class Autosave {
       return;
     }
     Background.run(
-        () -> document(left),
-        document -> restore(left, document),
-        failed -> notices.tell("not-restored", "Not restored: " + failed.getMessage()));
+        () -> document(left), document -> restore(left, document), this::tellNotRestored);
   }
 
   /** What is open already of a file. */
@@ -146,10 +145,16 @@ final class Autosave {
       installation.open(document);
     } else if (SceneFile.hasEnding(Path.of(document.name()))) {
       restoreScene(left, document);
+      return;
     } else {
       programs.select(document);
       document.setText(left.text());
     }
+    restored(left, document);
+  }
+
+  /** Follows the document from now on instead of what was left behind. */
+  private void restored(RecoveryFolder.LeftBehind left, ProgramDocument document) {
     List<IoAction> work = new ArrayList<>();
     // Kept anew before the old one goes: there is no moment without it.
     keep(document, work);
@@ -157,23 +162,31 @@ final class Autosave {
     run(work, () -> {});
   }
 
+  /** What cannot be read, as when a mesh is missing, stays where it was left. */
   private void restoreScene(RecoveryFolder.LeftBehind left, ProgramDocument document) {
-    try {
-      if (document.text().isEmpty()) {
-        document.setText(SceneFile.NONE.text());
-      }
-      MeshFiles meshes =
-          document
-              .onDisk()
-              .map(saved -> MeshFiles.in(saved.path().getParent()))
-              .orElse(MeshFiles.NONE);
-      scene.restore(
-          document,
-          SceneFile.of(document.name(), document.text(), meshes).scene(),
-          SceneFile.of(document.name(), left.text(), meshes));
-    } catch (IOException e) {
-      notices.tell("not-restored", "Not restored: " + e.getMessage());
+    if (document.text().isEmpty()) {
+      document.setText(SceneFile.NONE.text());
     }
+    String saved = document.text();
+    MeshFiles meshes =
+        document.onDisk().map(file -> MeshFiles.in(file.path().getParent())).orElse(MeshFiles.NONE);
+    Background.run(
+        () ->
+            new ReadScenes(
+                SceneFile.of(document.name(), saved, meshes).scene(),
+                SceneFile.of(document.name(), left.text(), meshes)),
+        read -> {
+          scene.restore(document, read.saved(), read.left());
+          restored(left, document);
+        },
+        this::tellNotRestored);
+  }
+
+  /** A scene as it was saved, and as it was left behind. */
+  private record ReadScenes(Scene saved, SceneFile left) {}
+
+  private void tellNotRestored(IOException failed) {
+    notices.tell("not-restored", "Not restored: " + failed.getMessage());
   }
 
   /** The program that a text belongs to, as it is on disk. */

@@ -100,6 +100,32 @@ final class AutosaveTest {
         () -> notices.shows("recovery-0-1.recovery") && notices.shows("recovery-0-2.recovery"));
   }
 
+  @Test
+  void aSceneThatWasLeftBehindIsRestored() throws Exception {
+    leaveBehind(1, "lost.scene.json", "{\"load\": {\"mass\": 1.5}}\n");
+    Autosave autosave = keeper(new Programs(ProgramDocument.untitled("new.script", "")), folder);
+    DispatchThread.run(autosave::offerLeftBehind);
+    DispatchThread.await(() -> notices.shows("recovery-0-1.recovery"));
+    DispatchThread.run(() -> choose("recovery-0-1.recovery-restore"));
+    DispatchThread.await(() -> !isLeft(1));
+    assertTrue(kept("1.5"));
+  }
+
+  @Test
+  void aSceneThatCannotBeReadIsToldAndStaysWhereItWasLeft() throws Exception {
+    leaveBehind(
+        1,
+        "lost.scene.json",
+        "{\"objects\": [{\"type\": \"mesh\", \"name\": \"part\", \"mesh\": \"gone.stl\","
+            + " \"unit\": \"mm\"}]}\n");
+    Autosave autosave = keeper(new Programs(ProgramDocument.untitled("new.script", "")), folder);
+    DispatchThread.run(autosave::offerLeftBehind);
+    DispatchThread.await(() -> notices.shows("recovery-0-1.recovery"));
+    DispatchThread.run(() -> choose("recovery-0-1.recovery-restore"));
+    DispatchThread.await(() -> notices.shows("not-restored"));
+    assertTrue(isLeft(1));
+  }
+
   /** As a process does that ends before a text is saved; there has never been one of number 0. */
   private void leaveBehind(int number, String name, String text) throws IOException {
     RecoveryFolder own = new RecoveryFolder(folder);
