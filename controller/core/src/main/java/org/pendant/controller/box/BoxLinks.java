@@ -44,7 +44,7 @@ public final class BoxLinks {
       Signals signals,
       MessageLog log) {
     this.devices = devices;
-    rules = new Rules(equipment.rules(), signals.digital(), new DeviceHand(devices));
+    rules = new Rules(equipment.rules(), devices.lines(), new DeviceHand(devices));
     outside = new ExternalConnections(devices.before(connectors));
     modbus = new ModbusSignals(connectors.modbus(), log);
     signals.runState().lead(modbus::follow);

@@ -6,7 +6,9 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.pendant.controller.device.DeviceReader;
 import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.rule.RuleReader;
+import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.JsonFile;
@@ -27,7 +29,8 @@ public final class EquipmentReader {
    */
   public static CellEquipment read(String fileName, InputStream in) throws JsonException {
     JsonFields scene = new JsonFields(JsonFile.read(fileName, in), "a scene");
-    List<DeviceSetup> devices = DeviceReader.read(scene);
+    CellSignalNames signals = new CellSignalNames(SignalBank.groups());
+    List<DeviceSetup> devices = DeviceReader.read(scene, signals);
     Map<String, Double> grippers = new TreeMap<>();
     for (DeviceSetup device : devices) {
       if (device.holdsParts()) {
@@ -36,6 +39,6 @@ public final class EquipmentReader {
     }
     List<String> switches =
         devices.stream().filter(DeviceSetup::canBePressed).map(DeviceSetup::name).toList();
-    return new CellEquipment(devices, RuleReader.read(scene, grippers, switches));
+    return new CellEquipment(devices, RuleReader.read(scene, signals, grippers, switches));
   }
 }

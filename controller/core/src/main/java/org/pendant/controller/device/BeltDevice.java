@@ -1,8 +1,8 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import org.pendant.controller.io.DigitalIo;
-import org.pendant.controller.io.Signal;
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.controller.world.BeltSurface;
 import org.pendant.models.time.FrameTime;
 
@@ -11,16 +11,19 @@ final class BeltDevice implements CellDevice {
   private final DeviceSetup.Belt setup;
   private final Optional<BeltSurface> belt;
   private final EncoderTicks encoders;
-  private final DigitalIo io;
+  private final Optional<SignalLine> run;
   private double speedMPerS;
   private boolean told;
 
   BeltDevice(
-      DeviceSetup.Belt setup, Optional<BeltSurface> belt, EncoderTicks encoders, DigitalIo io) {
+      DeviceSetup.Belt setup,
+      Optional<BeltSurface> belt,
+      EncoderTicks encoders,
+      SignalLines lines) {
     this.setup = setup;
     this.belt = belt;
     this.encoders = encoders;
-    this.io = io;
+    run = setup.run().map(lines::line);
   }
 
   @Override
@@ -52,8 +55,7 @@ final class BeltDevice implements CellDevice {
 
   @Override
   public void step() {
-    Optional<Signal> run = setup.run();
-    boolean runs = run.isEmpty() || io.level(run.get().bank(), run.get().index());
+    boolean runs = run.isEmpty() || run.get().high();
     double wanted = runs ? setup.speedMPerS() : 0;
     double most = setup.accelerationMPerS2() * FrameTime.FRAME_S;
     double next = speedMPerS + Math.clamp(wanted - speedMPerS, -most, most);

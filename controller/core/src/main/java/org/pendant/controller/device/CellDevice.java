@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.device.gripper.Fingers;
 import org.pendant.controller.external.DeviceTalk;
+import org.pendant.controller.wire.SignalOwner;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
@@ -53,6 +54,11 @@ interface CellDevice {
    * @throws ScriptError where it is called wrongly
    */
   default Optional<Value> call(String method, List<Value> arguments) throws ScriptError {
+    return Optional.empty();
+  }
+
+  /** The signals that others are wired to, where it has some. */
+  default Optional<SignalOwner> signals() {
     return Optional.empty();
   }
 

@@ -15,6 +15,7 @@ import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.RpcLink;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.json.Json;
 import org.pendant.models.pose.Pose;
@@ -38,6 +39,7 @@ public final class CellDevices {
   private final List<DeviceSocket> sockets = new ArrayList<>();
   private final Map<Caller, DeviceTalk> callers = new HashMap<>();
   private final Signals signals;
+  private final SignalLines lines;
   private List<DeviceState> states = List.of();
   private final Supplier<Pose> tcpInBase;
   private Optional<Pose> tcpNow = Optional.empty();
@@ -62,9 +64,16 @@ public final class CellDevices {
     this.world = world;
     this.encoders = encoders;
     this.signals = signals;
+    lines = new SignalLines(signals.digital());
     this.tcpInBase = tcpInBase;
     this.log = log;
-    setups.forEach(this::add);
+    // others may be wired to their signals
+    setups.stream().filter(CellDevices::hasSignals).forEach(this::add);
+    setups.stream().filter(each -> !hasSignals(each)).forEach(this::add);
+  }
+
+  private static boolean hasSignals(DeviceSetup setup) {
+    return !setup.signals().isEmpty();
   }
 
   /**
@@ -84,29 +93,27 @@ public final class CellDevices {
         switch (setup) {
           case DeviceSetup.TwoFinger gripper -> new TwoFingerDevice(gripper, signals, log);
           case DeviceSetup.RpcGripper gripper -> new RpcDevice(gripper, log);
-          case DeviceSetup.Driven driven -> new DrivenDevice(driven, signals.digital(), log);
+          case DeviceSetup.Driven driven -> new DrivenDevice(driven, lines, log);
           case DeviceSetup.Vacuum vacuum ->
-              new VacuumDevice(vacuum, signals.digital(), vacuum.hand().flatMap(world::cup), log);
+              new VacuumDevice(vacuum, lines, vacuum.hand().flatMap(world::cup), log);
           case DeviceSetup.Belt belt ->
-              new BeltDevice(belt, world.belt(belt.object()), encoders, signals.digital());
+              new BeltDevice(belt, world.belt(belt.object()), encoders, lines);
           case DeviceSetup.Source source ->
-              new SourceDevice(
-                  source, world.pool(source.object(), source.count()), signals.digital(), log);
+              new SourceDevice(source, world.pool(source.object(), source.count()), lines, log);
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
-          case DeviceSetup.Lamp lamp -> new LampDevice(lamp, signals.digital());
+          case DeviceSetup.Lamp lamp -> new LampDevice(lamp, lines);
           case DeviceSetup.Switch pressed ->
-              new SwitchDevice(
-                  pressed, this::tcpInBase, pressed.area().watch(world), signals.digital());
+              new SwitchDevice(pressed, this::tcpInBase, pressed.area().watch(world), lines);
           case DeviceSetup.Sensor sensor ->
-              new SensorDevice(
-                  sensor, this::tcpInBase, sensor.zone().watch(world), signals.digital());
+              new SensorDevice(sensor, this::tcpInBase, sensor.zone().watch(world), lines);
         };
     setup
         .hand()
         .flatMap(hand -> world.fingers(hand, setup.strokeM()))
         .ifPresent(hand -> device.fingers().orElseThrow().among(new BodiesBetween(hand)));
     devices.add(device);
+    device.signals().ifPresent(each -> lines.add(device.name(), each));
     log.info(device.name() + ": " + device.described());
   }
 
@@ -171,6 +178,11 @@ public final class CellDevices {
               + names());
     }
     var _ = device.putPart(pressed ? 1 : 0);
+  }
+
+  /** Signals of the cell at work, those of devices included. */
+  public SignalLines lines() {
+    return lines;
   }
 
   private String names() {

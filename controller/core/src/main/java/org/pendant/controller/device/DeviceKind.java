@@ -170,6 +170,11 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
     return fields.stream().noneMatch(DeviceField::required);
   }
 
+  /** Whether a device of it is wired to signals. */
+  boolean wired() {
+    return fields.stream().anyMatch(DeviceField.Wire.class::isInstance);
+  }
+
   private static DeviceKind twoFinger(
       String type, String title, String reached, boolean activated) {
     return new DeviceKind(

@@ -1,10 +1,11 @@
 package org.pendant.controller.device;
 
-import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.models.json.FilePosition;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
@@ -23,29 +24,58 @@ public final class DeviceReader {
 
   private final PartReader parts;
 
-  private DeviceReader(PartReader parts) {
+  private final CellSignalNames signals;
+
+  private DeviceReader(PartReader parts, CellSignalNames signals) {
     this.parts = parts;
+    this.signals = signals;
   }
 
   /**
    * Reads the section {@code devices}.
    *
+   * @param signals what wires may lead to; those of the devices come to it
    * @throws JsonException for the first thing that is wrong, with its place
    */
-  public static List<DeviceSetup> read(JsonFields scene) throws JsonException {
-    DeviceReader reader = new DeviceReader(PartReader.of(scene));
-    List<DeviceSetup> devices = new ArrayList<>();
-    for (Json each : scene.array("devices", CellDevices.MAX)) {
-      devices.add(reader.device(each));
+  public static List<DeviceSetup> read(JsonFields scene, CellSignalNames signals)
+      throws JsonException {
+    DeviceReader reader = new DeviceReader(PartReader.of(scene), signals);
+    List<Json> all = scene.array("devices", CellDevices.MAX);
+    Map<Json, DeviceSetup> read = new IdentityHashMap<>();
+    // wires may lead to the signals of devices that come later
+    for (boolean wired : List.of(false, true)) {
+      for (Json each : all) {
+        DeviceKind kind = kind(each);
+        if (kind.wired() == wired) {
+          read.put(each, reader.device(kind, each));
+        }
+      }
     }
-    return devices;
+    return all.stream().map(read::get).toList();
   }
 
-  private DeviceSetup device(Json value) throws JsonException {
-    Json.Text type = new JsonFields(value, "a device").text("type");
-    DeviceKind kind = DeviceKind.of(type.value()).orElseThrow(() -> unknown(type));
+  private static DeviceKind kind(Json device) throws JsonException {
+    Json.Text type = new JsonFields(device, "a device").text("type");
+    return DeviceKind.of(type.value()).orElseThrow(() -> unknown(type));
+  }
+
+  private DeviceSetup device(DeviceKind kind, Json value) throws JsonException {
+    DeviceSetup device = setup(kind, value);
+    if (!device.signals().isEmpty()) {
+      JsonFields fields = new JsonFields(value, "a device");
+      Json.Text name = fields.text(fields.optional("name").isPresent() ? "name" : "type");
+      try {
+        signals.add(device.name(), device.signals());
+      } catch (IllegalArgumentException e) {
+        throw name.place().refusal("name " + e.getMessage());
+      }
+    }
+    return device;
+  }
+
+  private DeviceSetup setup(DeviceKind kind, Json value) throws JsonException {
     JsonFields all = new JsonFields(value, "a " + kind.type());
-    FieldReader fields = new FieldReader(kind.fields(), all, "type", "name");
+    FieldReader fields = new FieldReader(kind.fields(), all, signals, "type", "name");
     String name = name(all);
     return switch (kind.type()) {
       case "two-finger", "two-finger-tool" ->

@@ -3,7 +3,8 @@ package org.pendant.controller.device;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.device.camera.PartCamera;
-import org.pendant.controller.io.Signal;
+import org.pendant.controller.wire.CellSignal;
+import org.pendant.controller.wire.SignalGroup;
 import org.pendant.controller.world.HandSetup;
 import org.pendant.models.pose.Pose;
 
@@ -24,6 +25,11 @@ public sealed interface DeviceSetup {
   /** What it touches bodies with; empty where it grips none. */
   default Optional<HandSetup> hand() {
     return Optional.empty();
+  }
+
+  /** The signals that others may be wired to, by the name of this device. */
+  default List<SignalGroup> signals() {
+    return List.of();
   }
 
   /** Whether it can be pressed. */
@@ -114,11 +120,11 @@ public sealed interface DeviceSetup {
   record Driven(
       String name,
       String kind,
-      Signal close,
-      Optional<Signal> open,
-      Optional<Signal> closed,
-      Optional<Signal> opened,
-      Optional<Signal> gripped,
+      CellSignal close,
+      Optional<CellSignal> open,
+      Optional<CellSignal> closed,
+      Optional<CellSignal> opened,
+      Optional<CellSignal> gripped,
       double strokeM,
       double timeS,
       double partM,
@@ -136,8 +142,8 @@ public sealed interface DeviceSetup {
    */
   record Vacuum(
       String name,
-      Signal suck,
-      Optional<Signal> holds,
+      CellSignal suck,
+      Optional<CellSignal> holds,
       double timeS,
       boolean part,
       Optional<HandSetup> hand)
@@ -163,7 +169,7 @@ public sealed interface DeviceSetup {
       String object,
       double speedMPerS,
       double accelerationMPerS2,
-      Optional<Signal> run,
+      Optional<CellSignal> run,
       int encoder,
       double ticksPerM)
       implements DeviceSetup {
@@ -186,7 +192,7 @@ public sealed interface DeviceSetup {
    * @param when the signal whose rise has one come, where there is one
    * @param count how many there are at most, the object itself among them
    */
-  record Source(String name, String object, double everyS, Optional<Signal> when, int count)
+  record Source(String name, String object, double everyS, Optional<CellSignal> when, int count)
       implements DeviceSetup {
     @Override
     public boolean holdsParts() {
@@ -263,7 +269,7 @@ public sealed interface DeviceSetup {
    * @param area where something presses it
    * @param inverted whether the input is high while nothing does
    */
-  record Switch(String name, String kind, Signal signal, Zone.Area area, boolean inverted)
+  record Switch(String name, String kind, CellSignal signal, Zone.Area area, boolean inverted)
       implements DeviceSetup {
     @Override
     public boolean holdsParts() {
@@ -286,7 +292,7 @@ public sealed interface DeviceSetup {
    *
    * @param signal that it shows
    */
-  record Lamp(String name, Signal signal) implements DeviceSetup {
+  record Lamp(String name, CellSignal signal) implements DeviceSetup {
     @Override
     public boolean holdsParts() {
       return false;
@@ -305,7 +311,8 @@ public sealed interface DeviceSetup {
    * @param zone where it sees something
    * @param inverted whether the input is high while it sees nothing
    */
-  record Sensor(String name, Signal signal, Zone zone, boolean inverted) implements DeviceSetup {
+  record Sensor(String name, CellSignal signal, Zone zone, boolean inverted)
+      implements DeviceSetup {
     @Override
     public boolean holdsParts() {
       return false;

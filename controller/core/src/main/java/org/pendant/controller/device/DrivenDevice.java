@@ -4,29 +4,31 @@ import java.util.Optional;
 import org.pendant.controller.device.gripper.DrivenFingers;
 import org.pendant.controller.device.gripper.Fingers;
 import org.pendant.controller.device.gripper.PartBetween;
-import org.pendant.controller.io.DigitalIo;
-import org.pendant.controller.io.Signal;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalLines;
 
 /** Driven device: a gripper or a door that outputs drive, with sensors at its ends. */
 final class DrivenDevice implements CellDevice {
   private final DeviceSetup.Driven setup;
-  private final DigitalIo io;
+  private final SignalLine close;
+  private final Optional<SignalLine> open;
   private final DrivenFingers fingers;
   private final SensorLine closed;
   private final SensorLine opened;
   private final SensorLine gripped;
 
-  DrivenDevice(DeviceSetup.Driven setup, DigitalIo io, MessageLog log) {
+  DrivenDevice(DeviceSetup.Driven setup, SignalLines lines, MessageLog log) {
     this.setup = setup;
-    this.io = io;
+    close = lines.line(setup.close());
+    open = setup.open().map(lines::line);
     fingers =
         new DrivenFingers(
             setup.strokeM(), setup.timeS(), text -> log.info(setup.name() + ": " + text));
     fingers.fingers().put(PartBetween.of(setup.partM()));
-    closed = new SensorLine(io, setup.closed());
-    opened = new SensorLine(io, setup.opened());
-    gripped = new SensorLine(io, setup.gripped());
+    closed = new SensorLine(lines, setup.closed());
+    opened = new SensorLine(lines, setup.opened());
+    gripped = new SensorLine(lines, setup.gripped());
   }
 
   @Override
@@ -67,15 +69,10 @@ final class DrivenDevice implements CellDevice {
 
   @Override
   public void step() {
-    boolean close = high(setup.close());
-    boolean open = setup.open().isPresent() ? high(setup.open().get()) : !close;
-    fingers.step(close, open);
+    boolean closes = close.high();
+    fingers.step(closes, open.isPresent() ? open.get().high() : !closes);
     closed.tell(fingers.fingers().openingM() == 0);
     opened.tell(fingers.fingers().openingM() == setup.strokeM());
     gripped.tell(fingers.gripped());
-  }
-
-  private boolean high(Signal output) {
-    return io.level(output.bank(), output.index());
   }
 }

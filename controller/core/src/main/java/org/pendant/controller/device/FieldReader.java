@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.io.Signal;
-import org.pendant.controller.io.SignalFields;
+import org.pendant.controller.wire.CellSignal;
+import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.language.check.Nearest;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
@@ -19,15 +19,19 @@ final class FieldReader {
 
   private final List<DeviceField> declared;
   private final JsonFields fields;
+  private final CellSignalNames signals;
 
   /**
    * Those of an object.
    *
+   * @param signals what wires may lead to
    * @param others keys that it may have besides
    * @throws JsonException for a key that it may not have
    */
-  FieldReader(List<DeviceField> declared, JsonFields fields, String... others)
+  FieldReader(
+      List<DeviceField> declared, JsonFields fields, CellSignalNames signals, String... others)
       throws JsonException {
+    this.signals = signals;
     this.declared = declared;
     this.fields = fields;
     List<String> keys = new ArrayList<>(List.of(others));
@@ -81,14 +85,12 @@ final class FieldReader {
   }
 
   /** A signal that must be there. */
-  Signal signal(String key) throws JsonException {
-    return declared(key, DeviceField.Wire.class).input()
-        ? SignalFields.input(fields, key)
-        : SignalFields.signal(fields, key);
+  CellSignal signal(String key) throws JsonException {
+    return signals.digital(fields, key, declared(key, DeviceField.Wire.class).input());
   }
 
   /** A signal that may be left out. */
-  Optional<Signal> wire(String key) throws JsonException {
+  Optional<CellSignal> wire(String key) throws JsonException {
     return fields.optional(key).isPresent() ? Optional.of(signal(key)) : Optional.empty();
   }
 
@@ -150,6 +152,6 @@ final class FieldReader {
     DeviceField.Group group = declared(key, DeviceField.Group.class);
     Json nothing = new Json.Members(Map.of(), fields.place());
     return new FieldReader(
-        group.fields(), new JsonFields(fields.optional(key).orElse(nothing), what));
+        group.fields(), new JsonFields(fields.optional(key).orElse(nothing), what), signals);
   }
 }

@@ -1,16 +1,17 @@
 package org.pendant.controller.device;
 
-import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalLines;
 
 /** Lamp device: shows a signal. */
 final class LampDevice implements CellDevice {
   private final DeviceSetup.Lamp setup;
-  private final DigitalIo io;
+  private final SignalLine line;
   private boolean lit;
 
-  LampDevice(DeviceSetup.Lamp setup, DigitalIo io) {
+  LampDevice(DeviceSetup.Lamp setup, SignalLines lines) {
     this.setup = setup;
-    this.io = io;
+    line = lines.line(setup.signal());
   }
 
   @Override
@@ -40,6 +41,6 @@ final class LampDevice implements CellDevice {
 
   @Override
   public void step() {
-    lit = io.level(setup.signal().bank(), setup.signal().index());
+    lit = line.high();
   }
 }

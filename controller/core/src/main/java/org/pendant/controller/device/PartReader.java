@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.pendant.controller.io.Signal;
+import org.pendant.controller.wire.CellSignal;
 import org.pendant.models.json.FilePosition;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
@@ -56,7 +56,7 @@ final class PartReader {
 
   DeviceSetup source(String name, FieldReader fields) throws JsonException {
     boolean timed = fields.has("every");
-    Optional<Signal> when = fields.wire("when");
+    Optional<CellSignal> when = fields.wire("when");
     FilePosition place = fields.all().place();
     if (!timed && when.isEmpty()) {
       throw place.refusal("a source has neither every nor when, must have one");

@@ -3,7 +3,7 @@ package org.pendant.controller.device;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.cell.BodyProbe;
-import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.models.pose.Pose;
 
 /** Sensor device: tells by an input whether it sees the tool centre point or a body. */
@@ -18,11 +18,11 @@ final class SensorDevice implements CellDevice {
       DeviceSetup.Sensor setup,
       Supplier<Pose> tcpInBase,
       Optional<BodyProbe> bodies,
-      DigitalIo io) {
+      SignalLines lines) {
     this.bodies = bodies;
     this.setup = setup;
     this.tcpInBase = tcpInBase;
-    line = new SensorLine(io, Optional.of(setup.signal()));
+    line = new SensorLine(lines, Optional.of(setup.signal()));
   }
 
   @Override

@@ -1,9 +1,9 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import org.pendant.controller.io.DigitalIo;
-import org.pendant.controller.io.Signal;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.controller.world.PartPool;
 import org.pendant.models.time.FrameTime;
 
@@ -14,17 +14,18 @@ import org.pendant.models.time.FrameTime;
 final class SourceDevice implements CellDevice {
   private final DeviceSetup.Source setup;
   private final Optional<PartPool> pool;
-  private final DigitalIo io;
+  private final Optional<SignalLine> when;
   private final MessageLog log;
   private long frames;
   private boolean high;
   private boolean due;
   private boolean put;
 
-  SourceDevice(DeviceSetup.Source setup, Optional<PartPool> pool, DigitalIo io, MessageLog log) {
+  SourceDevice(
+      DeviceSetup.Source setup, Optional<PartPool> pool, SignalLines lines, MessageLog log) {
     this.setup = setup;
     this.pool = pool;
-    this.io = io;
+    when = setup.when().map(lines::line);
     this.log = log;
   }
 
@@ -58,9 +59,8 @@ final class SourceDevice implements CellDevice {
     if (setup.everyS() > 0 && ++frames % FrameTime.framesFor(setup.everyS()) == 0) {
       due = true;
     }
-    if (setup.when().isPresent()) {
-      Signal signal = setup.when().get();
-      boolean now = io.level(signal.bank(), signal.index());
+    if (when.isPresent()) {
+      boolean now = when.get().high();
       due |= now && !high;
       high = now;
     }

@@ -3,7 +3,7 @@ package org.pendant.controller.device;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.cell.BodyProbe;
-import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -22,11 +22,11 @@ final class SwitchDevice implements CellDevice {
       DeviceSetup.Switch setup,
       Supplier<Pose> tcpInBase,
       Optional<BodyProbe> bodies,
-      DigitalIo io) {
+      SignalLines lines) {
     this.setup = setup;
     this.tcpInBase = tcpInBase;
     this.bodies = bodies;
-    line = new SensorLine(io, Optional.of(setup.signal()));
+    line = new SensorLine(lines, Optional.of(setup.signal()));
   }
 
   @Override

@@ -1,15 +1,16 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import org.pendant.controller.io.DigitalIo;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.controller.world.CupHand;
 import org.pendant.models.time.FrameTime;
 
 /** Vacuum device: a gripper that sucks. It holds a part when its vacuum has built up. */
 final class VacuumDevice implements CellDevice {
   private final DeviceSetup.Vacuum setup;
-  private final DigitalIo io;
+  private final SignalLine suck;
   private final Optional<CupHand> cup;
   private final MessageLog log;
   private final SensorLine holds;
@@ -18,12 +19,12 @@ final class VacuumDevice implements CellDevice {
   private boolean part;
   private boolean held;
 
-  VacuumDevice(DeviceSetup.Vacuum setup, DigitalIo io, Optional<CupHand> cup, MessageLog log) {
+  VacuumDevice(DeviceSetup.Vacuum setup, SignalLines lines, Optional<CupHand> cup, MessageLog log) {
     this.setup = setup;
-    this.io = io;
+    suck = lines.line(setup.suck());
     this.cup = cup;
     this.log = log;
-    holds = new SensorLine(io, setup.holds());
+    holds = new SensorLine(lines, setup.holds());
     fullFrames = FrameTime.framesFor(setup.timeS());
     part = setup.part();
   }
@@ -66,7 +67,7 @@ final class VacuumDevice implements CellDevice {
 
   @Override
   public void step() {
-    boolean sucks = io.level(setup.suck().bank(), setup.suck().index());
+    boolean sucks = suck.high();
     boolean lost = cup.isPresent() && cup.get().losesWhatIsTooMuch();
     boolean there = !lost && (part || ((sucks || frames > 0) && seals()));
     if (there && sucks) {

@@ -1,10 +1,13 @@
 package org.pendant.controller.io;
 
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalOwner;
+
 /**
  * The digital signals, owned by the frame loop. All are low at first; outputs and flags keep their
  * levels when a program ends.
  */
-public final class DigitalIo {
+public final class DigitalIo implements SignalOwner {
   private DigitalLevels levels = DigitalLevels.ALL_LOW;
 
   /**
@@ -41,6 +44,23 @@ public final class DigitalIo {
   public void setInput(String name, boolean level) {
     Signal signal = Signal.input(name);
     set(signal.bank(), signal.index(), level);
+  }
+
+  @Override
+  public SignalLine line(String group, int index) {
+    SignalBank bank = SignalBank.named(group);
+    bank.check(index);
+    return new SignalLine() {
+      @Override
+      public int value() {
+        return level(bank, index) ? 1 : 0;
+      }
+
+      @Override
+      public void set(int value) {
+        DigitalIo.this.set(bank, index, value != 0);
+      }
+    };
   }
 
   /** All levels now; the same object until one changes. */

@@ -1,5 +1,9 @@
 package org.pendant.controller.io;
 
+import java.util.Arrays;
+import java.util.List;
+import org.pendant.controller.wire.SignalGroup;
+
 /**
  * Signal bank: a group of digital signals that stand beside each other on the control box or the
  * tool.
@@ -25,6 +29,25 @@ public enum SignalBank {
   /** The name outside of scripts, as in {@code digital_in[0]}. */
   public String text() {
     return text;
+  }
+
+  /**
+   * The bank of that name.
+   *
+   * @throws IllegalArgumentException if there is none
+   */
+  public static SignalBank named(String text) {
+    return Arrays.stream(values())
+        .filter(bank -> bank.text.equals(text))
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException("no signals are called " + text));
+  }
+
+  /** All of them, for the files of cells. */
+  public static List<SignalGroup> groups() {
+    return Arrays.stream(values())
+        .map(bank -> new SignalGroup(bank.text, 0, bank.size, bank.input(), SignalGroup.LEVEL))
+        .toList();
   }
 
   /** Number of signals; they count from 0. */

@@ -1,8 +1,11 @@
 package org.pendant.controller.rule;
 
-import org.pendant.controller.io.DigitalIo;
+import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.rule.RuleSetup.Action;
 import org.pendant.controller.rule.RuleSetup.Trigger;
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.models.time.FrameTime;
 
 /** A rule at work. */
@@ -11,6 +14,14 @@ final class Rule {
   private static final int MAX_WAITING = 64;
 
   private final RuleSetup setup;
+  private final Rules.Hand hand;
+
+  /** What the condition is about; nothing where there is none. */
+  private final List<SignalLine> watched;
+
+  /** What it sets, where it sets something. */
+  private final Optional<SignalLine> target;
+
   private final long afterFrames;
   private final long forFrames;
   private final long[] due = new long[MAX_WAITING];
@@ -20,8 +31,19 @@ final class Rule {
   private boolean begun;
   private long next;
 
-  Rule(RuleSetup setup) {
+  Rule(RuleSetup setup, SignalLines signals, Rules.Hand hand) {
     this.setup = setup;
+    this.hand = hand;
+    watched =
+        switch (setup.trigger()) {
+          case Trigger.When when -> when.condition().watched(signals);
+          case Trigger.While during -> during.condition().watched(signals);
+          case Trigger.Every _ -> List.of();
+        };
+    target =
+        setup.action() instanceof Action.Set set
+            ? Optional.of(signals.line(set.signal()))
+            : Optional.empty();
     afterFrames = frames(setup.afterS());
     forFrames = frames(setup.forS());
   }
@@ -30,17 +52,17 @@ final class Rule {
     return timeS > 0 ? FrameTime.framesFor(timeS) : 0;
   }
 
-  void step(DigitalIo io, Rules.Hand hand, long frame) {
+  void step(long frame) {
     switch (setup.trigger()) {
       case Trigger.When when -> {
-        boolean holds = when.condition().holds(io);
+        boolean holds = when.condition().holds(watched);
         if (begun && holds && !held) {
           begin(frame);
         }
         held = holds;
       }
       case Trigger.While during -> {
-        boolean holds = during.condition().holds(io);
+        boolean holds = during.condition().holds(watched);
         if (!begun || holds != held) {
           // what has not happened yet is not to happen any more: it was too short
           waiting = 0;
@@ -56,7 +78,7 @@ final class Rule {
       }
     }
     begun = true;
-    carryOut(io, hand, frame);
+    carryOut(frame);
   }
 
   private void begin(long frame) {
@@ -74,11 +96,11 @@ final class Rule {
     }
   }
 
-  private void carryOut(DigitalIo io, Rules.Hand hand, long frame) {
+  private void carryOut(long frame) {
     int kept = 0;
     for (int i = 0; i < waiting; i++) {
       if (due[i] <= frame) {
-        act(io, hand, forth[i]);
+        act(forth[i]);
       } else {
         due[kept] = due[i];
         forth[kept] = forth[i];
@@ -88,10 +110,9 @@ final class Rule {
     waiting = kept;
   }
 
-  private void act(DigitalIo io, Rules.Hand hand, boolean wanted) {
+  private void act(boolean wanted) {
     switch (setup.action()) {
-      case Action.SetInput set ->
-          io.set(set.input().bank(), set.input().index(), set.level() == wanted);
+      case Action.Set set -> target.orElseThrow().set(wanted ? set.value() : set.opposite());
       case Action.PutPart put -> hand.putPart(put.gripper(), wanted ? put.widthM() : 0);
       case Action.Press press -> hand.press(press.device(), wanted);
     }

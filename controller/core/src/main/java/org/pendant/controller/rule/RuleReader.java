@@ -3,9 +3,11 @@ package org.pendant.controller.rule;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.pendant.controller.io.SignalFields;
 import org.pendant.controller.rule.RuleSetup.Action;
 import org.pendant.controller.rule.RuleSetup.Trigger;
+import org.pendant.controller.wire.CellSignal;
+import org.pendant.controller.wire.CellSignalNames;
+import org.pendant.controller.wire.SignalGroup;
 import org.pendant.language.check.Nearest;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
@@ -17,10 +19,12 @@ public final class RuleReader {
   /** Rules of a cell at most. */
   public static final int MAX_RULES = 256;
 
+  private final CellSignalNames signals;
   private final Map<String, Double> grippers;
   private final List<String> switches;
 
-  private RuleReader(Map<String, Double> grippers, List<String> switches) {
+  private RuleReader(CellSignalNames signals, Map<String, Double> grippers, List<String> switches) {
+    this.signals = signals;
     this.grippers = grippers;
     this.switches = switches;
   }
@@ -28,13 +32,18 @@ public final class RuleReader {
   /**
    * Reads the section {@code rules}.
    *
+   * @param signals what rules may look at and set
    * @param grippers how far each gripper opens, m, by its name
    * @param switches names of limit switches and buttons
    * @throws JsonException for the first thing that is wrong, with its place
    */
   public static List<RuleSetup> read(
-      JsonFields scene, Map<String, Double> grippers, List<String> switches) throws JsonException {
-    RuleReader reader = new RuleReader(grippers, switches);
+      JsonFields scene,
+      CellSignalNames signals,
+      Map<String, Double> grippers,
+      List<String> switches)
+      throws JsonException {
+    RuleReader reader = new RuleReader(signals, grippers, switches);
     List<RuleSetup> rules = new ArrayList<>();
     for (Json each : scene.array("rules", MAX_RULES)) {
       rules.add(reader.rule(new JsonFields(each, "a rule")));
@@ -66,7 +75,7 @@ public final class RuleReader {
     return new RuleSetup(trigger, fields.number("after", RuleSetup.TIME, 0), action(fields), forS);
   }
 
-  private static Trigger trigger(JsonFields fields) throws JsonException {
+  private Trigger trigger(JsonFields fields) throws JsonException {
     one(fields, "when", "while", "every");
     if (fields.optional("every").isPresent()) {
       return new Trigger.Every(fields.number("every", RuleSetup.PERIOD));
@@ -85,10 +94,10 @@ public final class RuleReader {
     }
   }
 
-  private static SignalCondition condition(JsonFields fields, String key) throws JsonException {
+  private SignalCondition condition(JsonFields fields, String key) throws JsonException {
     Json.Text text = fields.text(key);
     try {
-      return SignalCondition.of(text.value());
+      return SignalCondition.of(text.value(), signals);
     } catch (IllegalArgumentException e) {
       throw text.place().refusal(key + ": " + e.getMessage());
     }
@@ -97,8 +106,7 @@ public final class RuleReader {
   private Action action(JsonFields fields) throws JsonException {
     one(fields, "set", "part", "press");
     if (fields.optional("set").isPresent()) {
-      return new Action.SetInput(
-          SignalFields.input(fields, "set"), fields.optional("to").isEmpty() || fields.flag("to"));
+      return set(fields);
     }
     if (fields.optional("press").isPresent()) {
       return press(fields.text("press"));
@@ -114,6 +122,23 @@ public final class RuleReader {
                   + (grippers.isEmpty() ? "" : ": " + String.join(", ", grippers.keySet())));
     }
     return new Action.PutPart(name.value(), fields.number("width", new Range(0, strokeM, "m")));
+  }
+
+  private Action set(JsonFields fields) throws JsonException {
+    CellSignal signal = signals.settable(fields, "set");
+    SignalGroup group = signals.group(signal);
+    if (group.digital()) {
+      boolean level = fields.optional("to").isEmpty() || fields.flag("to");
+      return new Action.Set(signal, level ? 1 : 0, level ? 0 : 1);
+    }
+    double value = fields.number("to", group.range());
+    if (value != Math.rint(value)) {
+      throw fields
+          .required("to")
+          .place()
+          .refusal("to is " + Range.number(value) + ", must be a whole number");
+    }
+    return new Action.Set(signal, (int) value, 0);
   }
 
   private Action press(Json.Text name) throws JsonException {

@@ -1,6 +1,6 @@
 package org.pendant.controller.rule;
 
-import org.pendant.controller.io.Signal;
+import org.pendant.controller.wire.CellSignal;
 import org.pendant.models.json.Range;
 
 /**
@@ -32,8 +32,13 @@ public record RuleSetup(Trigger trigger, double afterS, Action action, double fo
 
   /** What a rule does. */
   public sealed interface Action {
-    /** Sets an input. */
-    record SetInput(Signal input, boolean level) implements Action {}
+    /**
+     * Sets a signal.
+     *
+     * @param value to which
+     * @param opposite its value after that: the other level, and 0 for numbers
+     */
+    record Set(CellSignal signal, int value, int opposite) implements Action {}
 
     /**
      * Puts a part between the fingers of a gripper; the opposite takes it away.

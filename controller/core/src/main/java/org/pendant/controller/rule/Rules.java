@@ -1,7 +1,7 @@
 package org.pendant.controller.rule;
 
 import java.util.List;
-import org.pendant.controller.io.DigitalIo;
+import org.pendant.controller.wire.SignalLines;
 
 /** Rules of a cell at work; the frame loop owns them. */
 public final class Rules {
@@ -15,21 +15,17 @@ public final class Rules {
   }
 
   private final List<Rule> rules;
-  private final DigitalIo io;
-  private final Hand hand;
   private long frame;
 
   /** Rules over signals. */
-  public Rules(List<RuleSetup> setups, DigitalIo io, Hand hand) {
-    rules = setups.stream().map(Rule::new).toList();
-    this.io = io;
-    this.hand = hand;
+  public Rules(List<RuleSetup> setups, SignalLines signals, Hand hand) {
+    rules = setups.stream().map(setup -> new Rule(setup, signals, hand)).toList();
   }
 
   /** Looks at the signals and does what is due, once a frame. */
   public void step() {
     for (int i = 0; i < rules.size(); i++) {
-      rules.get(i).step(io, hand, frame);
+      rules.get(i).step(frame);
     }
     frame++;
   }

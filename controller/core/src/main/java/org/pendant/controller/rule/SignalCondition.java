@@ -2,68 +2,140 @@ package org.pendant.controller.rule;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.controller.io.DigitalIo;
-import org.pendant.controller.io.Signal;
+import org.pendant.controller.wire.CellSignal;
+import org.pendant.controller.wire.CellSignalNames;
+import org.pendant.controller.wire.SignalGroup;
+import org.pendant.controller.wire.SignalLine;
+import org.pendant.controller.wire.SignalLines;
+import org.pendant.models.json.Range;
 
 /**
- * Signal condition of a rule: levels of signals, all of which must be so, such as {@code
- * digital_out[2] is on and tool_in[0] is off}. {@code rises} and {@code falls} are other words for
- * {@code is on} and {@code is off} in a rule that begins when something becomes so.
+ * Signal condition of a rule: what values signals have, all of them together, such as {@code
+ * digital_out[2] is on and plc.register[0] is above 7}. {@code rises} and {@code falls} are other
+ * words for {@code is on} and {@code is off} in a rule that begins when something becomes so.
  *
- * @param levels at least one
+ * @param tests at least one
  */
-public record SignalCondition(List<Level> levels) {
+public record SignalCondition(List<Requirement> tests) {
   /** What may follow a signal, for messages. */
-  static final String FORM = "signals with rises, falls, is on or is off, joined by and";
+  static final String FORM =
+      "signals with rises, falls, is on or is off, joined by and;"
+          + " numbers with is, is not, is above or is below";
 
-  private static final Pattern LEVEL =
-      Pattern.compile("(\\w+\\[\\d{1,2}\\])(?: +(rises|falls|is on|is off))?");
+  private static final Pattern REQUIREMENT =
+      Pattern.compile(
+          "(\\S+\\[\\d{1,5}\\])(?: +(?:(rises|falls|is on|is off)|(is|is not|is above|is below)"
+              + " +(-?\\d{1,10})))?");
 
-  /** Most levels of a condition. */
+  /** Most tests of a condition. */
   private static final int MAX = 16;
 
+  /** How a value is compared. */
+  enum Comparison {
+    EQUAL,
+    NOT_EQUAL,
+    ABOVE,
+    BELOW
+  }
+
   /**
-   * A level that a signal must have.
+   * What the value of a signal must be.
    *
-   * @param on whether it must be high
+   * @param number that it is compared with; a signal is on that is not 0
    */
-  public record Level(Signal signal, boolean on) {}
+  record Requirement(CellSignal signal, Comparison comparison, int number) {
+    boolean holds(int value) {
+      return switch (comparison) {
+        case EQUAL -> value == number;
+        case NOT_EQUAL -> value != number;
+        case ABOVE -> value > number;
+        case BELOW -> value < number;
+      };
+    }
+  }
 
   /** The list is copied. */
   public SignalCondition {
-    levels = List.copyOf(levels);
+    tests = List.copyOf(tests);
   }
 
   /**
    * Reads a condition.
    *
+   * @param signals what signals there are
    * @throws IllegalArgumentException if it is none
    */
-  public static SignalCondition of(String text) {
-    List<Level> levels = new ArrayList<>();
+  public static SignalCondition of(String text, CellSignalNames signals) {
+    List<Requirement> tests = new ArrayList<>();
     for (String part : text.strip().split(" +and +", -1)) {
-      Matcher words = LEVEL.matcher(part.strip());
-      if (!words.matches()) {
-        throw new IllegalArgumentException("is \"" + part.strip() + "\", must be " + FORM);
-      }
-      String word = words.group(2) == null ? "is on" : words.group(2);
-      levels.add(
-          new Level(Signal.named(words.group(1)), word.equals("rises") || word.equals("is on")));
+      tests.add(test(part.strip(), signals));
     }
-    if (levels.size() > MAX) {
+    if (tests.size() > MAX) {
       throw new IllegalArgumentException(
-          "has " + levels.size() + " signals, must have at most " + MAX);
+          "has " + tests.size() + " signals, must have at most " + MAX);
     }
-    return new SignalCondition(levels);
+    return new SignalCondition(tests);
+  }
+
+  private static Requirement test(String part, CellSignalNames signals) {
+    Matcher words = REQUIREMENT.matcher(part);
+    if (!words.matches()) {
+      throw new IllegalArgumentException("is \"" + part + "\", must be " + FORM);
+    }
+    CellSignal signal;
+    try {
+      signal = signals.signal(words.group(1));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          "signal is \"" + words.group(1) + "\", " + e.getMessage(), e);
+    }
+    if (words.group(3) == null) {
+      String level = Optional.ofNullable(words.group(2)).orElse("is on");
+      boolean on = level.equals("rises") || level.equals("is on");
+      return new Requirement(signal, on ? Comparison.NOT_EQUAL : Comparison.EQUAL, 0);
+    }
+    return new Requirement(
+        signal, comparison(words.group(3)), number(words.group(4), signals.group(signal)));
+  }
+
+  private static Comparison comparison(String words) {
+    return switch (words) {
+      case "is not" -> Comparison.NOT_EQUAL;
+      case "is above" -> Comparison.ABOVE;
+      case "is below" -> Comparison.BELOW;
+      default -> Comparison.EQUAL;
+    };
+  }
+
+  private static int number(String digits, SignalGroup group) {
+    Range range = group.range();
+    double number = Double.parseDouble(digits);
+    if (!range.holds(number)) {
+      throw new IllegalArgumentException(
+          "number is "
+              + digits
+              + ", must be "
+              + Range.number(range.least())
+              + " to "
+              + Range.number(range.most())
+              + " for "
+              + group.name());
+    }
+    return (int) number;
+  }
+
+  /** The signals of its tests at work, in their order. */
+  List<SignalLine> watched(SignalLines signals) {
+    return tests.stream().map(each -> signals.line(each.signal())).toList();
   }
 
   /** Whether it holds now. */
-  boolean holds(DigitalIo io) {
-    for (int i = 0; i < levels.size(); i++) {
-      Level each = levels.get(i);
-      if (io.level(each.signal().bank(), each.signal().index()) != each.on()) {
+  boolean holds(List<SignalLine> watched) {
+    for (int i = 0; i < tests.size(); i++) {
+      if (!tests.get(i).holds(watched.get(i).value())) {
         return false;
       }
     }

@@ -66,7 +66,9 @@ class EquipmentReaderTest {
         "{'devices': [{'type': 'two-finger'}, {'type': 'two-finger'}]} | 1:47: name is"
             + " \"two-finger\" as in line 1, must be another for each device",
         "{'devices': [{'type': 'gripper', 'close': 'digital_out[8]'}]} | 1:43: close is"
-            + " \"digital_out[8]\", must be a signal, such as digital_out[0]",
+            + " \"digital_out[8]\", must be digital_out[0] to [7]",
+        "{'devices': [{'type': 'gripper', 'close': 'plc.coil[0]'}]} | 1:43: close is"
+            + " \"plc.coil[0]\", must be a signal, such as digital_out[0]",
         "{'devices': [{'type': 'proximity', 'signal': 'digital_out[0]', 'at': [0,0,0], 'range':"
             + " 1}]} | 1:46: signal is \"digital_out[0]\", must be an input",
         "{'devices': [{'type': 'camera', 'min': [0,0,0], 'max': [1,1,1], 'objects': ['lid']}]} |"

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
-import org.pendant.controller.io.Signal;
+import org.pendant.controller.wire.CellSignal;
 import org.pendant.models.pose.Pose;
 
 final class DeviceSightTest {
@@ -23,7 +23,7 @@ final class DeviceSightTest {
       new DeviceSetup.Driven(
           "guard",
           "door",
-          Signal.named("digital_out[0]"),
+          new CellSignal("", "digital_out", 0),
           Optional.empty(),
           Optional.empty(),
           Optional.empty(),
@@ -35,7 +35,7 @@ final class DeviceSightTest {
   private static final DeviceSetup GATE =
       new DeviceSetup.Sensor(
           "gate",
-          Signal.input("digital_in[0]"),
+          new CellSignal("", "digital_in", 0),
           new Zone.Beam(new Zone.Place(0.4, -0.3, 0.2), new Zone.Place(0.4, 0.3, 0.2), 0.01),
           false);
 
