@@ -2,6 +2,7 @@ package org.pendant.motion;
 
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.text.FloatText;
 import org.pendant.models.time.FrameTime;

@@ -1,6 +1,7 @@
 package org.pendant.motion;
 
 import java.util.Arrays;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 

@@ -1,5 +1,6 @@
 package org.pendant.motion;
 
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 
 /**

@@ -1,7 +1,6 @@
-package org.pendant.motion;
+package org.pendant.models.arm;
 
 import java.util.Arrays;
-import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 
 /**
@@ -9,7 +8,7 @@ import org.pendant.models.time.FrameTime;
  * allocates nothing; a value of them that lasts is made on demand, and once only as long as they
  * stay as they are.
  */
-final class JointNumbers {
+public final class JointNumbers {
   private static final int N = Joints.COUNT;
 
   private final double[] numbers = new double[N];
@@ -17,12 +16,12 @@ final class JointNumbers {
   private boolean made = true;
 
   /** The numbers; only to be read, and different in the next frame. */
-  double[] numbers() {
+  public double[] numbers() {
     return numbers;
   }
 
   /** The numbers as they are now, for good. */
-  Joints joints() {
+  public Joints joints() {
     if (!made) {
       lasting = isZero() ? Joints.ZERO : Joints.of(numbers);
       made = true;
@@ -31,7 +30,7 @@ final class JointNumbers {
   }
 
   /** Whether all are 0. */
-  boolean isZero() {
+  public boolean isZero() {
     for (int i = 0; i < N; i++) {
       if (numbers[i] != 0) {
         return false;
@@ -41,7 +40,7 @@ final class JointNumbers {
   }
 
   /** The largest of them, signs aside. */
-  double largest() {
+  public double largest() {
     double largest = 0;
     for (int i = 0; i < N; i++) {
       largest = Math.max(largest, Math.abs(numbers[i]));
@@ -49,31 +48,35 @@ final class JointNumbers {
     return largest;
   }
 
-  void set(Joints values) {
+  /** Takes over a lasting value. */
+  public void set(Joints values) {
     values.copyTo(numbers);
     lasting = values;
     made = true;
   }
 
-  void set(JointNumbers others) {
+  /** Takes over the numbers of others as they are now. */
+  public void set(JointNumbers others) {
     System.arraycopy(others.numbers, 0, numbers, 0, N);
     lasting = others.lasting;
     made = others.made;
   }
 
-  void set(double[] values) {
+  /** Takes over six numbers. */
+  public void set(double[] values) {
     System.arraycopy(values, 0, numbers, 0, N);
     made = false;
   }
 
-  void setZero() {
+  /** Makes all 0. */
+  public void setZero() {
     Arrays.fill(numbers, 0);
     lasting = Joints.ZERO;
     made = true;
   }
 
   /** Sets the sum of {@code f} times {@code x} and {@code g} times {@code y}. */
-  void setSum(double f, double[] x, double g, double[] y) {
+  public void setSum(double f, double[] x, double g, double[] y) {
     for (int i = 0; i < N; i++) {
       numbers[i] = f * x[i] + g * y[i];
     }
@@ -81,7 +84,7 @@ final class JointNumbers {
   }
 
   /** Sets how fast numbers have changed within a frame, per second. */
-  void setRate(JointNumbers before, JointNumbers after) {
+  public void setRate(JointNumbers before, JointNumbers after) {
     double f = 1 / FrameTime.FRAME_S;
     for (int i = 0; i < N; i++) {
       numbers[i] = (after.numbers[i] - before.numbers[i]) * f;
