@@ -16,7 +16,7 @@ final class WholeFrameTest {
   /**
    * What a frame may allocate that nobody looks at, with the C1 compiler, its share of plans too.
    */
-  private static final long BYTES = 500;
+  private static final long BYTES = 100;
 
   private static final int ROUNDS = 5;
 

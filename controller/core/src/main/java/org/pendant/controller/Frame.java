@@ -16,7 +16,7 @@ import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.SourceRange;
-import org.pendant.models.arm.Joints;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.motion.MotionFailure;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.Value;
@@ -46,6 +46,8 @@ final class Frame {
   private final Runnable follow = this::followProgram;
 
   private final StopSnapshot witness = new StopSnapshot();
+
+  private final JointNumbers targetSpeedRadPerS = new JointNumbers();
 
   private final RuntimeStateTracker runtime = new RuntimeStateTracker();
   private ProgramState followed = ProgramState.STOPPED;
@@ -326,10 +328,11 @@ final class Frame {
   }
 
   private FrameFacts facts() {
+    box.motion().readSpeedRadPerS(targetSpeedRadPerS);
     return new FrameFacts(
         box.clock().timeS(),
-        box.drive().drivenPositionRad(),
-        box.motion().speedRadPerS(),
+        box.drive().drivenNow(),
+        targetSpeedRadPerS,
         box.arm().simulated().sensors(),
         box.flange().tool().inFlange(),
         box.flange().wrenchInBase(),
@@ -530,8 +533,8 @@ final class Frame {
     ProgramState now = machine.state();
     int line = machine.line();
     Optional<Ending> ending = internalEnding.isPresent() ? internalEnding : machine.ending();
-    boolean moves = !box.motion().speedRadPerS().equals(Joints.ZERO);
-    RuntimeState doing = runtime.look(now, machine.pausing(), moves, box.motion().scaling());
+    RuntimeState doing =
+        runtime.look(now, machine.pausing(), box.motion().turning(), box.motion().scaling());
     if (now != program.state()
         || doing != program.runtime()
         || line != program.line()

@@ -6,6 +6,7 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.encoder.Encoders;
+import org.pendant.controller.freedrive.FreedriveMode;
 import org.pendant.controller.freedrive.FreedriveState;
 import org.pendant.controller.io.DigitalLevels;
 import org.pendant.controller.io.SignalState;
@@ -72,7 +73,7 @@ final class FrameImage {
   private List<MovedObject> moved;
   private AssemblyImage assemblies;
   private Encoders.Counts encoders;
-  private FreedriveState freedrive;
+  private Optional<FreedriveMode> guidance = Optional.empty();
   private VariableSamples variables;
   private TracedVariables traced;
   private List<Popup> openPopups;
@@ -135,7 +136,7 @@ final class FrameImage {
     modbus = List.copyOf(box.links().modbus().state());
     takeCell();
     assemblies = box.links().assemblies().image();
-    freedrive = box.modes().freedrive().state(box.drive().actualPositionRad());
+    guidance = box.modes().freedrive().mode();
     openPopups = List.copyOf(box.prompts().popups().open());
     openQuestions = List.copyOf(box.prompts().questions().open());
     newLines = box.log().takeNew();
@@ -205,7 +206,7 @@ final class FrameImage {
         moved,
         assemblies,
         encoders,
-        freedrive,
+        FreedriveState.at(armState.description().dh(), guidance, armState.actualPositionRad()),
         variables,
         traced,
         openPopups,

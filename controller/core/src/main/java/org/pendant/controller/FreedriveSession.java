@@ -95,8 +95,7 @@ final class FreedriveSession {
   }
 
   private void noticeEnd(Hold present) {
-    boolean guided =
-        box.modes().freedrive().state(box.drive().actualPositionRad()).heldBy(FreedriveHolder.HAND);
+    boolean guided = box.modes().freedrive().heldBy(FreedriveHolder.HAND);
     if (!guided && present.reason.isEmpty()) {
       present.reason =
           Optional.of(

@@ -450,6 +450,21 @@ public final class MotionControl {
     System.arraycopy(jointSetpoint.position().numbers(), 0, q, 0, Joints.COUNT);
   }
 
+  /** Takes over target positions, rad; allocates nothing. */
+  public void readPositionRad(JointNumbers target) {
+    target.set(jointSetpoint.position());
+  }
+
+  /** Takes over target speeds, rad/s; allocates nothing. */
+  public void readSpeedRadPerS(JointNumbers target) {
+    target.set(jointSetpoint.speed());
+  }
+
+  /** Takes over {@link #accelerationRadPerS2}; allocates nothing. */
+  public void readAccelerationRadPerS2(JointNumbers target) {
+    target.set(acceleration);
+  }
+
   /** Where the path is, without what offsets add, rad. */
   public Joints pathPositionRad() {
     return path.position().joints();
@@ -463,6 +478,11 @@ public final class MotionControl {
   /** Target speeds, rad/s. */
   public Joints speedRadPerS() {
     return jointSetpoint.speed().joints();
+  }
+
+  /** Whether a target speed is not 0. */
+  public boolean turning() {
+    return !jointSetpoint.speed().isZero();
   }
 
   /**

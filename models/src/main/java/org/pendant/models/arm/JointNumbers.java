@@ -15,6 +15,13 @@ public final class JointNumbers {
   private Joints lasting = Joints.ZERO;
   private boolean made = true;
 
+  /** Numbers that are those of a lasting value at first. */
+  public static JointNumbers of(Joints values) {
+    JointNumbers numbers = new JointNumbers();
+    numbers.set(values);
+    return numbers;
+  }
+
   /** The numbers; only to be read, and different in the next frame. */
   public double[] numbers() {
     return numbers;
@@ -27,6 +34,25 @@ public final class JointNumbers {
       made = true;
     }
     return lasting;
+  }
+
+  /** Number of joint {@code i}, 0 for the base to 5 for wrist 3. */
+  public double get(int i) {
+    return numbers[i];
+  }
+
+  /** Writes {@link #joints} into six numbers. */
+  public void copyTo(double[] target) {
+    if (isZero()) {
+      Arrays.fill(target, 0);
+    } else {
+      System.arraycopy(numbers, 0, target, 0, N);
+    }
+  }
+
+  /** Whether {@link #joints} of both are equal. */
+  public boolean same(JointNumbers others) {
+    return Arrays.equals(numbers, others.numbers) || (isZero() && others.isZero());
   }
 
   /** Whether all are 0. */
@@ -66,6 +92,13 @@ public final class JointNumbers {
   public void set(double[] values) {
     System.arraycopy(values, 0, numbers, 0, N);
     made = false;
+  }
+
+  /** As {@link #set(double[])}; the same lasting value as long as the numbers stay as they are. */
+  public void update(double[] values) {
+    if (!Arrays.equals(values, numbers)) {
+      set(values);
+    }
   }
 
   /** Makes all 0. */

@@ -65,7 +65,7 @@ public final class DynamicArm implements SimulatedArm {
 
   private final SensorNoise noise;
   private final double[] motorSum = new double[N];
-  private ArmCommand last = ArmCommand.BRAKES_ON;
+  private final LastCommand last = new LastCommand();
   private Payload load = Payload.NONE;
   private boolean resting;
   private boolean unmoved;
@@ -91,10 +91,10 @@ public final class DynamicArm implements SimulatedArm {
 
   @Override
   public void step(ArmCommand command) {
-    unmoved = resting && !externalForces.changed() && command.equals(last);
+    unmoved = resting && !externalForces.changed() && last.is(command);
     if (!unmoved) {
       move(command);
-      last = command;
+      last.remember(command);
     }
     heat.step(sensors);
     noise.read(sensors, !(command instanceof ArmCommand.BrakesOn));

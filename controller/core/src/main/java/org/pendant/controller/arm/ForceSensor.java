@@ -3,6 +3,7 @@ package org.pendant.controller.arm;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Transforms;
 import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 
 /**
  * Force/torque sensor in the flange, rid of the declared payload and of its zero: what is left is
@@ -21,7 +22,7 @@ public final class ForceSensor {
 
   private final double[] weight6 = new double[6];
   private Wrench zero = Wrench.ZERO;
-  private Wrench felt = Wrench.ZERO;
+  private final WrenchNumbers felt = new WrenchNumbers();
 
   /**
    * Makes what {@code arm} feels now beyond the declared payload the zero (manual 18.72), without
@@ -39,38 +40,47 @@ public final class ForceSensor {
 
   private void read(SimulatedArm arm, Payload declared) {
     arm.copyLoadOnFlange(own6);
-    felt = less(own6, arm.sensors().flangeNoise6);
+    double[] noise6 = arm.sensors().flangeNoise6;
+    felt.set(
+        own6[0] - noise6[0],
+        own6[1] - noise6[1],
+        own6[2] - noise6[2],
+        own6[3] - noise6[3],
+        own6[4] - noise6[4],
+        own6[5] - noise6[5]);
     arm.copyWeightOf(declared, weight6);
-    own6[0] = felt.fx() - weight6[0] - zero.fx();
-    own6[1] = felt.fy() - weight6[1] - zero.fy();
-    own6[2] = felt.fz() - weight6[2] - zero.fz();
-    own6[3] = felt.mx() - weight6[3] - zero.mx();
-    own6[4] = felt.my() - weight6[4] - zero.my();
-    own6[5] = felt.mz() - weight6[5] - zero.mz();
+    own6[0] = felt.get(0) - weight6[0] - zero.fx();
+    own6[1] = felt.get(1) - weight6[1] - zero.fy();
+    own6[2] = felt.get(2) - weight6[2] - zero.fz();
+    own6[3] = felt.get(3) - weight6[3] - zero.mx();
+    own6[4] = felt.get(4) - weight6[4] - zero.my();
+    own6[5] = felt.get(5) - weight6[5] - zero.mz();
   }
 
   /**
    * What the sensor felt for the latest {@link #reading}: with the weight of the payload and
-   * without its zero, at the flange's origin along the flange's axes.
+   * without its zero, at the flange's origin along the flange's axes; changes with the next one.
    */
-  public Wrench felt() {
+  public WrenchNumbers felt() {
     return felt;
   }
 
-  /** The reading at the flange's origin, along the axes of the base (manual 16.32). */
-  public Wrench wrenchAtFlangeInBase(SimulatedArm arm, Payload declared) {
+  /** Writes the reading at the flange's origin, along the axes of the base (manual 16.32). */
+  public void readAtFlangeInBase(SimulatedArm arm, Payload declared, WrenchNumbers wrench) {
     arm.copyFlangeInBase(flange12);
     read(arm, declared);
-    return alongBase(own6, flange12);
+    alongBase(own6, flange12, wrench);
   }
 
   /** A wrench along the axes of the flange, along those of the base. */
   static Wrench alongBase(Wrench w, double[] flange12) {
-    return alongBase(new double[] {w.fx(), w.fy(), w.fz(), w.mx(), w.my(), w.mz()}, flange12);
+    WrenchNumbers turned = new WrenchNumbers();
+    alongBase(new double[] {w.fx(), w.fy(), w.fz(), w.mx(), w.my(), w.mz()}, flange12, turned);
+    return turned.wrench();
   }
 
-  private static Wrench alongBase(double[] w6, double[] flange12) {
-    return new Wrench(
+  private static void alongBase(double[] w6, double[] flange12, WrenchNumbers turned) {
+    turned.set(
         alongBase(flange12, 0, w6[0], w6[1], w6[2]),
         alongBase(flange12, 1, w6[0], w6[1], w6[2]),
         alongBase(flange12, 2, w6[0], w6[1], w6[2]),
@@ -91,10 +101,5 @@ public final class ForceSensor {
         a.mx() - b.mx(),
         a.my() - b.my(),
         a.mz() - b.mz());
-  }
-
-  private static Wrench less(double[] a6, double[] b6) {
-    return new Wrench(
-        a6[0] - b6[0], a6[1] - b6[1], a6[2] - b6[2], a6[3] - b6[3], a6[4] - b6[4], a6[5] - b6[5]);
   }
 }

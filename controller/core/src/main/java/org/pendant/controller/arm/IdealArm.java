@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.dynamics.Payload;
@@ -28,9 +29,9 @@ public final class IdealArm implements SimulatedArm {
   private Payload load = Payload.NONE;
   private Pose tcpInFlange = Pose.ZERO;
   private double[] mounting3 = {0, 0, ArmDynamics.STANDARD_GRAVITY_M_PER_S2};
-  private Joints positionRad;
-  private Joints speedRadPerS = Joints.ZERO;
-  private ArmCommand last = ArmCommand.BRAKES_ON;
+  private final JointNumbers positionRad = new JointNumbers();
+  private final JointNumbers speedRadPerS = new JointNumbers();
+  private final LastCommand last = new LastCommand();
 
   /**
    * An arm at rest that nothing ever touches.
@@ -68,13 +69,12 @@ public final class IdealArm implements SimulatedArm {
 
   @Override
   public void step(ArmCommand command) {
-    ArmCommand before = last;
-    last = command;
     if (yields(command)) {
-      yieldTo(command, yields(before));
-    } else if (!command.equals(before)) {
+      yieldTo(command, yields(last.command()));
+    } else if (!last.is(command)) {
       obey(command);
     }
+    last.remember(command);
   }
 
   private static boolean yields(ArmCommand command) {
@@ -83,11 +83,14 @@ public final class IdealArm implements SimulatedArm {
 
   private void obey(ArmCommand command) {
     if (command instanceof ArmCommand.Servo target) {
-      move(target.positionRad(), target.speedRadPerS(), target.accelerationRadPerS2());
+      positionRad.set(target.positionRad());
+      speedRadPerS.set(target.speedRadPerS());
+      target.accelerationRadPerS2().copyTo(sensors.accelerationRadPerS2);
+      measureMotion();
       publish(target);
     } else {
       TargetLoad.publishNone(sensors);
-      move(positionRad, Joints.ZERO, Joints.ZERO);
+      move(positionRad.joints(), Joints.ZERO, Joints.ZERO);
     }
   }
 
@@ -95,7 +98,7 @@ public final class IdealArm implements SimulatedArm {
     DynamicArm arm = yielding.orElseGet(this::newYielding);
     yielding = Optional.of(arm);
     if (!continues) {
-      arm.jumpTo(positionRad, speedRadPerS);
+      arm.jumpTo(positionRad.joints(), speedRadPerS.joints());
     }
     arm.step(command);
     SimulatedSensors felt = arm.sensors();
@@ -118,16 +121,20 @@ public final class IdealArm implements SimulatedArm {
 
   @Override
   public void jumpTo(Joints positionRad) {
-    last = ArmCommand.BRAKES_ON;
+    last.remember(ArmCommand.BRAKES_ON);
     move(positionRad, Joints.ZERO, Joints.ZERO);
   }
 
   private void move(Joints position, Joints speed, Joints acceleration) {
-    positionRad = position;
-    speedRadPerS = speed;
-    position.copyTo(sensors.positionRad);
-    speed.copyTo(sensors.speedRadPerS);
+    positionRad.set(position);
+    speedRadPerS.set(speed);
     acceleration.copyTo(sensors.accelerationRadPerS2);
+    measureMotion();
+  }
+
+  private void measureMotion() {
+    positionRad.copyTo(sensors.positionRad);
+    speedRadPerS.copyTo(sensors.speedRadPerS);
     flange.update(sensors.positionRad, sensors.speedRadPerS, sensors.accelerationRadPerS2);
     flange.accelerometer(sensors.toolAccelerationMPerS2);
   }
@@ -168,7 +175,7 @@ public final class IdealArm implements SimulatedArm {
     mounting3 = new double[] {x, y, z};
     yielding.ifPresent(arm -> arm.setMounting(x, y, z));
     flange.mount(x, y, z);
-    move(positionRad, speedRadPerS, sensors.accelerationRadPerS2());
+    measureMotion();
   }
 
   /** Counts when the arm yields; otherwise an ideal arm touches nothing. */
@@ -181,7 +188,7 @@ public final class IdealArm implements SimulatedArm {
   @Override
   public void modelChanged() {
     yielding.ifPresent(DynamicArm::modelChanged);
-    if (last instanceof ArmCommand.Servo target) {
+    if (last.command() instanceof ArmCommand.Servo target) {
       publish(target);
     }
   }
@@ -193,11 +200,11 @@ public final class IdealArm implements SimulatedArm {
 
   @Override
   public Joints positionRad() {
-    return positionRad;
+    return positionRad.joints();
   }
 
   @Override
   public Joints speedRadPerS() {
-    return speedRadPerS;
+    return speedRadPerS.joints();
   }
 }

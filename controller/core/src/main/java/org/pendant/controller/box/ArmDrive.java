@@ -10,6 +10,7 @@ import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetySystem;
 import org.pendant.controller.world.LinkCollisions;
 import org.pendant.controller.world.LinkHit;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.PlanningException;
@@ -42,7 +43,11 @@ public final class ArmDrive {
   private final PositionHistory history;
   private final Optional<LinkCollisions> collisions;
   private final double[] q = new double[Joints.COUNT];
-  private Joints actualRad;
+
+  /** Where the joints are, as the encoders read them, rad. */
+  private final JointNumbers actual = new JointNumbers();
+
+  private final JointNumbers driven = new JointNumbers();
 
   /**
    * What commands the arm, and what looks at how it follows.
@@ -73,18 +78,29 @@ public final class ArmDrive {
     motion = setup.motion();
     freedrive = setup.modes().freedrive();
     collisions = setup.arm().collisions();
-    actualRad = setup.startRad();
-    history = new PositionHistory(actualRad);
+    actual.set(setup.startRad());
+    history = new PositionHistory(setup.startRad());
   }
 
   /** Where the joints are, as the encoders read them, rad. */
   public Joints actualPositionRad() {
-    return actualRad;
+    return actual.joints();
+  }
+
+  /** As {@link #actualPositionRad}; allocates nothing. */
+  public void readActualPositionRad(JointNumbers target) {
+    target.set(actual);
   }
 
   /** Where the servos should hold the joints, rad: on the path, or beside it after a stop. */
   public Joints drivenPositionRad() {
     return driveTarget.positionRad(motion);
+  }
+
+  /** As {@link #drivenPositionRad}; changes when it is asked for again, and allocates nothing. */
+  public JointNumbers drivenNow() {
+    driveTarget.readPositionRad(motion, driven);
+    return driven;
   }
 
   /** Where the joints were in the last frames. */
@@ -118,18 +134,16 @@ public final class ArmDrive {
     setup.arm().supply().step(arm.sensors(), powered());
     setup.arm().supplyMeter().step();
     flange.armChanged();
-    Joints position = arm.positionRad();
-    if (!position.equals(actualRad)) {
-      actualRad = position;
-    }
-    history.add(actualRad);
+    arm.sensors().copyPositionRad(q);
+    actual.update(q);
+    history.add(q);
     flange.contactWatch().add(flange.wrenchInBase());
     watchForceMode();
     watchLinks();
     if (freedrive.active()) {
-      freedrive.follow(actualRad, arm.speedRadPerS());
+      freedrive.follow(actual.joints(), arm.speedRadPerS());
     } else if (motion.torqueDriven()) {
-      motion.guide(actualRad, arm.speedRadPerS());
+      motion.guide(actual.joints(), arm.speedRadPerS());
     }
     flange.endTransition();
   }
@@ -165,8 +179,7 @@ public final class ArmDrive {
 
   /** Tells the safety functions of an arm that was pushed too far aside for force mode. */
   private void watchForceMode() {
-    Optional<TaskDeviation> aside =
-        setup.modes().forceMode().deviation(drivenPositionRad(), actualRad);
+    Optional<TaskDeviation> aside = setup.modes().forceMode().deviation(drivenNow(), actual);
     if (aside.isPresent()) {
       safety.aside(aside.get());
     }
@@ -177,7 +190,6 @@ public final class ArmDrive {
     if (collisions.isEmpty()) {
       return;
     }
-    arm.sensors().copyPositionRad(q);
     boolean undriven = safety.robotMode() != RobotMode.RUNNING || freedrive.active();
     boolean tolerated = undriven || motion.torqueDriven() || safety.stop().isPresent();
     Optional<LinkHit> hit = collisions.get().look(q, tolerated);
@@ -193,13 +205,13 @@ public final class ArmDrive {
     }
     if (safety.robotMode() != RobotMode.RUNNING) {
       if (motion.moving() || motion.carried() || elsewhere()) {
-        motion.adopt(actualRad);
+        motion.adopt(actualPositionRad());
       }
       driveTarget.forget();
       return;
     }
-    if (safety.stop().isPresent() && motion.speedRadPerS().equals(Joints.ZERO) && pushedAside()) {
-      driveTarget.stayAt(actualRad, motion.positionRad());
+    if (safety.stop().isPresent() && !motion.turning() && pushedAside()) {
+      driveTarget.stayAt(actualPositionRad(), motion.positionRad());
     }
     if (driveTarget.beside() && !motion.moving()) {
       if (setup.offsets().conveyor().active() || setup.offsets().path().active()) {
@@ -217,12 +229,13 @@ public final class ArmDrive {
   /** Whether the arm is not where its target is, noise of the encoders left aside. */
   private boolean elsewhere() {
     return arm.rests()
-        ? actualRad.maxAbsDifference(motion.positionRad()) > NOISE_RAD
-        : !motion.positionRad().equals(actualRad);
+        ? actualPositionRad().maxAbsDifference(motion.positionRad()) > NOISE_RAD
+        : !motion.positionRad().equals(actualPositionRad());
   }
 
   private boolean pushedAside() {
-    return !driveTarget.beside() && actualRad.maxAbsDifference(motion.positionRad()) > ASIDE_RAD;
+    return !driveTarget.beside()
+        && actualPositionRad().maxAbsDifference(motion.positionRad()) > ASIDE_RAD;
   }
 
   /**
@@ -235,7 +248,7 @@ public final class ArmDrive {
     arm.jumpTo(positionRad);
     collisions.ifPresent(LinkCollisions::restart);
     safety.jumped();
-    actualRad = positionRad;
+    actual.set(positionRad);
     setup.flange().armChanged();
   }
 }

@@ -1,6 +1,7 @@
 package org.pendant.controller.box;
 
 import org.pendant.controller.arm.ArmCommand;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.time.FrameTime;
 import org.pendant.motion.MotionControl;
@@ -15,6 +16,9 @@ final class DriveTarget {
   private static final double RETURN_RAD_PER_S = 0.1;
 
   private Joints besideRad = Joints.ZERO;
+
+  /** Given in each frame, with other numbers. */
+  private final ArmCommand.Servo servo = new ArmCommand.Servo();
 
   /** From now on the arm stays at {@code actualRad} while the motion rests at {@code targetRad}. */
   void stayAt(Joints actualRad, Joints targetRad) {
@@ -62,8 +66,20 @@ final class DriveTarget {
     return Joints.of(sum);
   }
 
+  /** Takes over where the joints should be at the end of the frame, rad. */
+  void readPositionRad(MotionControl motion, JointNumbers target) {
+    if (beside()) {
+      target.set(positionRad(motion));
+    } else {
+      motion.readPositionRad(target);
+    }
+  }
+
+  /** What the servos follow in this frame. */
   ArmCommand servo(MotionControl motion) {
-    return new ArmCommand.Servo(
-        positionRad(motion), motion.speedRadPerS(), motion.accelerationRadPerS2());
+    readPositionRad(motion, servo.positionRad());
+    motion.readSpeedRadPerS(servo.speedRadPerS());
+    motion.readAccelerationRadPerS2(servo.accelerationRadPerS2());
+    return servo;
   }
 }

@@ -4,6 +4,7 @@ import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.arm.ForceSensor;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 
 /** Sensing of what pushes the tool, by the sensor in the flange or by an external one. */
 final class FlangeForces {
@@ -11,7 +12,7 @@ final class FlangeForces {
   private final ArmModel model;
   private final ForceSensor ownSensor = new ForceSensor();
   private final ExternalForceSensor externalSensor = new ExternalForceSensor();
-  private Wrench wrench = Wrench.ZERO;
+  private final WrenchNumbers wrench = new WrenchNumbers();
 
   /** Whether {@link #wrench} is of the arm as it stands now. */
   private boolean wrenchKnown;
@@ -38,10 +39,13 @@ final class FlangeForces {
     forget();
   }
 
-  /** The external wrench at the flange, along the axes of the base (manual 16.32). */
-  Wrench wrenchInBase() {
+  /**
+   * The external wrench at the flange, along the axes of the base (manual 16.32); changes with the
+   * next frame.
+   */
+  WrenchNumbers wrenchInBase() {
     if (!wrenchKnown) {
-      wrench = ownSensor.wrenchAtFlangeInBase(arm, model.payload());
+      ownSensor.readAtFlangeInBase(arm, model.payload(), wrench);
       wrenchKnown = true;
     }
     return wrench;
@@ -49,9 +53,9 @@ final class FlangeForces {
 
   /**
    * What the sensor in the flange feels, with weights and without its zero, at the flange along its
-   * axes.
+   * axes; changes with the next frame.
    */
-  Wrench rawWrench() {
+  WrenchNumbers rawWrench() {
     return ownSensor.felt();
   }
 
@@ -60,7 +64,7 @@ final class FlangeForces {
    * there is one.
    */
   Wrench controlledWrenchInBase() {
-    return externalSensor.enabled() ? externalWrenchInBase() : wrenchInBase();
+    return externalSensor.enabled() ? externalWrenchInBase() : wrenchInBase().wrench();
   }
 
   /** What an external sensor feels, at the flange along the axes of the base; 0 without one. */

@@ -10,6 +10,7 @@ import org.pendant.controller.world.LinkCollisions;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.force.ContactWatch;
 import org.pendant.motion.force.ForceMode;
@@ -177,15 +178,19 @@ public final class ToolFlange {
     return contactWatch;
   }
 
-  /** The external wrench at the flange, along the axes of the base (manual 16.32). */
-  public Wrench wrenchInBase() {
+  /**
+   * The external wrench at the flange, along the axes of the base (manual 16.32); changes with the
+   * next frame.
+   */
+  public WrenchNumbers wrenchInBase() {
     return forces.wrenchInBase();
   }
 
   /**
-   * What the force sensor feels, with weights and without its zero, at the flange along its axes.
+   * What the force sensor feels, with weights and without its zero, at the flange along its axes;
+   * changes with the next frame.
    */
-  public Wrench rawWrench() {
+  public WrenchNumbers rawWrench() {
     return forces.rawWrench();
   }
 

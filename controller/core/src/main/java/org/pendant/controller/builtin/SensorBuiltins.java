@@ -137,12 +137,12 @@ final class SensorBuiltins {
   }
 
   private static Outcome force(Call<ControlBox> call) {
-    Wrench w = call.host().flange().wrenchInBase();
+    Wrench w = call.host().flange().wrenchInBase().wrench();
     return call.answer(Math.sqrt(w.fx() * w.fx() + w.fy() * w.fy() + w.fz() * w.fz()));
   }
 
   private static Outcome tcpForce(Call<ControlBox> call) {
-    Wrench w = call.host().flange().wrenchInBase();
+    Wrench w = call.host().flange().wrenchInBase().wrench();
     return call.answer(new Pose(w.fx(), w.fy(), w.fz(), w.mx(), w.my(), w.mz()));
   }
 

@@ -48,8 +48,6 @@ public final class Freedrive {
   private final double[] dampingNmSPerRad = new double[N];
   private Pose tcpInFlange = Pose.ZERO;
   private Optional<FreedriveMode> mode = Optional.empty();
-  private FreedriveState state;
-  private Joints measuredAtRad;
 
   /**
    * What freedrive works with.
@@ -82,8 +80,6 @@ public final class Freedrive {
     lock = new AxisConstraint(arm, setup.model());
     push = new SensedPush(arm, setup.felt());
     resistance = new Resistance(arm, setup.speeds());
-    measuredAtRad = guided.positionRad();
-    state = new FreedriveState(mode, SingularityDistance.at(arm.dh(), measuredAtRad));
   }
 
   /**
@@ -126,7 +122,7 @@ public final class Freedrive {
 
   /** As {@link #end}, if this one asked for it. */
   public void end(FreedriveHolder holder) {
-    if (mode.isPresent() && mode.get().holder() == holder) {
+    if (heldBy(holder)) {
       end();
     }
   }
@@ -174,21 +170,14 @@ public final class Freedrive {
     motion.guide(positionRad, speedRadPerS);
   }
 
-  /**
-   * How it is; the same object as long as nothing has changed.
-   *
-   * @param positionRad where the arm is
-   */
-  public FreedriveState state(Joints positionRad) {
-    SingularityDistance distance = state.distance();
-    if (!positionRad.equals(measuredAtRad)) {
-      measuredAtRad = positionRad;
-      distance = SingularityDistance.at(arm.dh(), positionRad);
-    }
-    if (!mode.equals(state.mode()) || distance != state.distance()) {
-      state = new FreedriveState(mode, distance);
-    }
-    return state;
+  /** How the arm is guided; empty while it is not. */
+  public Optional<FreedriveMode> mode() {
+    return mode;
+  }
+
+  /** Whether it is guided, and this one asked for it. */
+  public boolean heldBy(FreedriveHolder holder) {
+    return mode.isPresent() && mode.get().holder() == holder;
   }
 
   /** How near a singularity is (manual 15.21). */

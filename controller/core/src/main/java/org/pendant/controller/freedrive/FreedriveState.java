@@ -1,6 +1,8 @@
 package org.pendant.controller.freedrive;
 
 import java.util.Optional;
+import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.Joints;
 
 /**
  * Freedrive state: whether and how the arm is guided by hand.
@@ -9,6 +11,11 @@ import java.util.Optional;
  * @param distance how near a singularity is, guided or not
  */
 public record FreedriveState(Optional<FreedriveMode> mode, SingularityDistance distance) {
+
+  /** The state of an arm with these lengths, guided so and at these joint positions, rad. */
+  public static FreedriveState at(DhLengths dh, Optional<FreedriveMode> mode, Joints positionRad) {
+    return new FreedriveState(mode, SingularityDistance.at(dh, positionRad));
+  }
 
   /** Whether the arm is guided. */
   public boolean active() {

@@ -1,17 +1,18 @@
 package org.pendant.controller.safety;
 
 import org.pendant.controller.sensor.ArmSensors;
-import org.pendant.models.arm.Joints;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.pose.Pose;
-import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 
 /**
- * Frame facts: what the safety functions look at in one frame.
+ * Frame facts: what the safety functions look at in one frame. Numbers that change are read within
+ * the frame only.
  *
  * @param timeS controller time, s
  * @param targetPositionRad where the joints should be, rad
  * @param targetSpeedRadPerS how fast they should turn, rad/s
- * @param sensors what the arm reports; read within the frame only
+ * @param sensors what the arm reports
  * @param tcpInFlange the active tool centre point
  * @param externalWrenchAtFlangeInBase what pushes the tool, at the flange's origin along the axes
  *     of the base, N and Nm
@@ -23,11 +24,11 @@ import org.pendant.models.pose.Wrench;
  */
 public record FrameFacts(
     double timeS,
-    Joints targetPositionRad,
-    Joints targetSpeedRadPerS,
+    JointNumbers targetPositionRad,
+    JointNumbers targetSpeedRadPerS,
     ArmSensors sensors,
     Pose tcpInFlange,
-    Wrench externalWrenchAtFlangeInBase,
+    WrenchNumbers externalWrenchAtFlangeInBase,
     boolean steady,
     boolean moving,
     boolean programRunning,

@@ -59,9 +59,9 @@ final class PressCheck {
   }
 
   private static double toolForceN(FrameFacts facts) {
-    double fx = facts.externalWrenchAtFlangeInBase().fx();
-    double fy = facts.externalWrenchAtFlangeInBase().fy();
-    double fz = facts.externalWrenchAtFlangeInBase().fz();
+    double fx = facts.externalWrenchAtFlangeInBase().get(0);
+    double fy = facts.externalWrenchAtFlangeInBase().get(1);
+    double fz = facts.externalWrenchAtFlangeInBase().get(2);
     return Math.sqrt(fx * fx + fy * fy + fz * fz);
   }
 
@@ -109,9 +109,9 @@ final class PressCheck {
     double rx = points.flange(0) - px;
     double ry = points.flange(1) - py;
     double rz = points.flange(2) - pz;
-    double mx = load.mx() + ry * load.fz() - rz * load.fy();
-    double my = load.my() + rz * load.fx() - rx * load.fz();
-    double mz = load.mz() + rx * load.fy() - ry * load.fx();
+    double mx = load.get(3) + ry * load.get(2) - rz * load.get(1);
+    double my = load.get(4) + rz * load.get(0) - rx * load.get(2);
+    double mz = load.get(5) + rx * load.get(1) - ry * load.get(0);
     return facts.sensors().externalTorqueNm(joint) + zx * mx + zy * my + zz * mz;
   }
 }

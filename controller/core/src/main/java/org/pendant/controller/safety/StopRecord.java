@@ -6,7 +6,7 @@ import java.util.Set;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.MessageLog;
-import org.pendant.models.arm.Joints;
+import org.pendant.models.arm.JointNumbers;
 
 /** Stop record: how the present stop begins, what replaces it, and what ends it. */
 final class StopRecord {
@@ -140,11 +140,10 @@ final class StopRecord {
   }
 
   /** Whether a stop of category 1 has come to its end: the power may go. */
-  boolean powerMayGo(Joints targetSpeedRadPerS) {
+  boolean powerMayGo(JointNumbers targetSpeedRadPerS) {
     return present.isPresent()
         && present.get().category() == StopCategory.ONE
-        && (targetSpeedRadPerS.equals(Joints.ZERO)
-            || nowS - present.get().timeS() > POWER_S - ROUNDING_S);
+        && (targetSpeedRadPerS.isZero() || nowS - present.get().timeS() > POWER_S - ROUNDING_S);
   }
 
   /** Ends a stop whose input is gone; the answer is RESUME if a program may continue by itself. */

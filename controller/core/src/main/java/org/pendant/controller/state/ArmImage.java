@@ -8,10 +8,11 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Mounting;
 import org.pendant.controller.box.ToolCentre;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.kinematics.ForwardKinematics;
-import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.MotionFailure;
 
@@ -20,10 +21,10 @@ import org.pendant.motion.MotionFailure;
  * writes over it, so that nothing is allocated for frames that nobody looks at.
  */
 public final class ArmImage {
-  private Joints targetPositionRad = Joints.ZERO;
-  private Joints targetSpeedRadPerS = Joints.ZERO;
-  private Joints targetAccelerationRadPerS2 = Joints.ZERO;
-  private Joints actualPositionRad = Joints.ZERO;
+  private final JointNumbers targetPositionRad = new JointNumbers();
+  private final JointNumbers targetSpeedRadPerS = new JointNumbers();
+  private final JointNumbers targetAccelerationRadPerS2 = new JointNumbers();
+  private final JointNumbers actualPositionRad = new JointNumbers();
   private final SimulatedSensors sensors = new SimulatedSensors();
   private ToolCentre tool = ToolCentre.FLANGE;
   private ArmDescription description;
@@ -37,8 +38,8 @@ public final class ArmImage {
 
   private double timeS;
   private double toolCurrentA;
-  private Wrench flangeWrenchInBase = Wrench.ZERO;
-  private Wrench rawFlangeWrench = Wrench.ZERO;
+  private final WrenchNumbers flangeWrenchInBase = new WrenchNumbers();
+  private final WrenchNumbers rawFlangeWrench = new WrenchNumbers();
   private Payload payload;
   private Mounting mounting;
   private boolean robotPowered;
@@ -64,10 +65,10 @@ public final class ArmImage {
   /** Takes what is so in this frame; allocates nothing. */
   public void take(ControlBox box, ControlMode mode) {
     MotionControl motion = box.motion();
-    targetPositionRad = motion.positionRad();
-    targetSpeedRadPerS = motion.speedRadPerS();
-    targetAccelerationRadPerS2 = motion.accelerationRadPerS2();
-    actualPositionRad = box.drive().actualPositionRad();
+    motion.readPositionRad(targetPositionRad);
+    motion.readSpeedRadPerS(targetSpeedRadPerS);
+    motion.readAccelerationRadPerS2(targetAccelerationRadPerS2);
+    box.drive().readActualPositionRad(actualPositionRad);
     sensors.set(box.arm().simulated().sensors());
     tool = box.flange().tool();
     description = box.arm().description();
@@ -80,8 +81,8 @@ public final class ArmImage {
     fault = motion.fault();
     timeS = box.clock().timeS();
     toolCurrentA = box.signals().toolCurrentA(box.drive().powered());
-    flangeWrenchInBase = box.flange().wrenchInBase();
-    rawFlangeWrench = box.flange().rawWrench();
+    flangeWrenchInBase.set(box.flange().wrenchInBase());
+    rawFlangeWrench.set(box.flange().rawWrench());
     payload = box.arm().model().payload();
     mounting = box.arm().model().mounting();
     takeVoltages(box);
@@ -114,10 +115,10 @@ public final class ArmImage {
   /** The state of the arm. */
   public ArmState state() {
     return new ArmState(
-        targetPositionRad,
-        targetSpeedRadPerS,
-        targetAccelerationRadPerS2,
-        actualPositionRad,
+        targetPositionRad.joints(),
+        targetSpeedRadPerS.joints(),
+        targetAccelerationRadPerS2.joints(),
+        actualPositionRad.joints(),
         sensors.speedRadPerS(),
         tool,
         description,
@@ -147,8 +148,8 @@ public final class ArmImage {
             sensors.toolAccelerationMPerS2(0),
             sensors.toolAccelerationMPerS2(1),
             sensors.toolAccelerationMPerS2(2)),
-        flangeWrenchInBase,
-        rawFlangeWrench,
+        flangeWrenchInBase.wrench(),
+        rawFlangeWrench.wrench(),
         payload,
         mounting,
         robotPowered

@@ -10,12 +10,19 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 
 class ForceSensorTest {
   private static final Payload GRIPPER =
       new Payload(2, 0.01, -0.02, 0.08, 0.01, 0.02, 0.005, 0.001, 0, -0.002);
 
   private final ForceSensor sensor = new ForceSensor();
+
+  private Wrench inBase(SimulatedArm arm, Payload declared) {
+    WrenchNumbers wrench = new WrenchNumbers();
+    sensor.readAtFlangeInBase(arm, declared, wrench);
+    return wrench.wrench();
+  }
 
   @ParameterizedTest
   @ValueSource(strings = {"ur3e", "ur5e", "ur16e", "ur20"})
@@ -24,7 +31,7 @@ class ForceSensorTest {
     Trapezoid move = new Trapezoid(Rig.START, Rig.ELSEWHERE, 1.4, 1.05);
     for (int frame = 1; frame <= move.frames(); frame++) {
       rig.arm.step(move.at(frame));
-      requireClose(Wrench.ZERO, sensor.wrenchAtFlangeInBase(rig.arm, GRIPPER), 1e-9);
+      requireClose(Wrench.ZERO, inBase(rig.arm, GRIPPER), 1e-9);
     }
   }
 
@@ -33,7 +40,7 @@ class ForceSensorTest {
     Rig rig = new Rig("ur5e").carrying(Payload.of(1, 0.1, 0, 0), Payload.NONE);
     rig.framesToRest(Rig.START);
 
-    Wrench reading = sensor.wrenchAtFlangeInBase(rig.arm, Payload.NONE);
+    Wrench reading = inBase(rig.arm, Payload.NONE);
 
     assertEquals(-9.82, reading.fz(), 0.01);
     assertEquals(9.82, Math.hypot(reading.fx(), Math.hypot(reading.fy(), reading.fz())), 0.01);
@@ -49,8 +56,7 @@ class ForceSensorTest {
     rig.repeat(2000, Rig.hold(Rig.START));
 
     // the flange points down: the tool centre is 0.1 m below it
-    requireClose(
-        new Wrench(10, 0, 30, 0, -1, 0), sensor.wrenchAtFlangeInBase(rig.arm, GRIPPER), 1e-2);
+    requireClose(new Wrench(10, 0, 30, 0, -1, 0), inBase(rig.arm, GRIPPER), 1e-2);
   }
 
   @Test
@@ -72,7 +78,7 @@ class ForceSensorTest {
     rig.worstWhileMoving(Rig.START, upsideDown);
     rig.framesToRest(upsideDown);
 
-    assertEquals(-2 * 9.82, sensor.wrenchAtFlangeInBase(rig.arm, Payload.NONE).fz(), 0.01);
+    assertEquals(-2 * 9.82, inBase(rig.arm, Payload.NONE).fz(), 0.01);
   }
 
   @Test
@@ -81,8 +87,8 @@ class ForceSensorTest {
     arm.setLoad(Payload.of(3, 0, 0, 0.1));
     arm.step(Rig.hold(Rig.ELSEWHERE));
 
-    requireClose(Wrench.ZERO, sensor.wrenchAtFlangeInBase(arm, Payload.of(3, 0, 0, 0.1)), 1e-12);
-    assertEquals(-9.82, sensor.wrenchAtFlangeInBase(arm, Payload.of(2, 0, 0, 0.1)).fz(), 1e-9);
+    requireClose(Wrench.ZERO, inBase(arm, Payload.of(3, 0, 0, 0.1)), 1e-12);
+    assertEquals(-9.82, inBase(arm, Payload.of(2, 0, 0, 0.1)).fz(), 1e-9);
   }
 
   private static void requireClose(Wrench expected, Wrench found, double tolerance) {

@@ -21,7 +21,8 @@ record Trapezoid(Joints from, Joints to, double acceleration, double speed) {
     double sd = speedAt(frame);
     double sdd = (sd - speedAt(frame - 1)) / FrameTime.FRAME_S;
     if (left == 0) {
-      return new ArmCommand.Servo(to, Joints.ZERO, along(lengthRad, 0, sdd).accelerationRadPerS2());
+      return new ArmCommand.Servo(
+          to, Joints.ZERO, along(lengthRad, 0, sdd).accelerationRadPerS2().joints());
     }
     if (t < rampS) {
       return along(acceleration * t * t / 2, sd, sdd);

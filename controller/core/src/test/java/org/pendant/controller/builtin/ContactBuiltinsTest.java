@@ -8,6 +8,7 @@ import static org.pendant.script.value.Make.pose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
 
@@ -17,9 +18,9 @@ class ContactBuiltinsTest {
   @BeforeEach
   void somethingPushesUpInTheLastFrame() {
     for (int i = 0; i < 10; i++) {
-      fixture.box().flange().contactWatch().add(Wrench.ZERO);
+      fixture.box().flange().contactWatch().add(WrenchNumbers.of(Wrench.ZERO));
     }
-    fixture.box().flange().contactWatch().add(new Wrench(0, 0, 10, 0, 0, 0));
+    fixture.box().flange().contactWatch().add(WrenchNumbers.of(new Wrench(0, 0, 10, 0, 0, 0)));
   }
 
   @Test

@@ -19,13 +19,7 @@ class FreedriveBuiltinsTest {
   private final CallFixture fixture = new CallFixture();
 
   private FreedriveMode mode() {
-    return fixture
-        .box()
-        .modes()
-        .freedrive()
-        .state(fixture.box().drive().actualPositionRad())
-        .mode()
-        .orElseThrow();
+    return fixture.box().modes().freedrive().mode().orElseThrow();
   }
 
   @Test

@@ -7,10 +7,12 @@ import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 import org.pendant.models.time.FrameTime;
 
 /** A safety system and the arm, target and program that a test makes up for it. */
@@ -118,11 +120,11 @@ final class SafetyBench {
     readings.set(actual, actualSpeed);
     return new FrameFacts(
         timeS(),
-        target,
-        targetSpeed,
+        JointNumbers.of(target),
+        JointNumbers.of(targetSpeed),
         readings.sensors(),
         Pose.ZERO,
-        wrench,
+        WrenchNumbers.of(wrench),
         steady,
         !targetSpeed.equals(Joints.ZERO),
         program,

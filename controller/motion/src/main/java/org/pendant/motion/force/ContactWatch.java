@@ -1,6 +1,6 @@
 package org.pendant.motion.force;
 
-import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 
 /**
  * Contact detector: notices that the force on the tool changes, and when that began (manual 16.66).
@@ -43,17 +43,17 @@ public final class ContactWatch {
    *
    * @param flangeWrenchInBase what has acted on the tool from outside
    */
-  public void add(Wrench flangeWrenchInBase) {
+  public void add(WrenchNumbers flangeWrenchInBase) {
     if (known == 0) {
-      meanX = flangeWrenchInBase.fx();
-      meanY = flangeWrenchInBase.fy();
-      meanZ = flangeWrenchInBase.fz();
+      meanX = flangeWrenchInBase.get(0);
+      meanY = flangeWrenchInBase.get(1);
+      meanZ = flangeWrenchInBase.get(2);
     }
     newest = (newest + 1) % FRAMES;
     known = Math.min(known + 1, FRAMES);
-    x[newest] = flangeWrenchInBase.fx() - meanX;
-    y[newest] = flangeWrenchInBase.fy() - meanY;
-    z[newest] = flangeWrenchInBase.fz() - meanZ;
+    x[newest] = flangeWrenchInBase.get(0) - meanX;
+    y[newest] = flangeWrenchInBase.get(1) - meanY;
+    z[newest] = flangeWrenchInBase.get(2) - meanZ;
     double share = changeN() > THRESHOLD_N ? SHARE_IN_CONTACT : SHARE;
     meanX += share * x[newest];
     meanY += share * y[newest];

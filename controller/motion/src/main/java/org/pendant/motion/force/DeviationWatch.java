@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.DhLengths;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
@@ -103,7 +104,7 @@ final class DeviationWatch {
    * @param actualRad where they are
    * @return an axis along which the TCP has been too far away for 20 ms
    */
-  Optional<TaskDeviation> look(TaskAxes axes, Joints targetRad, Joints actualRad) {
+  Optional<TaskDeviation> look(TaskAxes axes, JointNumbers targetRad, JointNumbers actualRad) {
     targetRad.copyTo(target);
     actualRad.copyTo(actual);
     double sum = 0;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
@@ -165,7 +166,7 @@ public final class ForceMode implements PathOffset {
   private void settle() {
     try {
       motion.endOffset(this);
-      if (!motion.speedRadPerS().equals(Joints.ZERO)) {
+      if (motion.turning()) {
         motion.takeOver(ForceMode::stop).cancel();
       }
     } catch (PlanningException e) {
@@ -259,7 +260,7 @@ public final class ForceMode implements PathOffset {
    * @param actualRad where they are
    * @return what calls for a protective stop
    */
-  public Optional<TaskDeviation> deviation(Joints targetRad, Joints actualRad) {
+  public Optional<TaskDeviation> deviation(JointNumbers targetRad, JointNumbers actualRad) {
     if (!givesWay()) {
       deviations.forget();
       return Optional.empty();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
 import org.pendant.models.pose.Wrench;
+import org.pendant.models.pose.WrenchNumbers;
 
 final class ContactWatchTest {
   private static final double[] EVERYWHERE = {0, 0, 0};
@@ -11,7 +12,7 @@ final class ContactWatchTest {
   private final ContactWatch watch = new ContactWatch();
 
   private void feel(double fx, double fy, double fz) {
-    watch.add(new Wrench(fx, fy, fz, 0, 0, 0));
+    watch.add(WrenchNumbers.of(new Wrench(fx, fy, fz, 0, 0, 0)));
   }
 
   private void feelNothing(int frames) {

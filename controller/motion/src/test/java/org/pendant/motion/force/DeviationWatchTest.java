@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.JointNumbers;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.kinematics.InverseKinematics;
@@ -57,12 +58,16 @@ final class DeviationWatchTest {
             orientation.rz()));
   }
 
+  private Optional<TaskDeviation> look(Joints actual) {
+    return watch.look(axes, JointNumbers.of(TARGET), JointNumbers.of(actual));
+  }
+
   /** What is found when the arm has been there for 20 ms. */
   private Optional<TaskDeviation> lasting(Joints actual) {
     Optional<TaskDeviation> found = Optional.empty();
     for (int i = 0; i < DeviationWatch.FRAMES; i++) {
       assertTrue(found.isEmpty(), "before 20 ms");
-      found = watch.look(axes, TARGET, actual);
+      found = look(actual);
     }
     return found;
   }
@@ -121,9 +126,9 @@ final class DeviationWatchTest {
     Joints far = aside(0.02, 0, 0, 0, 0, 0);
     for (int round = 0; round < 3; round++) {
       for (int i = 1; i < DeviationWatch.FRAMES; i++) {
-        assertEquals(Optional.empty(), watch.look(axes, TARGET, far));
+        assertEquals(Optional.empty(), look(far));
       }
-      assertEquals(Optional.empty(), watch.look(axes, TARGET, TARGET));
+      assertEquals(Optional.empty(), look(TARGET));
     }
     assertTrue(lasting(far).isPresent());
   }
@@ -133,7 +138,7 @@ final class DeviationWatchTest {
     Optional<TaskDeviation> found = Optional.empty();
     for (int i = 0; i < DeviationWatch.FRAMES; i++) {
       begin(FrameKind.FIXED, new Pose(0, 0, 0, 0, 0, 1e-4 * i), -1, 0.01, 0.02);
-      found = watch.look(axes, TARGET, aside(0.02, 0, 0, 0, 0, 0));
+      found = look(aside(0.02, 0, 0, 0, 0, 0));
     }
     assertEquals(0, found.orElseThrow().axis());
   }
