@@ -19,6 +19,7 @@ import org.pendant.controller.safety.SafetyCommandHandler;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.StateStream;
 import org.pendant.language.source.Source;
 import org.pendant.script.coverage.Coverage;
@@ -231,6 +232,21 @@ public final class Controller implements Robot, Drive {
   @Override
   public ControllerState state() {
     return frame.state();
+  }
+
+  @Override
+  public double timeS() {
+    return box.clock().timeS();
+  }
+
+  @Override
+  public ProgramStatus program() {
+    return frame.program();
+  }
+
+  @Override
+  public boolean broughtMessages() {
+    return frame.broughtMessages();
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.function.BooleanSupplier;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.ProgramStatus;
 import org.pendant.language.source.Source;
 import org.pendant.script.coverage.Coverage;
 import org.pendant.script.value.Value;
@@ -12,6 +13,18 @@ import org.pendant.script.value.Value;
 public interface Drive {
   /** The newest snapshot; any thread. */
   ControllerState state();
+
+  /** Time of the last frame, s, as the newest snapshot has it; the thread that drives alone. */
+  double timeS();
+
+  /** The program, as the newest snapshot has it; the thread that drives alone. */
+  ProgramStatus program();
+
+  /**
+   * Whether the newest snapshot has log lines or popups that the one before had not; the thread
+   * that drives alone. Who runs frames and only wants to know that makes no snapshots.
+   */
+  boolean broughtMessages();
 
   /** Runs one frame in the calling thread; a frame that a debugger pauses in continues. */
   void advance();

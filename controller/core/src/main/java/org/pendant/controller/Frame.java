@@ -162,6 +162,16 @@ final class Frame {
     return image.state();
   }
 
+  /** The program in the newest snapshot; the thread that drives alone. */
+  ProgramStatus program() {
+    return program;
+  }
+
+  /** Whether the newest snapshot has new log lines or popups; the thread that drives alone. */
+  boolean broughtMessages() {
+    return image.broughtMessages();
+  }
+
   /** Whether arm and cell stood still in the last frame. */
   boolean still() {
     return image.still();

@@ -49,6 +49,7 @@ final class FrameImage {
   private final LinkDistance links;
 
   private boolean still;
+  private boolean broughtMessages;
 
   /**
    * The snapshot of the frame that was taken last, once somebody has asked for it; written under
@@ -140,6 +141,7 @@ final class FrameImage {
     openPopups = List.copyOf(box.prompts().popups().open());
     openQuestions = List.copyOf(box.prompts().questions().open());
     newLines = box.log().takeNew();
+    broughtMessages = !newLines.equals(LogLines.NONE) || !newPopups.isEmpty();
     newQuestions = box.prompts().questions().takeNew();
     newProgramEvents = machine.takeEvents();
     newestEntry = box.log().newest();
@@ -162,6 +164,11 @@ final class FrameImage {
   /** The safety status that was taken last. */
   SafetyStatus safety() {
     return safety;
+  }
+
+  /** Whether there are new log lines or popups. */
+  boolean broughtMessages() {
+    return broughtMessages;
   }
 
   /** Whether neither the arm nor anything around it has moved since the frame before. */

@@ -10,6 +10,11 @@ record FrameWatchers(List<FrameWatcher> all) implements FrameWatcher {
   }
 
   @Override
+  public boolean looks() {
+    return all.stream().anyMatch(FrameWatcher::looks);
+  }
+
+  @Override
   public void see(ControllerState state) {
     all.forEach(each -> each.see(state));
   }

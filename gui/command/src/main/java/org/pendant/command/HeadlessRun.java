@@ -53,6 +53,7 @@ final class HeadlessRun {
   private Clock clock;
   private long flushedNs = System.nanoTime();
   private boolean pendingOutput;
+  private int framesSinceLook;
   private Optional<SafetyStop> heldBy = Optional.empty();
   private int lastLine;
   private long toldLostNs;
@@ -94,14 +95,14 @@ final class HeadlessRun {
       return ExitCode.PROGRAM_FAILED;
     }
     Optional<String> timedOut = Optional.empty();
-    while (robot.state().program().state() != ProgramState.STOPPED) {
+    while (drive.program().state() != ProgramState.STOPPED) {
       timedOut = timedOut(endS);
       if (timedOut.isPresent()
           || interruption.requested()
           || console.outputClosed()
           || watcher.enough()) {
         stop();
-      } else if (robot.state().program().state() == ProgramState.PAUSED) {
+      } else if (drive.program().state() == ProgramState.PAUSED) {
         resumeOrStop();
       } else {
         advance();
@@ -113,7 +114,7 @@ final class HeadlessRun {
 
   /** Which time limit is over. */
   private Optional<String> timedOut(double endS) {
-    if (robot.state().timeS() >= endS) {
+    if (drive.timeS() >= endS) {
       return Optional.of(endS + " s, its time limit");
     }
     return wall.over()
@@ -239,7 +240,13 @@ final class HeadlessRun {
     }
     tellLost();
     drive.advance();
-    show(robot.state());
+    if (drive.program().line() > 0) {
+      lastLine = drive.program().line();
+    }
+    if (drive.broughtMessages() || watcher.looks()) {
+      show(robot.state());
+    }
+    flush();
   }
 
   private void tellLost() {
@@ -251,17 +258,15 @@ final class HeadlessRun {
 
   /** What a frame has brought. */
   private void show(ControllerState state) {
-    if (state.program().line() > 0) {
-      lastLine = state.program().line();
-    }
     for (LogEntry entry : state.newEntries()) {
       print(entry);
     }
     for (Popup popup : state.newPopups()) {
       console.complain(Report.popup(popup));
     }
-    watcher.see(state);
-    flush(state.frame());
+    if (watcher.looks()) {
+      watcher.see(state);
+    }
   }
 
   private void print(LogEntry entry) {
@@ -278,12 +283,13 @@ final class HeadlessRun {
   }
 
   /** On the wall clock each line goes out at once; at full speed now and then. */
-  private void flush(long frame) {
+  private void flush() {
     if (!pendingOutput) {
       return;
     }
     boolean due = options.speedFactor().isPresent();
-    if (!due && frame % FRAMES_PER_LOOK == 0) {
+    framesSinceLook = (framesSinceLook + 1) % FRAMES_PER_LOOK;
+    if (!due && framesSinceLook == 0) {
       due = System.nanoTime() - flushedNs > FLUSH_NS;
     }
     if (due) {

@@ -119,6 +119,11 @@ final class RunRecord implements FrameWatcher, AutoCloseable {
     }
   }
 
+  @Override
+  public boolean looks() {
+    return output.isPresent() && !failed;
+  }
+
   /** Appends one frame. */
   @Override
   public void see(ControllerState state) {
