@@ -21,6 +21,8 @@ public final class TriangleMesh {
   private final int[] corners;
   private final double volumeM3;
   private MeshTree tree;
+  private ConvexHull hull;
+  private SolidMass mass;
 
   /**
    * Takes over both.
@@ -105,6 +107,31 @@ public final class TriangleMesh {
       tree = new MeshTree(this);
     }
     return tree;
+  }
+
+  /**
+   * The convex hull of its points, made when it is asked for first. Any thread may ask.
+   *
+   * @throws MeshException if it is flat
+   */
+  public synchronized ConvexHull hull() throws MeshException {
+    if (hull == null) {
+      hull = ConvexHull.of(this);
+    }
+    return hull;
+  }
+
+  /**
+   * How its mass is spread, if it is the same everywhere; reckoned when it is asked for first. Any
+   * thread may ask.
+   *
+   * @throws MeshException if it goes through itself
+   */
+  public synchronized SolidMass mass() throws MeshException {
+    if (mass == null) {
+      mass = new SolidMass(this);
+    }
+    return mass;
   }
 
   /** The sum of what is between a point and each triangle; below 0 for one that is inside out. */

@@ -1,0 +1,157 @@
+package org.pendant.models.mesh;
+
+import org.pendant.models.pose.Transforms;
+
+/**
+ * Solid mass: how the mass of a solid is spread that is the same everywhere in it: where its centre
+ * of gravity is, and its principal axes of inertia. Immutable.
+ *
+ * <p>Sums over the tetrahedra between the centre and each triangle, as F. Tonon has them in
+ * "Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor" (2005). The principal axes are
+ * those that C. G. J. Jacobi's turns lead to from the axes of the file: those that are principal
+ * already stay.
+ */
+public final class SolidMass {
+  private static final int MAX_TURNS = 60;
+
+  /** Products of inertia below this share of the moments are rounding. */
+  private static final double NEGLIGIBLE = 1e-10;
+
+  private final double[] frame = new double[Transforms.SIZE];
+  private final double[] squaresM2 = new double[3];
+
+  /** Of a mesh. */
+  SolidMass(TriangleMesh mesh) throws MeshException {
+    double[] first = new double[3];
+    double volume = 0;
+    double[] origin = corner(mesh, 0, 0);
+    for (int i = 0; i < mesh.triangles(); i++) {
+      double six = sixVolumes(mesh, i, origin);
+      volume += six;
+      for (int axis = 0; axis < 3; axis++) {
+        first[axis] += six * (sum(mesh, i, axis) - 3 * origin[axis]) / 4;
+      }
+    }
+    double[] centre = new double[3];
+    for (int axis = 0; axis < 3; axis++) {
+      centre[axis] = origin[axis] + first[axis] / volume;
+    }
+    double[] second = new double[9];
+    for (int i = 0; i < mesh.triangles(); i++) {
+      double share = sixVolumes(mesh, i, centre) / volume / 20;
+      for (int a = 0; a < 3; a++) {
+        for (int b = a; b < 3; b++) {
+          double products = 0;
+          for (int k = 0; k < 3; k++) {
+            products += at(mesh, i, k, a, centre) * at(mesh, i, k, b, centre);
+          }
+          double sums = (sum(mesh, i, a) - 3 * centre[a]) * (sum(mesh, i, b) - 3 * centre[b]);
+          second[3 * a + b] += share * (products + sums);
+        }
+      }
+    }
+    second[3] = second[1];
+    second[6] = second[2];
+    second[7] = second[5];
+    turnStraight(second);
+    System.arraycopy(centre, 0, frame, 9, 3);
+    for (int axis = 0; axis < 3; axis++) {
+      squaresM2[axis] = second[4 * axis];
+      if (!(squaresM2[axis] > 0)) {
+        throw new MeshException(
+            "goes through itself so that parts of it count as less than nothing, must be the"
+                + " surface of a solid to have a mass");
+      }
+    }
+  }
+
+  /**
+   * The principal axes at the centre of gravity.
+   *
+   * @param frame12 overwritten with their frame in that of the mesh, as {@link Transforms} has it
+   */
+  public void principalFrame(double[] frame12) {
+    System.arraycopy(frame, 0, frame12, 0, Transforms.SIZE);
+  }
+
+  /** Where the centre of gravity is along an axis of the mesh, m. */
+  public double centreM(int axis) {
+    return frame[9 + axis];
+  }
+
+  /** The moment of inertia about a principal axis for each kg, m^2. */
+  public double momentM2(int axis) {
+    return squaresM2[(axis + 1) % 3] + squaresM2[(axis + 2) % 3];
+  }
+
+  private static double[] corner(TriangleMesh mesh, int triangle, int corner) {
+    int point = mesh.corner(triangle, corner);
+    return new double[] {
+      mesh.coordinate(point, 0), mesh.coordinate(point, 1), mesh.coordinate(point, 2)
+    };
+  }
+
+  private static double at(TriangleMesh mesh, int triangle, int corner, int axis, double[] from) {
+    return mesh.coordinate(mesh.corner(triangle, corner), axis) - from[axis];
+  }
+
+  private static double sum(TriangleMesh mesh, int triangle, int axis) {
+    return mesh.coordinate(mesh.corner(triangle, 0), axis)
+        + mesh.coordinate(mesh.corner(triangle, 1), axis)
+        + mesh.coordinate(mesh.corner(triangle, 2), axis);
+  }
+
+  private static double sixVolumes(TriangleMesh mesh, int triangle, double[] from) {
+    double[] a = corner(mesh, triangle, 0);
+    double[] b = corner(mesh, triangle, 1);
+    double[] c = corner(mesh, triangle, 2);
+    for (int axis = 0; axis < 3; axis++) {
+      a[axis] -= from[axis];
+      b[axis] -= from[axis];
+      c[axis] -= from[axis];
+    }
+    return a[0] * (b[1] * c[2] - b[2] * c[1])
+        + a[1] * (b[2] * c[0] - b[0] * c[2])
+        + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+
+  /** Makes a symmetric matrix diagonal; the axes it is so along go into the frame. */
+  private void turnStraight(double[] matrix) {
+    for (int axis = 0; axis < 3; axis++) {
+      frame[4 * axis] = 1;
+    }
+    for (int turn = 0; turn < MAX_TURNS; turn++) {
+      int p = 0;
+      int q = 1;
+      if (Math.abs(matrix[2]) > Math.abs(matrix[1])) {
+        q = 2;
+      }
+      if (Math.abs(matrix[5]) > Math.abs(matrix[3 * p + q])) {
+        p = 1;
+        q = 2;
+      }
+      double off = matrix[3 * p + q];
+      if (Math.abs(off) <= NEGLIGIBLE * (matrix[0] + matrix[4] + matrix[8])) {
+        return;
+      }
+      double theta = (matrix[4 * q] - matrix[4 * p]) / (2 * off);
+      double tangent = Math.copySign(1, theta) / (Math.abs(theta) + Math.hypot(theta, 1));
+      double cosine = 1 / Math.hypot(tangent, 1);
+      double sine = tangent * cosine;
+      for (int k = 0; k < 3; k++) {
+        turn(matrix, 3 * k + p, 3 * k + q, cosine, sine);
+      }
+      for (int k = 0; k < 3; k++) {
+        turn(matrix, 3 * p + k, 3 * q + k, cosine, sine);
+        turn(frame, 3 * k + p, 3 * k + q, cosine, sine);
+      }
+    }
+  }
+
+  private static void turn(double[] matrix, int one, int other, double cosine, double sine) {
+    double a = matrix[one];
+    double b = matrix[other];
+    matrix[one] = cosine * a - sine * b;
+    matrix[other] = sine * a + cosine * b;
+  }
+}
