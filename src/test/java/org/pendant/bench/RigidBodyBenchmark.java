@@ -18,6 +18,7 @@ import org.pendant.cell.BodyDescription;
 import org.pendant.cell.BodyShape;
 import org.pendant.cell.BodySurface;
 import org.pendant.cell.RigidBodyWorld;
+import org.pendant.models.mesh.ConvexHull;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.time.FrameTime;
 
@@ -42,8 +43,21 @@ public class RigidBodyBenchmark {
     TOWER
   }
 
+  /** What they are: boxes, the same as hulls, or prisms of 32 sides with 64 corners. */
+  public enum Made {
+    /** Boxes of the physics library. */
+    BOX,
+    /** Hulls of 8 corners. */
+    HULL,
+    /** Hulls of 64 corners. */
+    PRISM
+  }
+
   /** What is measured. */
   @Param public Doing doing;
+
+  /** Of what. */
+  @Param public Made made;
 
   private RigidBodyWorld world;
 
@@ -66,13 +80,21 @@ public class RigidBodyBenchmark {
           doing == Doing.TOWER
               ? new Pose(0, 0, 0.05 + 0.1 * i, 0, 0, 0)
               : new Pose(-4 + 0.15 * i, 0, 0.05, 0, 0, 0);
-      bodies.add(
-          BodyDescription.free("box " + i, new BodyShape.Box(0.1, 0.1, 0.1), pose, 1, surface));
+      bodies.add(BodyDescription.free("box " + i, shape(), pose, 1, surface));
     }
     world = new RigidBodyWorld(bodies, 0, 0, -9.82);
     for (int i = 0; i < 1000; i++) {
       frame();
     }
+  }
+
+  private BodyShape shape() {
+    double moment = 0.01 / 6;
+    return switch (made) {
+      case BOX -> new BodyShape.Box(0.1, 0.1, 0.1);
+      case HULL -> new BodyShape.Hull(ConvexHull.block(0.1, 0.1, 0.1), moment, moment, moment);
+      case PRISM -> new BodyShape.Hull(ConvexHull.prism(32, 0.05, 0.1), moment, moment, moment);
+    };
   }
 
   @Benchmark

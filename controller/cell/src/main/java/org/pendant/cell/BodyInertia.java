@@ -17,6 +17,8 @@ final class BodyInertia {
       case BodyShape.Cylinder(double r, double length) ->
           round(massKg * (3 * r * r + length * length) / 12, massKg * r * r / 2);
       case BodyShape.Capsule(double r, double length) -> capsule(massKg, r, length);
+      case BodyShape.Hull(_, double x, double y, double z) ->
+          new double[] {massKg * x, massKg * y, massKg * z};
       case BodyShape.HalfSpace(), BodyShape.Faces(_) -> round(1, 1);
     };
   }

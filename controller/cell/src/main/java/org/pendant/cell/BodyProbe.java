@@ -8,14 +8,16 @@ import org.ode4j.ode.DGeom;
 /** Body probe: a part of space that sees whether a free body is in it, and changes nothing. */
 public final class BodyProbe {
   private final DGeom space;
+  private final HullProbe hulls;
   private final List<CellBody> bodies;
   private final LongSupplier changes;
   private final DContactGeomBuffer found = new DContactGeomBuffer(1);
   private long known = -1;
   private boolean sees;
 
-  BodyProbe(DGeom space, List<CellBody> bodies, LongSupplier changes) {
+  BodyProbe(DGeom space, HullProbe hulls, List<CellBody> bodies, LongSupplier changes) {
     this.space = space;
+    this.hulls = hulls;
     this.bodies = bodies;
     this.changes = changes;
   }
@@ -35,10 +37,16 @@ public final class BodyProbe {
       if (body.free()
           && body.present
           && !space.getAABB().isDisjoint(body.geom.getAABB())
-          && PhysicsLibrary.touch(space, body.geom, 1, found) > 0) {
+          && in(body)) {
         return true;
       }
     }
     return false;
+  }
+
+  private boolean in(CellBody body) {
+    return body.hull()
+        ? hulls.holds(body.solid())
+        : PhysicsLibrary.touch(space, body.geom, 1, found) > 0;
   }
 }

@@ -1,6 +1,7 @@
 package org.pendant.cell;
 
 import org.pendant.models.json.Range;
+import org.pendant.models.mesh.ConvexHull;
 import org.pendant.models.mesh.TriangleMesh;
 
 /** Body shape: what a rigid body fills, around its own origin. */
@@ -86,6 +87,35 @@ public sealed interface BodyShape {
    * @param mesh its triangles
    */
   record Faces(TriangleMesh mesh) implements BodyShape {}
+
+  /**
+   * A solid without dents, which may move: its origin is the centre of gravity and its axes are the
+   * principal ones.
+   *
+   * @param hull its corners and faces
+   * @param xM2 moment of inertia about its own x for each kg, m^2
+   * @param yM2 the same about y
+   * @param zM2 the same about z
+   */
+  record Hull(ConvexHull hull, double xM2, double yM2, double zM2) implements BodyShape {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if it is thinner than 1 mm or longer than 10 m, or if its
+     *     centre of gravity is not within it
+     */
+    public Hull {
+      for (int axis = 0; axis < 3; axis++) {
+        SIZE.require("length", hull.lengthM(axis));
+      }
+      for (int face = 0; face < hull.faces(); face++) {
+        if (!(hull.plane(face, 3) > 0)) {
+          throw new IllegalArgumentException(
+              "its centre of gravity is not within its hull: its surface goes through itself");
+        }
+      }
+    }
+  }
 
   /** Everything below its own z = 0: a floor, a wall. Cannot move. */
   record HalfSpace() implements BodyShape {}

@@ -38,6 +38,12 @@ final class CellBody {
   /** Where others touch it, if it is made of triangles; else null. */
   final MeshContacts faces;
 
+  /** Where others touch it, if it is a hull; else null. */
+  private final HullContacts hulls;
+
+  /** Its corners, once hulls have asked for them. */
+  private Polyhedron solid;
+
   boolean awake;
 
   /** Whether it is there; what is not touches nothing and stays where it is. */
@@ -76,6 +82,7 @@ final class CellBody {
         description.shape() instanceof BodyShape.Faces(TriangleMesh mesh)
             ? new MeshContacts(mesh, pose)
             : null;
+    hulls = description.shape() instanceof BodyShape.Hull ? new HullContacts() : null;
     reachM = reachM(description.shape());
     inertia = BodyInertia.of(description.shape(), description.massKg());
     inverseMass = free() ? 1 / description.massKg() : 0;
@@ -93,9 +100,26 @@ final class CellBody {
     if (other.faces != null) {
       return other.faces.find(one, most, found);
     }
-    return one.faces != null
-        ? one.faces.find(other, most, found)
+    if (one.faces != null) {
+      return one.faces.find(other, most, found);
+    }
+    HullContacts hulls = one.hulls != null ? one.hulls : other.hulls;
+    return hulls != null
+        ? hulls.find(one, other, most, found)
         : PhysicsLibrary.touch(one.geom, other.geom, most, found);
+  }
+
+  /** Whether it is a hull, which the physics library only knows as a ball. */
+  boolean hull() {
+    return hulls != null;
+  }
+
+  /** Its corners and faces, of a hull, a box or a cylinder. */
+  Polyhedron solid() {
+    if (solid == null) {
+      solid = new Polyhedron(HullContacts.solid(description.shape()), pose);
+    }
+    return solid;
   }
 
   private static double reachM(BodyShape shape) {
@@ -105,6 +129,7 @@ final class CellBody {
       case BodyShape.Cylinder(double radius, double length) -> Math.hypot(radius, length / 2);
       case BodyShape.Capsule(double radius, double length) -> radius + length / 2;
       case BodyShape.HalfSpace() -> Double.POSITIVE_INFINITY;
+      case BodyShape.Hull hull -> hull.hull().reachM();
       case BodyShape.Faces(TriangleMesh mesh) -> mesh.reachM();
     };
   }

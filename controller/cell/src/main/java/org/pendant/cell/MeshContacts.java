@@ -1,7 +1,7 @@
 package org.pendant.cell;
 
-import org.ode4j.ode.DContactGeom;
 import org.ode4j.ode.DContactGeomBuffer;
+import org.pendant.models.mesh.ConvexHull;
 import org.pendant.models.mesh.MeshDistance;
 import org.pendant.models.mesh.MeshPoints;
 import org.pendant.models.mesh.TriangleMesh;
@@ -15,17 +15,8 @@ import org.pendant.models.mesh.TriangleMesh;
  * triangle after the other, so that four of them are not its corners.
  */
 final class MeshContacts {
-  /** Candidates at most; more of a dense mesh tell nothing new. */
-  private static final int MAX_CANDIDATES = 64;
-
-  /** An earlier candidate counts as the deepest unless a later one is so much deeper, m. */
-  private static final double DEEPER_M = 1e-5;
-
   /** Cylinders that lean less than this, as a sine, stand on four places of their rim. */
   private static final double STANDING = 0.05;
-
-  /** Places nearer to each other are one, m. */
-  private static final double SAME_M = 2e-3;
 
   private final MeshDistance distance;
   private final MeshPoints points;
@@ -33,11 +24,7 @@ final class MeshContacts {
   private final double[] normal = new double[3];
   private final double[] local = new double[3];
   private final double[] out = new double[3];
-  private final double[] places = new double[3 * MAX_CANDIDATES];
-  private final double[] normals = new double[3 * MAX_CANDIDATES];
-  private final double[] depths = new double[MAX_CANDIDATES];
-  private final int[] kept = new int[4];
-  private int candidates;
+  private final TouchCandidates candidates = new TouchCandidates();
   private CellBody body;
 
   /** Kept, so that a step allocates none. */
@@ -63,7 +50,7 @@ final class MeshContacts {
    */
   int find(CellBody of, int most, DContactGeomBuffer found) {
     body = of;
-    candidates = 0;
+    candidates.clear();
     double[] pose = of.pose;
     double centreM = inMesh(pose[9], pose[10], pose[11]);
     double reachM = of.reachM();
@@ -79,6 +66,7 @@ final class MeshContacts {
         }
       }
       case BodyShape.Cylinder(double r, double length) -> addRims(r, length / 2);
+      case BodyShape.Hull hull -> addCorners(hull.hull());
       case BodyShape.HalfSpace(), BodyShape.Faces(_) -> {
         // neither moves
       }
@@ -87,7 +75,7 @@ final class MeshContacts {
     double y = pose[10] - mesh[10];
     double z = pose[11] - mesh[11];
     points.near(own(mesh, 0, x, y, z), own(mesh, 1, x, y, z), own(mesh, 2, x, y, z), reachM, taker);
-    return choose(most, found);
+    return candidates.choose(most, found);
   }
 
   private void addBox(double x, double y, double z) {
@@ -98,6 +86,22 @@ final class MeshContacts {
       add(0, sign(side, 1) * y, sign(side, 2) * z, 0);
       add(sign(side, 1) * x, 0, sign(side, 2) * z, 0);
       add(sign(side, 1) * x, sign(side, 2) * y, 0, 0);
+    }
+  }
+
+  /** Corners of a hull, and the middles of its edges: those of a mesh may cross them. */
+  private void addCorners(ConvexHull hull) {
+    for (int i = 0; i < hull.points(); i++) {
+      add(hull.coordinate(i, 0), hull.coordinate(i, 1), hull.coordinate(i, 2), 0);
+    }
+    for (int edge = 0; edge < hull.edges(); edge++) {
+      int from = hull.edge(edge, 0);
+      int to = hull.edge(edge, 1);
+      add(
+          (hull.coordinate(from, 0) + hull.coordinate(to, 0)) / 2,
+          (hull.coordinate(from, 1) + hull.coordinate(to, 1)) / 2,
+          (hull.coordinate(from, 2) + hull.coordinate(to, 2)) / 2,
+          0);
     }
   }
 
@@ -129,10 +133,12 @@ final class MeshContacts {
     double inBaseZ = p[11] + p[6] * x + p[7] * y + p[8] * z;
     double depth = radiusM - inMesh(inBaseX, inBaseY, inBaseZ);
     if (depth > 0) {
-      put(
+      candidates.put(
           inBaseX - radiusM * normal[0],
           inBaseY - radiusM * normal[1],
           inBaseZ - radiusM * normal[2],
+          normal,
+          1,
           depth);
     }
   }
@@ -167,7 +173,7 @@ final class MeshContacts {
             out);
     if (depth > 0) {
       turn(pose, out, -1);
-      put(inBaseX, inBaseY, inBaseZ, depth);
+      candidates.put(inBaseX, inBaseY, inBaseZ, normal, 1, depth);
     }
   }
 
@@ -183,70 +189,5 @@ final class MeshContacts {
 
   private static double own(double[] frame, int axis, double x, double y, double z) {
     return frame[axis] * x + frame[3 + axis] * y + frame[6 + axis] * z;
-  }
-
-  private void put(double x, double y, double z, double depth) {
-    int at = candidates;
-    if (at == MAX_CANDIDATES) {
-      at = 0;
-      for (int i = 1; i < MAX_CANDIDATES; i++) {
-        at = depths[i] < depths[at] ? i : at;
-      }
-      if (depths[at] >= depth) {
-        return;
-      }
-    } else {
-      candidates++;
-    }
-    depths[at] = depth;
-    places[3 * at] = x;
-    places[3 * at + 1] = y;
-    places[3 * at + 2] = z;
-    System.arraycopy(normal, 0, normals, 3 * at, 3);
-  }
-
-  /** The deepest, then those that are farthest from all that are chosen. */
-  private int choose(int most, DContactGeomBuffer found) {
-    int count = 0;
-    while (count < most && count < kept.length) {
-      int next = count == 0 ? deepest() : farthest(count);
-      if (next < 0) {
-        break;
-      }
-      kept[count] = next;
-      DContactGeom contact = found.get(count++);
-      int at = 3 * next;
-      contact.pos.set(places[at], places[at + 1], places[at + 2]);
-      contact.normal.set(normals[at], normals[at + 1], normals[at + 2]);
-      contact.depth = depths[next];
-    }
-    return count;
-  }
-
-  private int deepest() {
-    int deepest = candidates == 0 ? -1 : 0;
-    for (int i = 1; i < candidates; i++) {
-      deepest = depths[i] > depths[deepest] + DEEPER_M ? i : deepest;
-    }
-    return deepest;
-  }
-
-  private int farthest(int count) {
-    int farthest = -1;
-    double most2 = SAME_M * SAME_M;
-    for (int i = 0; i < candidates; i++) {
-      double least2 = Double.POSITIVE_INFINITY;
-      for (int k = 0; k < count; k++) {
-        double x = places[3 * i] - places[3 * kept[k]];
-        double y = places[3 * i + 1] - places[3 * kept[k] + 1];
-        double z = places[3 * i + 2] - places[3 * kept[k] + 2];
-        least2 = Math.min(least2, x * x + y * y + z * z);
-      }
-      if (least2 > most2 * (1 + 1e-9)) {
-        most2 = least2;
-        farthest = i;
-      }
-    }
-    return farthest;
   }
 }

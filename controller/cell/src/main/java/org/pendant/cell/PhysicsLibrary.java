@@ -39,8 +39,9 @@ final class PhysicsLibrary {
           OdeHelper.createCylinder(radius, length);
       case BodyShape.Capsule(double radius, double length) ->
           OdeHelper.createCapsule(radius, length);
-      // a ball around it: the library only tells what is near
+      // balls around them: the library only tells what is near
       case BodyShape.Faces(TriangleMesh mesh) -> OdeHelper.createSphere(mesh.reachM());
+      case BodyShape.Hull hull -> OdeHelper.createSphere(hull.hull().reachM());
       case BodyShape.HalfSpace() ->
           OdeHelper.createPlane(
               null, at[2], at[5], at[8], at[2] * at[9] + at[5] * at[10] + at[8] * at[11]);

@@ -197,7 +197,12 @@ public final class RigidBodyWorld {
    */
   public double enters(int body, double[] from3, double[] along3, double lengthM) {
     CellBody of = bodies.get(body);
-    return of.present ? ray.enters(of.geom, from3, along3, lengthM) : Double.POSITIVE_INFINITY;
+    if (!of.present) {
+      return Double.POSITIVE_INFINITY;
+    }
+    return of.hull()
+        ? of.solid().enters(from3, along3, lengthM)
+        : ray.enters(of.geom, from3, along3, lengthM);
   }
 
   /** Whether a body may be as near as that to a place of the base frame: its bounds are. */
@@ -231,12 +236,17 @@ public final class RigidBodyWorld {
    * @param to3 the other; the same one for a ball
    */
   public BodyProbe watchLine(double[] from3, double[] to3, double radiusM) {
-    return new BodyProbe(PhysicsLibrary.line(from3, to3, radiusM), bodies, () -> changes);
+    return new BodyProbe(
+        PhysicsLibrary.line(from3, to3, radiusM),
+        HullProbe.line(from3, to3, radiusM),
+        bodies,
+        () -> changes);
   }
 
   /** Watches whether a free body is within a box along the axes of the base, m. */
   public BodyProbe watchBox(double[] min3, double[] max3) {
-    return new BodyProbe(PhysicsLibrary.block(min3, max3), bodies, () -> changes);
+    return new BodyProbe(
+        PhysicsLibrary.block(min3, max3), HullProbe.block(min3, max3), bodies, () -> changes);
   }
 
   /** How many bodies there are; they are numbered from 0 in the order of their descriptions. */

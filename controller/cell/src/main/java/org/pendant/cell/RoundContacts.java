@@ -196,6 +196,7 @@ final class RoundContacts {
       case BodyShape.Sphere(double r) -> r;
       case BodyShape.Cylinder(double r, double length) -> Math.hypot(r, length / 2);
       case BodyShape.Capsule(double r, double length) -> r + length / 2;
+      case BodyShape.Hull hull -> hull.hull().reachM();
       case BodyShape.HalfSpace(), BodyShape.Faces(_) -> 1;
     };
   }

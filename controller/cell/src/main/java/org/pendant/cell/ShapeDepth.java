@@ -1,5 +1,7 @@
 package org.pendant.cell;
 
+import org.pendant.models.mesh.ConvexHull;
+
 /** Shape depth: how deep a point is in a shape, along its own axes. */
 final class ShapeDepth {
   private ShapeDepth() {}
@@ -31,8 +33,24 @@ final class ShapeDepth {
         }
         yield Math.min(toEnd, toMantle);
       }
+      case BodyShape.Hull hull -> inHull(hull.hull(), x, y, z, out3);
       case BodyShape.HalfSpace(), BodyShape.Faces(_) -> 0;
     };
+  }
+
+  private static double inHull(ConvexHull hull, double x, double y, double z, double[] out3) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int face = 0; face < hull.faces(); face++) {
+      double nx = hull.plane(face, 0);
+      double ny = hull.plane(face, 1);
+      double nz = hull.plane(face, 2);
+      double depth = hull.plane(face, 3) - nx * x - ny * y - nz * z;
+      if (depth < least) {
+        least = depth;
+        set(out3, nx, ny, nz);
+      }
+    }
+    return least;
   }
 
   private static double round(double r, double x, double y, double z, double[] out3) {

@@ -1,0 +1,424 @@
+package org.pendant.cell;
+
+import org.ode4j.ode.DContactGeomBuffer;
+import org.pendant.models.mesh.ConvexHull;
+
+/**
+ * Hull contacts: where a convex hull and another body touch. The physics library does this as well,
+ * but with one place for many pairs, on which nothing stands.
+ *
+ * <p>Solids with corners are held apart along the direction in which they overlap least, of those
+ * of their faces and those across two edges (D. Gregorius: "The Separating Axis Test between Convex
+ * Polyhedra", 2013). Where that is the direction of a face, the face that meets it is cut to what
+ * is above it. Cylinders count as prisms of {@value #SIDES} sides here.
+ */
+final class HullContacts {
+  private static final int SIDES = 32;
+
+  /** A later direction has to be so much better than an earlier one, m: places stay. */
+  private static final double BETTER_M = 5e-6;
+
+  /** Edges with less than this between them, as a sine, have no direction across both. */
+  private static final double PARALLEL = 1e-4;
+
+  /** Corners of a face that is cut: each cut adds one at most. */
+  private static final int MAX_CUT = 2 * ConvexHull.MAX_POINTS + 2;
+
+  private final TouchCandidates candidates = new TouchCandidates();
+  private final SegmentInHull segment = new SegmentInHull();
+  private final double[] normal = new double[3];
+  private final double[] axis = new double[3];
+  private final double[] edgeAxis = new double[3];
+  private final double[] lens6 = new double[6];
+  private final int[] near1 = new int[3 * ConvexHull.MAX_POINTS];
+  private final int[] near2 = new int[3 * ConvexHull.MAX_POINTS];
+  private double[] cut = new double[3 * MAX_CUT];
+  private double[] cutNext = new double[3 * MAX_CUT];
+  private final double[] place = new double[3];
+  private int bestFace;
+  private int bestEdge1;
+  private int bestEdge2;
+
+  /** The corners of a shape that counts as a solid with corners. */
+  static ConvexHull solid(BodyShape shape) {
+    return switch (shape) {
+      case BodyShape.Hull hull -> hull.hull();
+      case BodyShape.Box(double x, double y, double z) -> ConvexHull.block(x, y, z);
+      case BodyShape.Cylinder(double r, double length) -> ConvexHull.prism(SIDES, r, length);
+      case BodyShape.Sphere _, BodyShape.Capsule _, BodyShape.HalfSpace _, BodyShape.Faces _ ->
+          throw new IllegalArgumentException("has no corners");
+    };
+  }
+
+  /**
+   * Where two bodies touch, at least one of which is a hull.
+   *
+   * @param most places to be told, at most 4
+   * @param found overwritten with them; normals lead out of the second one
+   * @return how many there are
+   */
+  int find(CellBody first, CellBody second, int most, DContactGeomBuffer found) {
+    candidates.clear();
+    boolean hullFirst = first.description.shape() instanceof BodyShape.Hull;
+    CellBody hull = hullFirst ? first : second;
+    CellBody other = hullFirst ? second : first;
+    switch (other.description.shape()) {
+      case BodyShape.HalfSpace _ -> onPlane(hull.solid(), other.pose);
+      case BodyShape.Sphere(double r) -> {
+        double[] at = other.pose;
+        ball(hull.solid(), at[9], at[10], at[11], r, hullFirst ? -1 : 1);
+      }
+      case BodyShape.Capsule(double r, double length) ->
+          capsule(hull.solid(), other.pose, r, length, hullFirst ? -1 : 1);
+      case BodyShape.Box _, BodyShape.Cylinder _, BodyShape.Hull _ ->
+          solids(first.solid(), second.solid());
+      case BodyShape.Faces _ -> throw new IllegalStateException("meshes find hulls themselves");
+    }
+    return candidates.choose(most, found);
+  }
+
+  private void onPlane(Polyhedron solid, double[] plane) {
+    solid.follow();
+    for (int k = 0; k < 3; k++) {
+      normal[k] = plane[3 * k + 2];
+    }
+    double height = normal[0] * plane[9] + normal[1] * plane[10] + normal[2] * plane[11];
+    double[] p = solid.points;
+    for (int i = 0; i < p.length; i += 3) {
+      double depth = height - normal[0] * p[i] - normal[1] * p[i + 1] - normal[2] * p[i + 2];
+      if (depth > 0) {
+        candidates.put(p[i], p[i + 1], p[i + 2], normal, 1, depth);
+      }
+    }
+  }
+
+  private void ball(Polyhedron solid, double x, double y, double z, double r, double sign) {
+    double depth = r - solid.away(x, y, z, normal);
+    if (depth > 0) {
+      candidates.put(x - r * normal[0], y - r * normal[1], z - r * normal[2], normal, sign, depth);
+    }
+  }
+
+  private void capsule(Polyhedron solid, double[] at, double r, double length, double sign) {
+    segment.set(at, length);
+    segment.end(-1, place);
+    ball(solid, place[0], place[1], place[2], r, sign);
+    segment.end(1, place);
+    ball(solid, place[0], place[1], place[2], r, sign);
+    segment.nearest(solid, place);
+    ball(solid, place[0], place[1], place[2], r, sign);
+  }
+
+  /** Whether two solids with corners overlap. */
+  boolean overlap(Polyhedron one, Polyhedron other) {
+    candidates.clear();
+    return solids(one, other);
+  }
+
+  /** Finds where two solids touch; answers whether they do. */
+  private boolean solids(Polyhedron one, Polyhedron other) {
+    one.follow();
+    other.follow();
+    for (int k = 0; k < 3; k++) {
+      lens6[k] = Math.max(one.box6[k], other.box6[k]);
+      lens6[3 + k] = Math.min(one.box6[3 + k], other.box6[3 + k]);
+      if (lens6[k] > lens6[3 + k]) {
+        return false;
+      }
+    }
+    double bySecond = bestFace(other, one);
+    int secondFace = bestFace;
+    if (bySecond > 0) {
+      return false;
+    }
+    double byFirst = bestFace(one, other);
+    int firstFace = bestFace;
+    if (byFirst > 0) {
+      return false;
+    }
+    boolean wide =
+        byFirst > bySecond + BETTER_M
+            ? faceToFace(one, firstFace, other, -1)
+            : faceToFace(other, secondFace, one, 1);
+    if (wide) {
+      return true;
+    }
+    double byEdges = bestEdges(one, other, Math.max(byFirst, bySecond) + BETTER_M);
+    if (byEdges > Double.NEGATIVE_INFINITY) {
+      candidates.clear();
+    }
+    if (byEdges > 0) {
+      return false;
+    }
+    if (byEdges > Double.NEGATIVE_INFINITY) {
+      cross(one, other, -byEdges);
+    }
+    return true;
+  }
+
+  /** How far the other is out of the face that it is farthest out of, m; below 0 inside. */
+  private double bestFace(Polyhedron of, Polyhedron other) {
+    double best = Double.NEGATIVE_INFINITY;
+    double[] middle = other.pose;
+    double[] p = of.planes;
+    for (int face = 0; face < of.faces(); face++) {
+      // what is in it reaches at least as far as the ball within it
+      if (of.out(face, middle[9], middle[10], middle[11]) - other.innerM > best + BETTER_M) {
+        int at = 4 * face;
+        double out = other.least(p[at], p[at + 1], p[at + 2]) - p[at + 3];
+        if (out > best + BETTER_M) {
+          best = out;
+          bestFace = face;
+          if (best > 0) {
+            return best;
+          }
+        }
+      }
+    }
+    return best;
+  }
+
+  /**
+   * How far both are apart along the best direction across two edges, m; minus infinite where none
+   * is better than that.
+   */
+  private double bestEdges(Polyhedron one, Polyhedron other, double than) {
+    int count1 = edgesInLens(one, near1);
+    int count2 = edgesInLens(other, near2);
+    double best = than;
+    boolean any = false;
+    for (int i = 0; i < count1; i++) {
+      for (int j = 0; j < count2; j++) {
+        if (across(one, near1[i], other, near2[j])) {
+          int from = 3 * one.edges[near1[i]];
+          int to = 3 * other.edges[near2[j]];
+          double apart = 0;
+          for (int k = 0; k < 3; k++) {
+            apart += axis[k] * (one.points[from + k] - other.points[to + k]);
+          }
+          if (apart > best + BETTER_M) {
+            best = apart;
+            any = true;
+            bestEdge1 = near1[i];
+            bestEdge2 = near2[j];
+            System.arraycopy(axis, 0, edgeAxis, 0, 3);
+          }
+        }
+      }
+    }
+    return any ? best : Double.NEGATIVE_INFINITY;
+  }
+
+  /** Edges that reach into the box in which both bodies are. */
+  private int edgesInLens(Polyhedron of, int[] found) {
+    int count = 0;
+    for (int edge = 0; edge < of.edges.length; edge += 4) {
+      int a = 3 * of.edges[edge];
+      int b = 3 * of.edges[edge + 1];
+      boolean in = true;
+      for (int k = 0; k < 3; k++) {
+        in &=
+            Math.min(of.points[a + k], of.points[b + k]) <= lens6[3 + k]
+                && Math.max(of.points[a + k], of.points[b + k]) >= lens6[k];
+      }
+      if (in) {
+        found[count++] = edge;
+      }
+    }
+    return count;
+  }
+
+  /**
+   * Finds the direction across two edges, out of the second solid; answers whether these edges can
+   * touch from outside. They can if, on the sphere of directions, the arc between the faces at one
+   * edge crosses that of the other.
+   */
+  private boolean across(Polyhedron one, int edge1, Polyhedron other, int edge2) {
+    double[] p = one.planes;
+    double[] q = other.planes;
+    int a = 4 * one.edges[edge1 + 2];
+    int b = 4 * one.edges[edge1 + 3];
+    int c = 4 * other.edges[edge2 + 2];
+    int d = 4 * other.edges[edge2 + 3];
+    int from = 3 * one.edges[edge1];
+    int to = 3 * one.edges[edge1 + 1];
+    int start = 3 * other.edges[edge2];
+    int end = 3 * other.edges[edge2 + 1];
+    double ux = one.points[to] - one.points[from];
+    double uy = one.points[to + 1] - one.points[from + 1];
+    double uz = one.points[to + 2] - one.points[from + 2];
+    double vx = other.points[end] - other.points[start];
+    double vy = other.points[end + 1] - other.points[start + 1];
+    double vz = other.points[end + 2] - other.points[start + 2];
+    // the directions of the second one's faces are turned round
+    double cu = -(q[c] * ux + q[c + 1] * uy + q[c + 2] * uz);
+    double du = -(q[d] * ux + q[d + 1] * uy + q[d + 2] * uz);
+    if (cu * du >= 0) {
+      return false;
+    }
+    double av = p[a] * vx + p[a + 1] * vy + p[a + 2] * vz;
+    double bv = p[b] * vx + p[b + 1] * vy + p[b + 2] * vz;
+    if (av * bv >= 0 || cu * bv <= 0) {
+      return false;
+    }
+    axis[0] = uy * vz - uz * vy;
+    axis[1] = uz * vx - ux * vz;
+    axis[2] = ux * vy - uy * vx;
+    double length = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    double both = Math.sqrt((ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz));
+    if (length <= PARALLEL * both) {
+      return false;
+    }
+    double outward =
+        axis[0] * (one.points[from] - one.pose[9])
+            + axis[1] * (one.points[from + 1] - one.pose[10])
+            + axis[2] * (one.points[from + 2] - one.pose[11]);
+    for (int k = 0; k < 3; k++) {
+      // out of the first solid there is into the second one
+      axis[k] *= outward > 0 ? -1 / length : 1 / length;
+    }
+    return true;
+  }
+
+  /** Two edges cross: in the middle between their nearest places. */
+  private void cross(Polyhedron one, Polyhedron other, double depth) {
+    double[] p = one.points;
+    double[] q = other.points;
+    int from = 3 * one.edges[bestEdge1];
+    int to = 3 * one.edges[bestEdge1 + 1];
+    int start = 3 * other.edges[bestEdge2];
+    int end = 3 * other.edges[bestEdge2 + 1];
+    double uu = 0;
+    double vv = 0;
+    double uv = 0;
+    double uw = 0;
+    double vw = 0;
+    for (int k = 0; k < 3; k++) {
+      double u = p[to + k] - p[from + k];
+      double v = q[end + k] - q[start + k];
+      double w = p[from + k] - q[start + k];
+      uu += u * u;
+      vv += v * v;
+      uv += u * v;
+      uw += u * w;
+      vw += v * w;
+    }
+    double area = uu * vv - uv * uv;
+    double s = Math.clamp((uv * vw - vv * uw) / area, 0, 1);
+    double t = Math.clamp((uu * vw - uv * uw) / area, 0, 1);
+    for (int k = 0; k < 3; k++) {
+      place[k] =
+          0.5
+              * (p[from + k]
+                  + s * (p[to + k] - p[from + k])
+                  + q[start + k]
+                  + t * (q[end + k] - q[start + k]));
+    }
+    candidates.put(place[0], place[1], place[2], edgeAxis, 1, depth);
+  }
+
+  /**
+   * Cuts the face of the other that meets a face to what is above it.
+   *
+   * @return whether what is left is wider than deep, so that no direction across edges is better
+   */
+  private boolean faceToFace(Polyhedron of, int face, Polyhedron other, double sign) {
+    int at = 4 * face;
+    for (int k = 0; k < 3; k++) {
+      normal[k] = of.planes[at + k];
+    }
+    int meets = 0;
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < other.faces(); i++) {
+      double dot =
+          normal[0] * other.planes[4 * i]
+              + normal[1] * other.planes[4 * i + 1]
+              + normal[2] * other.planes[4 * i + 2];
+      if (dot < least) {
+        least = dot;
+        meets = i;
+      }
+    }
+    int count = 0;
+    for (int i = other.firstCorner[meets]; i < other.firstCorner[meets + 1]; i++) {
+      System.arraycopy(other.points, 3 * other.corners[i], cut, 3 * count++, 3);
+    }
+    int first = of.firstCorner[face];
+    int corners = of.firstCorner[face + 1] - first;
+    for (int i = 0; i < corners && count > 0; i++) {
+      count =
+          cutAlong(
+              of.points,
+              3 * of.corners[first + i],
+              3 * of.corners[first + (i + 1) % corners],
+              count);
+    }
+    double deepest = 0;
+    int all = 0;
+    for (int i = 0; i < count; i++) {
+      double depth = -of.out(face, cut[3 * i], cut[3 * i + 1], cut[3 * i + 2]);
+      if (depth > 0) {
+        candidates.put(cut[3 * i], cut[3 * i + 1], cut[3 * i + 2], normal, sign, depth);
+        deepest = Math.max(deepest, depth);
+        all++;
+      }
+    }
+    return all == count && all > 2 && widthOfCut(count) > deepest;
+  }
+
+  /** The area of the face that was cut, over its border: less than half as wide as it is, m. */
+  private double widthOfCut(int count) {
+    double area = 0;
+    double border = 0;
+    for (int i = 0; i < count; i++) {
+      int a = 3 * i;
+      int b = 3 * ((i + 1) % count);
+      double ux = cut[a] - cut[0];
+      double uy = cut[a + 1] - cut[1];
+      double uz = cut[a + 2] - cut[2];
+      double vx = cut[b] - cut[0];
+      double vy = cut[b + 1] - cut[1];
+      double vz = cut[b + 2] - cut[2];
+      area +=
+          0.5
+              * (normal[0] * (uy * vz - uz * vy)
+                  + normal[1] * (uz * vx - ux * vz)
+                  + normal[2] * (ux * vy - uy * vx));
+      border += Math.sqrt((vx - ux) * (vx - ux) + (vy - uy) * (vy - uy) + (vz - uz) * (vz - uz));
+    }
+    return Math.abs(area) / border;
+  }
+
+  /** Leaves what is on the inner side of an edge of the face (I. Sutherland, G. Hodgman, 1974). */
+  private int cutAlong(double[] points, int from, int to, int count) {
+    double ex = points[to] - points[from];
+    double ey = points[to + 1] - points[from + 1];
+    double ez = points[to + 2] - points[from + 2];
+    // out of the face
+    double x = ey * normal[2] - ez * normal[1];
+    double y = ez * normal[0] - ex * normal[2];
+    double z = ex * normal[1] - ey * normal[0];
+    double edge = x * points[from] + y * points[from + 1] + z * points[from + 2];
+    int left = 0;
+    for (int i = 0; i < count; i++) {
+      int a = 3 * i;
+      int b = 3 * ((i + 1) % count);
+      double outA = x * cut[a] + y * cut[a + 1] + z * cut[a + 2] - edge;
+      double outB = x * cut[b] + y * cut[b + 1] + z * cut[b + 2] - edge;
+      if (outA <= 0) {
+        System.arraycopy(cut, a, cutNext, 3 * left++, 3);
+      }
+      if (outA < 0 != outB < 0 && outA != 0 && outB != 0) {
+        double share = outA / (outA - outB);
+        for (int k = 0; k < 3; k++) {
+          cutNext[3 * left + k] = cut[a + k] + share * (cut[b + k] - cut[a + k]);
+        }
+        left++;
+      }
+    }
+    double[] swapped = cut;
+    cut = cutNext;
+    cutNext = swapped;
+    return left;
+  }
+}

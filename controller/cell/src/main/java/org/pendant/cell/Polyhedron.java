@@ -1,0 +1,178 @@
+package org.pendant.cell;
+
+import org.pendant.models.mesh.ConvexHull;
+import org.pendant.models.mesh.MeshDistance;
+import org.pendant.models.pose.Transforms;
+
+/**
+ * Polyhedron: a convex solid with corners where a body is now. For one thread at a time; nothing is
+ * allocated once it was made.
+ */
+final class Polyhedron {
+  final ConvexHull hull;
+
+  /** Its corners in the base frame, m, three numbers each. */
+  final double[] points;
+
+  /** The planes of its faces there: three of the direction out, and how far out they are, m. */
+  final double[] planes;
+
+  /** Edges: two corners and two faces each. */
+  final int[] edges;
+
+  /** The corners of all faces, one face after the other. */
+  final int[] corners;
+
+  /** Where the corners of a face begin; one more at the end. */
+  final int[] firstCorner;
+
+  /** The box around it along the axes of the base: least, then most, m. */
+  final double[] box6 = new double[6];
+
+  /** A ball of this radius around its origin is within it, m. */
+  final double innerM;
+
+  /** Where it is, as {@link Transforms} has it; whoever has the body changes it. */
+  final double[] pose;
+
+  private final double[] was = new double[Transforms.SIZE];
+  private MeshDistance distance;
+
+  /**
+   * A solid at a pose.
+   *
+   * @param hull its shape; the origin is inside
+   */
+  Polyhedron(ConvexHull hull, double[] pose) {
+    this.hull = hull;
+    this.pose = pose;
+    points = new double[3 * hull.points()];
+    planes = new double[4 * hull.faces()];
+    edges = new int[4 * hull.edges()];
+    for (int i = 0; i < edges.length; i++) {
+      edges[i] = hull.edge(i / 4, i % 4);
+    }
+    firstCorner = new int[hull.faces() + 1];
+    double inner = Double.POSITIVE_INFINITY;
+    for (int face = 0; face < hull.faces(); face++) {
+      firstCorner[face + 1] = firstCorner[face] + hull.corners(face);
+      inner = Math.min(inner, hull.plane(face, 3));
+    }
+    innerM = Math.max(0, inner);
+    corners = new int[firstCorner[hull.faces()]];
+    for (int face = 0; face < hull.faces(); face++) {
+      for (int i = 0; i < hull.corners(face); i++) {
+        corners[firstCorner[face] + i] = hull.corner(face, i);
+      }
+    }
+    was[0] = Double.NaN;
+  }
+
+  /** Brings all places up to the pose. */
+  void follow() {
+    boolean same = true;
+    for (int i = 0; i < Transforms.SIZE; i++) {
+      same &= was[i] == pose[i];
+    }
+    if (same) {
+      return;
+    }
+    System.arraycopy(pose, 0, was, 0, Transforms.SIZE);
+    for (int row = 0; row < 3; row++) {
+      double least = Double.POSITIVE_INFINITY;
+      double most = Double.NEGATIVE_INFINITY;
+      for (int i = 0; i < points.length; i += 3) {
+        int point = i / 3;
+        double at =
+            pose[9 + row]
+                + pose[3 * row] * hull.coordinate(point, 0)
+                + pose[3 * row + 1] * hull.coordinate(point, 1)
+                + pose[3 * row + 2] * hull.coordinate(point, 2);
+        points[i + row] = at;
+        least = Math.min(least, at);
+        most = Math.max(most, at);
+      }
+      box6[row] = least;
+      box6[3 + row] = most;
+    }
+    for (int face = 0; face < hull.faces(); face++) {
+      int at = 4 * face;
+      double out = hull.plane(face, 3);
+      for (int row = 0; row < 3; row++) {
+        planes[at + row] =
+            pose[3 * row] * hull.plane(face, 0)
+                + pose[3 * row + 1] * hull.plane(face, 1)
+                + pose[3 * row + 2] * hull.plane(face, 2);
+        out += planes[at + row] * pose[9 + row];
+      }
+      planes[at + 3] = out;
+    }
+  }
+
+  int faces() {
+    return hull.faces();
+  }
+
+  /** How far a place of the base is out of a face, m. */
+  double out(int face, double x, double y, double z) {
+    int at = 4 * face;
+    return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
+  }
+
+  /** The least of its corners along a direction, m. */
+  double least(double x, double y, double z) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < points.length; i += 3) {
+      least = Math.min(least, x * points[i] + y * points[i + 1] + z * points[i + 2]);
+    }
+    return least;
+  }
+
+  /**
+   * How far a place of the base is away, m: below 0 by the depth inside.
+   *
+   * @param out3 overwritten with the direction out of it there, in the base
+   */
+  double away(double x, double y, double z, double[] out3) {
+    if (distance == null) {
+      distance = new MeshDistance(hull.surface());
+    }
+    double dx = x - pose[9];
+    double dy = y - pose[10];
+    double dz = z - pose[11];
+    double away =
+        distance.toPoint(
+            pose[0] * dx + pose[3] * dy + pose[6] * dz,
+            pose[1] * dx + pose[4] * dy + pose[7] * dz,
+            pose[2] * dx + pose[5] * dy + pose[8] * dz,
+            out3);
+    double ox = out3[0];
+    double oy = out3[1];
+    double oz = out3[2];
+    for (int row = 0; row < 3; row++) {
+      out3[row] = pose[3 * row] * ox + pose[3 * row + 1] * oy + pose[3 * row + 2] * oz;
+    }
+    return away;
+  }
+
+  /** How far a ray goes until it enters it, m; infinite where it does not, or begins inside. */
+  double enters(double[] from3, double[] along3, double lengthM) {
+    follow();
+    double in = Double.NEGATIVE_INFINITY;
+    double out = lengthM;
+    for (int face = 0; face < faces(); face++) {
+      int at = 4 * face;
+      double height = out(face, from3[0], from3[1], from3[2]);
+      double slope =
+          planes[at] * along3[0] + planes[at + 1] * along3[1] + planes[at + 2] * along3[2];
+      if (slope == 0 && height > 0) {
+        return Double.POSITIVE_INFINITY;
+      } else if (slope < 0) {
+        in = Math.max(in, -height / slope);
+      } else if (slope > 0) {
+        out = Math.min(out, -height / slope);
+      }
+    }
+    return in >= 0 && in <= out ? in : Double.POSITIVE_INFINITY;
+  }
+}
