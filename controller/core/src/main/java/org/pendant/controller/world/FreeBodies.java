@@ -2,7 +2,9 @@ package org.pendant.controller.world;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.pendant.cell.BodyDescription;
 import org.pendant.cell.BodyShape;
@@ -36,6 +38,11 @@ final class FreeBodies {
   /** Numbers of the bodies that can move: objects with a mass, and copies of them. */
   private final List<Integer> movable = new ArrayList<>();
 
+  /** By the number of a body: what it is where it is a mesh. */
+  private final Map<Integer, MeshBody> meshes = new HashMap<>();
+
+  private final double[] body12 = new double[Transforms.SIZE];
+
   /** Grows whenever one comes or goes. */
   private long comings;
 
@@ -63,7 +70,7 @@ final class FreeBodies {
       if (object.massKg() > 0) {
         movable.add(all.size());
       }
-      all.add(body(object));
+      all.add(body(object, all.size()));
     }
     for (int i = 0; i < points.size(); i++) {
       double radiusM = Math.max(MIN_POINT_M, points.get(i).radiusM());
@@ -231,6 +238,9 @@ final class FreeBodies {
                       part.surface()));
           bodies.setPresent(parts[copy], false);
           movable.add(parts[copy]);
+          if (meshes.containsKey(i)) {
+            meshes.put(parts[copy], meshes.get(i));
+          }
         }
         return Optional.of(new PartPool(this, parts));
       }
@@ -278,7 +288,7 @@ final class FreeBodies {
     for (int i : movable) {
       boolean there = bodies.present(i);
       if (there || i < objects.size()) {
-        bodies.pose(i, transform12);
+        pose(i, transform12);
         now.add(
             new MovedObject(bodies.description(i).name(), Transforms.toPose(transform12), there));
       }
@@ -366,12 +376,22 @@ final class FreeBodies {
     return false;
   }
 
-  /** Where object {@code i} of the scene is, as {@link Transforms} has it. */
+  /**
+   * Where object {@code i} of the scene is, as {@link Transforms} has it: its centre, or the origin
+   * of its file.
+   */
   void pose(int i, double[] transform12) {
-    bodies.pose(i, transform12);
+    MeshBody mesh = meshes.get(i);
+    if (mesh == null) {
+      bodies.pose(i, transform12);
+    } else {
+      bodies.pose(i, body12);
+      mesh.toFile(body12, transform12);
+    }
   }
 
-  private static BodyDescription body(SceneObject object) {
+  /** The body of the next object. */
+  private BodyDescription body(SceneObject object, int number) {
     Material material = object.material();
     BodySurface surface =
         new BodySurface(material.friction(), material.restitution(), material.stiffnessNPerM());
@@ -390,6 +410,16 @@ final class FreeBodies {
                   : new BodyShape.Cylinder(rod.radiusM(), rod.lengthM()),
               rod.poseInBase(),
               surface);
+      case SceneObject.Mesh mesh when mesh.massKg() > 0 -> {
+        MeshBody body = new MeshBody(mesh.part().triangles());
+        meshes.put(number, body);
+        Pose centre = body.ofFile(mesh.poseInBase());
+        for (int axis = 0; axis < 3; axis++) {
+          SceneRange.POSITION.require(
+              mesh.name() + ": centre of gravity[" + axis + "]", centre.get(axis));
+        }
+        yield body(mesh, body.shape(), centre, surface);
+      }
       case SceneObject.Mesh mesh ->
           BodyDescription.fixed(
               mesh.name(),

@@ -6,7 +6,7 @@ import org.pendant.models.pose.Pose;
  * Moved object: where an object of a scene that has a mass is at one moment.
  *
  * @param name of the object
- * @param poseInBase its centre and orientation in the base frame
+ * @param poseInBase its centre, or the origin of its file, and orientation in the base frame
  * @param there false where it has been taken away
  */
 public record MovedObject(String name, Pose poseInBase, boolean there) {

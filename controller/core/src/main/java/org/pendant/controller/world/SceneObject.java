@@ -124,26 +124,38 @@ public sealed interface SceneObject {
   }
 
   /**
-   * A solid made of triangles, which stands still.
+   * A solid made of triangles. One with a mass touches others with its convex hull.
    *
    * @param name how it is called
    * @param poseInBase where the origin of its file is, m, each -10 to 10, and its orientation, rad,
    *     each -100 to 100
    * @param part its triangles
    * @param material what it is of
+   * @param massKg 0 where it stands still; else it can move, kg, 0.001 to 1000, evenly spread in
+   *     the solid that the triangles are the surface of
    */
-  record Mesh(String name, Pose poseInBase, MeshPart part, Material material)
+  record Mesh(String name, Pose poseInBase, MeshPart part, Material material, double massKg)
       implements SceneObject {
     /**
      * Checks the numbers.
      *
-     * @throws IllegalArgumentException if one is outside its range
+     * @throws IllegalArgumentException if one is outside its range, or if it has a mass and is too
+     *     thin for a body, or goes through itself
      */
     public Mesh {
       ObjectName.require(name);
       for (int i = 0; i < Pose.SIZE; i++) {
         Box.poseRange(i).require("pose[" + i + "]", poseInBase.get(i));
       }
+      SceneRange.requireMass(massKg);
+      if (massKg > 0) {
+        var _ = new MeshBody(part.triangles());
+      }
+    }
+
+    /** One that stands still. */
+    public Mesh(String name, Pose poseInBase, MeshPart part, Material material) {
+      this(name, poseInBase, part, material, 0);
     }
   }
 

@@ -169,9 +169,21 @@ public final class SceneReader {
   }
 
   private SceneObject mesh(Json whole, JsonFields fields) throws JsonException {
-    fields.allow(Nearest::among, "type", "name", "pose", "mesh", "unit", "material");
-    return new SceneObject.Mesh(
-        name(fields), pose(fields), meshes.part(whole, fields), material(fields));
+    fields.allow(Nearest::among, "type", "name", "pose", "mesh", "unit", "mass", "material");
+    String name = name(fields);
+    Pose pose = pose(fields);
+    MeshPart part = meshes.part(whole, fields);
+    Material material = material(fields);
+    double massKg = mass(fields);
+    try {
+      return new SceneObject.Mesh(name, pose, part, material, massKg);
+    } catch (IllegalArgumentException e) {
+      // all else is right by itself: what it is made of cannot have a mass
+      throw fields
+          .required("mass")
+          .place()
+          .refusal(part.file() + ": " + e.getMessage() + "; without a mass it stands still");
+    }
   }
 
   private static Pose pose(JsonFields fields) throws JsonException {

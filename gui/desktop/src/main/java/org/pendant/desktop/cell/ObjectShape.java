@@ -27,7 +27,8 @@ final class ObjectShape {
       case SceneObject.Box box ->
           new SceneObject.Box(name, box.poseInBase(), box.sizeM(), box.material(), box.massKg());
       case SceneObject.Mesh mesh ->
-          new SceneObject.Mesh(name, mesh.poseInBase(), mesh.part(), mesh.material());
+          new SceneObject.Mesh(
+              name, mesh.poseInBase(), mesh.part(), mesh.material(), mesh.massKg());
       case SceneObject.Rod rod -> with(rod, name, rod.poseInBase(), rod.material(), rod.massKg());
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
@@ -42,7 +43,8 @@ final class ObjectShape {
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), material, box.massKg());
       case SceneObject.Mesh mesh ->
-          new SceneObject.Mesh(mesh.name(), mesh.poseInBase(), mesh.part(), material);
+          new SceneObject.Mesh(
+              mesh.name(), mesh.poseInBase(), mesh.part(), material, mesh.massKg());
       case SceneObject.Rod rod -> with(rod, rod.name(), rod.poseInBase(), material, rod.massKg());
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
@@ -50,7 +52,10 @@ final class ObjectShape {
     };
   }
 
-  /** Where it is in the base: a point of a plane, the centre of anything else, m. */
+  /**
+   * Where it is in the base: a point of a plane, the origin of a mesh's file, the centre of others,
+   * m.
+   */
   static Vector3 placeM(SceneObject object) {
     return switch (object) {
       case SceneObject.Plane plane -> plane.pointInBaseM();
@@ -84,7 +89,8 @@ final class ObjectShape {
             mesh.name(),
             new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
             mesh.part(),
-            mesh.material());
+            mesh.material(),
+            mesh.massKg());
       }
       case SceneObject.Rod rod -> {
         Pose pose = rod.poseInBase();
@@ -105,7 +111,9 @@ final class ObjectShape {
   static SceneObject weighing(SceneObject object, double massKg) {
     return switch (object) {
       case SceneObject.Plane plane -> plane;
-      case SceneObject.Mesh mesh -> mesh;
+      case SceneObject.Mesh mesh ->
+          new SceneObject.Mesh(
+              mesh.name(), mesh.poseInBase(), mesh.part(), mesh.material(), massKg);
       case SceneObject.Box box ->
           new SceneObject.Box(box.name(), box.poseInBase(), box.sizeM(), box.material(), massKg);
       case SceneObject.Rod rod -> with(rod, rod.name(), rod.poseInBase(), rod.material(), massKg);

@@ -104,7 +104,7 @@ final class ObjectsCard {
     form.section(SceneObject.Rod.class::isInstance, () -> addRod(form, rotation));
     form.section(SceneObject.Mesh.class::isInstance, () -> addMesh(form, rotation));
     form.section(
-        object -> !(object instanceof SceneObject.Plane || object instanceof SceneObject.Mesh),
+        object -> !(object instanceof SceneObject.Plane),
         () -> {
           form.numberRow("Mass", Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
           form.note("With a mass it falls, slides and is pushed; with 0 it stands still.");
@@ -230,7 +230,8 @@ final class ObjectsCard {
         object -> object instanceof SceneObject.Mesh mesh ? mesh.poseInBase() : Pose.ZERO,
         (object, pose) ->
             object instanceof SceneObject.Mesh mesh
-                ? new SceneObject.Mesh(mesh.name(), pose, mesh.part(), mesh.material())
+                ? new SceneObject.Mesh(
+                    mesh.name(), pose, mesh.part(), mesh.material(), mesh.massKg())
                 : object,
         object -> true);
   }
