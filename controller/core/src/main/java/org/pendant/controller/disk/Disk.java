@@ -13,6 +13,13 @@ interface Disk {
    */
   OpenFile create(Path file, Rights rights) throws IOException;
 
+  /**
+   * Opens a file that is there, to write behind its first bytes; what follows them is cut off.
+   *
+   * @param length how many bytes of it stay
+   */
+  OpenFile reopen(Path file, long length) throws IOException;
+
   /** Opens what is no regular file, such as a pipe or a device, to write into it. */
   OpenFile openSpecial(Path file) throws IOException;
 

@@ -29,6 +29,14 @@ public final class GrowingFile extends OutputStream {
     file = place.special() ? disk.openSpecial(beside) : disk.create(beside, Rights.USUAL);
   }
 
+  private GrowingFile(Disk disk, WritePlace place, long kept) throws IOException {
+    this.disk = disk;
+    this.place = place;
+    beside = place.path();
+    file = disk.reopen(beside, kept);
+    length = kept;
+  }
+
   /**
    * Creates a file.
    *
@@ -36,6 +44,16 @@ public final class GrowingFile extends OutputStream {
    */
   public static GrowingFile create(Path path) throws IOException {
     return create(new SystemDisk(), path);
+  }
+
+  /**
+   * Goes on with a file that is there, behind its first bytes; what follows them is cut off.
+   *
+   * @param kept how many bytes of it stay, above 0
+   * @throws IOException if there is no such file, or it cannot be written
+   */
+  public static GrowingFile resume(Path path, long kept) throws IOException {
+    return new GrowingFile(new SystemDisk(), WritePlace.of(path), kept);
   }
 
   static GrowingFile create(Disk disk, Path path) throws IOException {

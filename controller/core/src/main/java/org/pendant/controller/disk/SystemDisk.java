@@ -7,6 +7,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -21,6 +22,22 @@ final class SystemDisk implements Disk {
       return new Regular(new RandomAccessFile(file.toFile(), "rw"));
     } catch (IOException e) {
       Files.deleteIfExists(file);
+      throw e;
+    }
+  }
+
+  @Override
+  public OpenFile reopen(Path file, long length) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      throw new NoSuchFileException(file.toString());
+    }
+    RandomAccessFile opened = new RandomAccessFile(file.toFile(), "rw");
+    try {
+      Regular regular = new Regular(opened);
+      regular.cut(length);
+      return regular;
+    } catch (IOException e) {
+      opened.close();
       throw e;
     }
   }

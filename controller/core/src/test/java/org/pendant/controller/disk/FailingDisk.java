@@ -39,6 +39,12 @@ final class FailingDisk implements Disk {
   }
 
   @Override
+  public OpenFile reopen(Path file, long length) throws IOException {
+    step("reopen");
+    return new Failing(disk.reopen(file, length));
+  }
+
+  @Override
   public OpenFile openSpecial(Path file) throws IOException {
     step("open");
     return new Failing(disk.openSpecial(file));

@@ -56,6 +56,18 @@ final class GrowingFileTest {
   }
 
   @Test
+  void fileThatIsThereGoesOnBehindWhatIsKeptOfIt() throws IOException {
+    Files.writeString(file(), "first,sec");
+    try (GrowingFile growing = GrowingFile.resume(file(), "first,".length())) {
+      assertEquals("first,", Files.readString(file()));
+      write(growing, "second");
+    }
+    assertEquals("first,second", Files.readString(file()));
+    assertThrows(
+        IOException.class, () -> GrowingFile.resume(folder.resolve("nothing.rec"), 1).close());
+  }
+
+  @Test
   void fileWithoutAPartIsRemoved() throws IOException {
     GrowingFile growing = GrowingFile.create(new FailingDisk(1), file());
     assertThrows(IOException.class, () -> write(growing, "first,"));
