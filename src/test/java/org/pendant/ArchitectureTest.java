@@ -81,6 +81,8 @@ final class ArchitectureTest {
           .definedBy("org.pendant.testing..")
           .layer("junit")
           .definedBy("org.pendant.junit..")
+          .layer("sweep")
+          .definedBy("org.pendant.sweep..")
           .layer("protocols")
           .definedBy("org.pendant.protocols..")
           .layer("editors")
@@ -102,20 +104,23 @@ final class ArchitectureTest {
           .whereLayer("protocols")
           .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("recording")
-          .mayOnlyBeAccessedByLayers("junit", "editors", "command", "desktop")
+          .mayOnlyBeAccessedByLayers("junit", "sweep", "editors", "command", "desktop")
+          .whereLayer("sweep")
+          .mayOnlyBeAccessedByLayers("command", "desktop")
           .whereLayer("junit")
           .mayNotBeAccessedByAnyLayer()
           .whereLayer("testing")
           .mayOnlyBeAccessedByLayers("editors", "command", "desktop")
           .whereLayer("project")
           .mayOnlyBeAccessedByLayers(
-              "testing", "junit", "protocols", "editors", "command", "desktop")
+              "testing", "junit", "sweep", "protocols", "editors", "command", "desktop")
           .whereLayer("core")
           .mayOnlyBeAccessedByLayers(
               "recording",
               "project",
               "testing",
               "junit",
+              "sweep",
               "protocols",
               "editors",
               "command",
@@ -128,6 +133,7 @@ final class ArchitectureTest {
               "project",
               "testing",
               "junit",
+              "sweep",
               "protocols",
               "editors",
               "command",
@@ -139,6 +145,7 @@ final class ArchitectureTest {
               "project",
               "testing",
               "junit",
+              "sweep",
               "protocols",
               "editors",
               "command",
@@ -150,6 +157,7 @@ final class ArchitectureTest {
               "project",
               "testing",
               "junit",
+              "sweep",
               "protocols",
               "editors",
               "command",
@@ -162,6 +170,7 @@ final class ArchitectureTest {
               "project",
               "testing",
               "junit",
+              "sweep",
               "protocols",
               "editors",
               "command",
@@ -176,6 +185,7 @@ final class ArchitectureTest {
               "project",
               "testing",
               "junit",
+              "sweep",
               "protocols",
               "editors",
               "command",
@@ -305,6 +315,7 @@ final class ArchitectureTest {
               "org.pendant.project..",
               "org.pendant.testing..",
               "org.pendant.junit..",
+              "org.pendant.sweep..",
               "org.pendant.kit..")
           .should()
           .dependOnClassesThat(

@@ -1,0 +1,100 @@
+package org.pendant.sweep.plan;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Target text: what parameters change, as plans write it. */
+final class TargetText {
+  private static final Pattern VARIABLE = Pattern.compile("([A-Za-z_]\\w*)(?:\\[(\\d{1,4})\\])?");
+  private static final Pattern ARGUMENT = Pattern.compile("([1-9]\\d{0,6}) ([A-Za-z_]\\w*)");
+  private static final List<String> LOAD = List.of("mass", "cog_x", "cog_y", "cog_z");
+
+  /** What is right, for messages. */
+  static final String LEGAL =
+      "one of \"variable NAME\", \"variable NAME[i]\", \"argument LINE NAME\", \"speed\","
+          + " \"acceleration\", \"slider\", \"load mass|cog_x|cog_y|cog_z\", \"base AXIS\","
+          + " \"feature NAME AXIS\", \"object NAME AXIS\", \"input SIGNAL\", \"input SIGNAL time\","
+          + " \"seed\", \"robot\"; AXIS is x, y, z, rx, ry or rz";
+
+  private TargetText() {}
+
+  /** The target that a text means; empty if it means none. */
+  static Optional<ParameterTarget> parse(String text) {
+    int blank = text.indexOf(' ');
+    String kind = blank < 0 ? text : text.substring(0, blank);
+    String rest = blank < 0 ? "" : text.substring(blank + 1).strip();
+    return switch (kind) {
+      case "variable" -> variable(rest);
+      case "argument" -> argument(rest);
+      case "speed" -> bare(rest, new ParameterTarget.MoveFactor("v"));
+      case "acceleration" -> bare(rest, new ParameterTarget.MoveFactor("a"));
+      case "slider" -> bare(rest, new ParameterTarget.Slider());
+      case "load" ->
+          LOAD.contains(rest)
+              ? Optional.of(new ParameterTarget.Load(LOAD.indexOf(rest)))
+              : Optional.empty();
+      case "base" -> FrameAxis.of(rest).map(ParameterTarget.BasePlace::new);
+      case "feature" ->
+          lastWord(rest)
+              .flatMap(
+                  axis ->
+                      FrameAxis.of(axis)
+                          .map(a -> new ParameterTarget.FeaturePlace(before(rest), a)));
+      case "object" ->
+          lastWord(rest)
+              .flatMap(
+                  axis ->
+                      FrameAxis.of(axis)
+                          .map(a -> new ParameterTarget.ObjectPlace(before(rest), a)));
+      case "input" -> input(rest);
+      case "seed" -> bare(rest, new ParameterTarget.Seed());
+      case "robot" -> bare(rest, new ParameterTarget.RobotModel());
+      default -> Optional.empty();
+    };
+  }
+
+  private static Optional<ParameterTarget> bare(String rest, ParameterTarget target) {
+    return rest.isEmpty() ? Optional.of(target) : Optional.empty();
+  }
+
+  private static Optional<ParameterTarget> variable(String rest) {
+    Matcher matcher = VARIABLE.matcher(rest);
+    if (!matcher.matches()) {
+      return Optional.empty();
+    }
+    OptionalInt element =
+        matcher.group(2) == null
+            ? OptionalInt.empty()
+            : OptionalInt.of(Integer.parseInt(matcher.group(2)));
+    return Optional.of(new ParameterTarget.Variable(matcher.group(1), element));
+  }
+
+  private static Optional<ParameterTarget> argument(String rest) {
+    Matcher matcher = ARGUMENT.matcher(rest);
+    return matcher.matches()
+        ? Optional.of(
+            new ParameterTarget.CallArgument(Integer.parseInt(matcher.group(1)), matcher.group(2)))
+        : Optional.empty();
+  }
+
+  private static Optional<ParameterTarget> input(String rest) {
+    if (rest.isEmpty()) {
+      return Optional.empty();
+    }
+    boolean time = lastWord(rest).filter("time"::equals).isPresent();
+    return Optional.of(
+        time ? new ParameterTarget.InputTime(before(rest)) : new ParameterTarget.InputLevel(rest));
+  }
+
+  private static Optional<String> lastWord(String text) {
+    int blank = text.lastIndexOf(' ');
+    return blank < 0 ? Optional.empty() : Optional.of(text.substring(blank + 1));
+  }
+
+  private static String before(String text) {
+    return text.substring(0, text.lastIndexOf(' ')).strip();
+  }
+}

@@ -1,0 +1,89 @@
+package org.pendant.sweep.table;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.pendant.language.check.Nearest;
+
+/**
+ * Row condition: what must hold for a row of results, such as {@code duration < 12} or {@code
+ * outcome == finished}.
+ *
+ * @param text as it was written
+ * @param column that is looked at
+ * @param relation one of {@code < <= > >= == !=}
+ * @param bound what the cell is compared with
+ */
+public record RowCondition(String text, String column, String relation, String bound) {
+  private static final Pattern FORM =
+      Pattern.compile("\\s*(.+?)\\s*(<=|>=|==|!=|<|>)\\s*\"?([^\"]*?)\"?\\s*");
+
+  /**
+   * Reads a condition.
+   *
+   * @param columns that there are
+   * @throws IllegalArgumentException says what would be right
+   */
+  public static RowCondition parse(String text, List<ResultColumn> columns) {
+    Matcher parts = FORM.matcher(text);
+    if (!parts.matches()) {
+      throw new IllegalArgumentException(
+          "\"" + text + "\" is no condition, must be like \"duration < 12\"");
+    }
+    String name = parts.group(1);
+    Optional<ResultColumn> column =
+        columns.stream().filter(each -> each.name().equals(name)).findFirst();
+    if (column.isEmpty()) {
+      Supplier<List<String>> names = () -> columns.stream().map(ResultColumn::name).toList();
+      throw new IllegalArgumentException(
+          "\""
+              + text
+              + "\": there is no column "
+              + name
+              + new Nearest()
+                  .to(name, names::get)
+                  .map(near -> ", did you mean " + near + "?")
+                  .orElse(""));
+    }
+    RowCondition condition = new RowCondition(text, name, parts.group(2), parts.group(3));
+    boolean words =
+        column.get().type() == CellType.TEXT
+            && (condition.relation.equals("==") || condition.relation.equals("!="));
+    if (!words && Double.isNaN(number(condition.bound))) {
+      throw new IllegalArgumentException(
+          "\"" + text + "\" compares " + name + " with " + condition.bound + ", must be a number");
+    }
+    return condition;
+  }
+
+  private static double number(String text) {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      return Double.NaN;
+    }
+  }
+
+  /**
+   * Whether a cell keeps it. One that is empty, or no number where one is compared, does not.
+   *
+   * @param cell as tables write it
+   */
+  public boolean holds(String cell) {
+    double value = number(cell);
+    double limit = number(bound);
+    if (Double.isNaN(limit)) {
+      return relation.equals("==") == cell.equals(bound);
+    }
+    return switch (relation) {
+      case "<" -> value < limit;
+      case "<=" -> value <= limit;
+      case ">" -> value > limit;
+      case ">=" -> value >= limit;
+      case "==" -> value == limit;
+      default -> !Double.isNaN(value) && value != limit;
+    };
+  }
+}

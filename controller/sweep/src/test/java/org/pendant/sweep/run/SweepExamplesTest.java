@@ -1,0 +1,43 @@
+package org.pendant.sweep.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.pendant.sweep.plan.PlanException;
+
+/** The plans in examples/sweeps, a few variants of each. */
+@Tag("slow")
+final class SweepExamplesTest {
+  private static SweepJob job(String name) throws PlanException {
+    return SweepJob.read(Path.of("../../examples/sweeps", name));
+  }
+
+  @Test
+  void baseInTheMiddleReachesShelfAndTableAndInACornerItDoesNot() throws PlanException {
+    SweepJob job = job("place_base.toml");
+    assertEquals(169, job.plan().size());
+    assertEquals(RunOutcome.FINISHED, job.run(job.plan().variant(84)).outcome());
+    assertTrue(!job.run(job.plan().variant(0)).outcome().ended());
+  }
+
+  @Test
+  void fasterMovesTakeLessTime() throws PlanException {
+    SweepJob job = job("tune_speeds.toml");
+    SweepResult one = job.run(job.plan().variant(35));
+    SweepResult other = job.run(job.plan().variant(82));
+    assertEquals(RunOutcome.FINISHED, one.outcome());
+    assertEquals("4", one.variables().getFirst());
+    assertTrue(one.durationS() > other.durationS());
+  }
+
+  @Test
+  void pegStandsElsewhereInEachRun() throws PlanException {
+    SweepJob job = job("part_position.toml");
+    SweepResult result = job.run(job.plan().variant(9));
+    assertEquals(RunOutcome.FINISHED, result.outcome());
+    assertTrue(result.forceN() > 5, result.forceN() + " N");
+  }
+}

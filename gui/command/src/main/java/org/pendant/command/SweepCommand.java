@@ -1,0 +1,125 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.sweep.engine.Engine;
+import org.pendant.sweep.engine.EngineException;
+import org.pendant.sweep.engine.LocalEngine;
+import org.pendant.sweep.folder.ResultReader;
+import org.pendant.sweep.folder.SweepFolder;
+import org.pendant.sweep.folder.SweepFolderException;
+import org.pendant.sweep.plan.PlanException;
+import org.pendant.sweep.run.SweepJob;
+import org.pendant.sweep.table.ResultTable;
+import org.pendant.sweep.table.RowCondition;
+
+/** Command {@code pendant sweep PLAN.toml}: runs the variants of a plan on all cores. */
+final class SweepCommand implements Subcommand {
+
+  @Override
+  public String name() {
+    return "sweep";
+  }
+
+  @Override
+  public String operands() {
+    return "PLAN.toml";
+  }
+
+  @Override
+  public String summary() {
+    return "run thousands of variants of a program, and tell what came of them";
+  }
+
+  @Override
+  public List<Option> options() {
+    return SweepOptions.ALL;
+  }
+
+  @Override
+  public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    if (arguments.operands().size() != 1) {
+      throw new UsageException(
+          "expected one plan, there are " + arguments.operands().size() + " operands");
+    }
+    Path plan = arguments.files().path("the plan", arguments.operands().getFirst());
+    SweepOptions options = SweepOptions.of(arguments, plan);
+    SweepJob job;
+    try {
+      job = SweepJob.read(plan);
+    } catch (PlanException e) {
+      e.reports().forEach(console::complainInLines);
+      return ExitCode.WRONG_USAGE;
+    }
+    try {
+      return run(job, plan, options, console);
+    } catch (SweepFolderException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw new UsageException(options.out() + ": " + FileTrouble.reason(e));
+    } catch (EngineException e) {
+      console.complain("pendant sweep: " + e.getMessage());
+      return ExitCode.UNAVAILABLE;
+    }
+  }
+
+  private static ExitCode run(SweepJob job, Path plan, SweepOptions options, Console console)
+      throws UsageException, IOException, SweepFolderException, EngineException {
+    List<RowCondition> conditions = options.conditions(ResultTable.of(job.plan()));
+    try (Interruption interruption = Interruption.listen("the sweep")) {
+      if (options.force()) {
+        SweepFolder.clear(options.out());
+      }
+      long done;
+      long size = job.plan().size();
+      try (SweepFolder folder =
+              options.resume() && SweepFolder.begun(options.out())
+                  ? SweepFolder.resume(options.out(), job)
+                  : SweepFolder.create(options.out(), plan, job);
+          Engine engine = new LocalEngine(job, options.workers())) {
+        console.complain(size + " runs, " + engine.description());
+        interruption.hold();
+        SweepProgress progress = new SweepProgress(console, folder.next(), size, System.nanoTime());
+        done =
+            engine.run(
+                job.plan()::variant,
+                folder.next(),
+                size,
+                result -> {
+                  folder.add(folder.table().row(result));
+                  progress.at(result.variant().number() + 1, System.nanoTime());
+                },
+                interruption::requested);
+        progress.end(done, System.nanoTime());
+      }
+      SweepSummary summary = summary(job, options.out(), conditions);
+      summary.lines().forEach(console::print);
+      console.print("");
+      console.print("results: " + options.out().resolve(SweepFolder.RESULTS));
+      if (done < size) {
+        console.complain("pendant sweep: ended early; --resume goes on");
+      }
+      summary.broken().forEach(each -> console.complain("pendant sweep: " + each));
+      // Before the interruption is closed: after that the process may be gone at any moment.
+      console.flush();
+      return summary.allHold() ? ExitCode.DONE : ExitCode.LIMIT_EXCEEDED;
+    }
+  }
+
+  /** Of the whole table: rows of an earlier process count as well. */
+  private static SweepSummary summary(SweepJob job, Path out, List<RowCondition> conditions)
+      throws IOException, SweepFolderException {
+    try (ResultReader reader = new ResultReader(out.resolve(SweepFolder.RESULTS))) {
+      SweepSummary summary = new SweepSummary(ResultTable.of(job.plan()), conditions);
+      Optional<List<String>> row = reader.next();
+      while (row.isPresent()) {
+        summary.take(row.get());
+        row = reader.next();
+      }
+      return summary;
+    }
+  }
+}

@@ -1,0 +1,98 @@
+package org.pendant.command;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import org.pendant.sweep.table.ResultTable;
+import org.pendant.sweep.table.RowCondition;
+
+/**
+ * Options of {@code pendant sweep}.
+ *
+ * @param out the folder of the results
+ * @param workers how many runs there are at a time
+ * @param resume whether to go on with results that are there
+ * @param force whether to begin anew where there are results
+ * @param asserted conditions, as they were written
+ */
+record SweepOptions(Path out, int workers, boolean resume, boolean force, List<String> asserted) {
+  private static final int MAX_WORKERS = 1024;
+
+  private static final Option OUT =
+      Option.text("--out", "DIR", "the folder of the results, default PLAN.sweep beside the plan")
+          .documented(
+              "results",
+              "the folder of the results; default that of the plan with `.sweep` in place of"
+                  + " `.toml`, beside the plan");
+  private static final Option WORKERS =
+      Option.of(
+              "--workers",
+              new OptionArgument.Whole("N", 1, MAX_WORKERS),
+              "how many runs at a time, default one for each core")
+          .documented("8", "how many runs there are at a time; default one for each core");
+  private static final Option RESUME =
+      Option.flag("--resume", "go on with the results that are in the folder")
+          .documented(
+              "go on with the results that are in the folder: runs that have a row are not run"
+                  + " again. Plan and files must be the same");
+  private static final Option ASSERT =
+      Option.text("--assert", "CONDITION", "what must hold for every run, e.g. \"duration < 12\"")
+          .repeated()
+          .documented(
+              "\"duration < 12\"",
+              "what must hold for every run, or the exit code is 1: a column, `<`, `<=`, `>`, `>=`,"
+                  + " `==` or `!=`, and a number or word; may be repeated");
+  private static final Option FORCE =
+      Option.flag("--force", "begin anew where there are results already")
+          .documented("begin anew in a folder that has results already");
+
+  /** For the usage text. */
+  static final List<Option> ALL = List.of(OUT, WORKERS, RESUME, ASSERT, FORCE);
+
+  SweepOptions {
+    asserted = List.copyOf(asserted);
+  }
+
+  static SweepOptions of(Arguments arguments, Path plan) throws UsageException {
+    boolean resume = arguments.has(RESUME);
+    boolean force = arguments.has(FORCE);
+    if (resume && force) {
+      throw new UsageException("--resume goes on and --force begins anew, give one of them");
+    }
+    OptionalInt workers = arguments.whole(WORKERS);
+    return new SweepOptions(
+        out(arguments, plan),
+        workers.orElse(Math.min(MAX_WORKERS, Runtime.getRuntime().availableProcessors())),
+        resume,
+        force,
+        arguments.values(ASSERT));
+  }
+
+  private static Path out(Arguments arguments, Path plan) throws UsageException {
+    String given = arguments.value(OUT).orElse("");
+    if (given.isEmpty()) {
+      String name = plan.getFileName().toString();
+      return plan.resolveSibling(name.replaceFirst("\\.toml$", "") + ".sweep");
+    }
+    try {
+      return Path.of(given);
+    } catch (InvalidPathException e) {
+      throw new UsageException("--out " + given + ": not a file name, " + e.getReason());
+    }
+  }
+
+  /** The conditions on the rows of a table. */
+  List<RowCondition> conditions(ResultTable table) throws UsageException {
+    List<RowCondition> conditions = new ArrayList<>();
+    for (String each : asserted) {
+      try {
+        conditions.add(RowCondition.parse(each, table.columns()));
+      } catch (IllegalArgumentException e) {
+        throw new UsageException("--assert " + e.getMessage());
+      }
+    }
+    return conditions;
+  }
+}

@@ -1,0 +1,134 @@
+package org.pendant.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.pendant.sweep.table.ResultColumn;
+import org.pendant.sweep.table.ResultTable;
+import org.pendant.sweep.table.RowCondition;
+
+/** Sweep summary: what came of all runs of a sweep, row by row. Mutable. */
+final class SweepSummary {
+  private static final int DIGITS = 4;
+  private static final int MAX_SHOWN = 5;
+  private static final List<String> MEASURES =
+      List.of(
+          "duration",
+          "torque_share",
+          "speed_share",
+          "tool_speed",
+          "joint_limit",
+          "plane",
+          "singularity",
+          "force",
+          "energy");
+
+  private final List<String> columns;
+  private final List<RowCondition> conditions;
+  private final Map<String, Long> outcomes = new TreeMap<>();
+  private final List<Range> ranges = new ArrayList<>();
+  private final long[] broken;
+  private final List<List<String>> examples = new ArrayList<>();
+
+  /** Least and most of a column, and the runs that they are of. */
+  private static final class Range {
+    private final int column;
+    private double least = Double.POSITIVE_INFINITY;
+    private double most = Double.NEGATIVE_INFINITY;
+    private String leastRun = "";
+    private String mostRun = "";
+
+    private Range(int column) {
+      this.column = column;
+    }
+
+    private void take(List<String> cells) {
+      double value = Arguments.parsed(cells.get(column)).orElse(Double.NaN);
+      if (value < least) {
+        least = value;
+        leastRun = cells.getFirst();
+      }
+      if (value > most) {
+        most = value;
+        mostRun = cells.getFirst();
+      }
+    }
+  }
+
+  SweepSummary(ResultTable table, List<RowCondition> conditions) {
+    columns = table.columns().stream().map(ResultColumn::name).toList();
+    this.conditions = conditions;
+    broken = new long[conditions.size()];
+    conditions.forEach(_ -> examples.add(new ArrayList<>()));
+    for (String each : MEASURES) {
+      ranges.add(new Range(columns.indexOf(each)));
+    }
+  }
+
+  /** Takes a row, cell by cell as tables write it. */
+  void take(List<String> cells) {
+    outcomes.merge(cells.get(columns.indexOf("outcome")), 1L, Long::sum);
+    ranges.forEach(each -> each.take(cells));
+    for (int i = 0; i < conditions.size(); i++) {
+      RowCondition condition = conditions.get(i);
+      String cell = cells.get(columns.indexOf(condition.column()));
+      if (!condition.holds(cell)) {
+        broken[i]++;
+        if (examples.get(i).size() < MAX_SHOWN) {
+          examples.get(i).add("run " + cells.getFirst() + " (" + cell + ")");
+        }
+      }
+    }
+  }
+
+  /** Whether all conditions hold for all rows. */
+  boolean allHold() {
+    for (long each : broken) {
+      if (each > 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** For people. */
+  List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    Table counts = new Table().left("outcome").right("runs");
+    outcomes.forEach((outcome, count) -> counts.row(outcome, Long.toString(count)));
+    lines.addAll(counts.aligned());
+    Table measures =
+        new Table().left("measure").right("least").right("run").right("most").right("run");
+    for (Range each : ranges) {
+      if (each.least <= each.most) {
+        measures.row(
+            columns.get(each.column),
+            Decimal.text(each.least, DIGITS),
+            each.leastRun,
+            Decimal.text(each.most, DIGITS),
+            each.mostRun);
+      }
+    }
+    lines.add("");
+    lines.addAll(measures.aligned());
+    return lines;
+  }
+
+  /** What does not hold, a line for each condition. */
+  List<String> broken() {
+    List<String> lines = new ArrayList<>();
+    for (int i = 0; i < conditions.size(); i++) {
+      if (broken[i] > 0) {
+        lines.add(
+            conditions.get(i).text()
+                + " does not hold for "
+                + broken[i]
+                + (broken[i] == 1 ? " run: " : " runs: ")
+                + String.join(", ", examples.get(i))
+                + (broken[i] > MAX_SHOWN ? ", ..." : ""));
+      }
+    }
+    return lines;
+  }
+}
