@@ -36,10 +36,18 @@ public final class JsonFile {
   private static final String PARSER_TALK =
       ": (enable|hexa).*|:? \\((start marker|for |not recognized|consider).*|, from `[^`]*`";
 
-  private final String file;
+  /** Values in a large file at most: each takes far more memory than letters of the file. */
+  private static final int MAX_VALUES = 1 << 19;
 
-  private JsonFile(String file) {
+  private final String file;
+  private final int maxBytes;
+  private final int deepest;
+  private int values;
+
+  private JsonFile(String file, int maxBytes, int deepest) {
     this.file = file;
+    this.maxBytes = maxBytes;
+    this.deepest = deepest;
   }
 
   /**
@@ -48,7 +56,19 @@ public final class JsonFile {
    * @throws JsonException if that fails, or it is not one JSON value
    */
   public static Json read(String file, InputStream in) throws JsonException {
-    return new JsonFile(file).read(in);
+    return read(file, in, MAX_BYTES, DEEPEST);
+  }
+
+  /**
+   * Reads all of a file of another program, which may be larger.
+   *
+   * @param maxBytes what it may have
+   * @param deepest objects and arrays within one another at most
+   * @throws JsonException if that fails, or it is not one JSON value
+   */
+  public static Json read(String file, InputStream in, int maxBytes, int deepest)
+      throws JsonException {
+    return new JsonFile(file, maxBytes, deepest).read(in);
   }
 
   /**
@@ -93,10 +113,10 @@ public final class JsonFile {
   private byte[] bytes(InputStream in) throws JsonException {
     try {
       // what a device or a pipe says of its size is worth nothing, so the reading itself is bounded
-      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
-      if (bytes.length > MAX_BYTES) {
+      byte[] bytes = in.readNBytes(maxBytes + 1);
+      if (bytes.length > maxBytes) {
         throw new JsonException(
-            file + ": has more than " + MAX_BYTES + " bytes, must be at most that many");
+            file + ": has more than " + maxBytes + " bytes, must be at most that many");
       }
       return bytes;
     } catch (IOException e) {
@@ -123,8 +143,11 @@ public final class JsonFile {
 
   private Json value(JsonParser parser, int depth) throws JsonException {
     FilePosition place = here(parser);
-    if (depth > DEEPEST) {
-      throw place.refusal("more than " + DEEPEST + " values within one another");
+    if (depth > deepest) {
+      throw place.refusal("more than " + deepest + " values within one another");
+    }
+    if (++values > MAX_VALUES) {
+      throw place.refusal("more than " + MAX_VALUES + " values");
     }
     return switch (parser.currentToken()) {
       case START_OBJECT -> members(parser, depth, place);

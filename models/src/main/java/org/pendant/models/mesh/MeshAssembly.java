@@ -2,17 +2,22 @@ package org.pendant.models.mesh;
 
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import org.pendant.models.json.JsonValues;
 
 /**
  * Mesh assembly: makes a solid of the triangles of a file, and refuses what is none. Points at the
- * same place are one.
+ * same place are one, and where the surface is open otherwise, those that nearly are.
  */
 final class MeshAssembly {
   /** Coordinates beyond this are no lengths of anything, m. */
   private static final double MAX_COORDINATE_M = 100;
+
+  /** How near points are that are joined where the surface is open, of its longest side. */
+  private static final List<Double> JOINED = List.of(1e-6, 1e-5, 1e-4);
 
   private final double scale;
   private final Map<Place, Integer> numbers = new HashMap<>();
@@ -94,15 +99,29 @@ final class MeshAssembly {
         + ": export it coarser";
   }
 
+  /** What can be told of it, whether it is a solid or not. */
+  MeshLook look() {
+    Optional<TriangleMesh> mesh = Optional.empty();
+    Optional<String> problem = Optional.empty();
+    try {
+      mesh = Optional.of(mesh());
+    } catch (MeshException e) {
+      problem = Optional.of(e.getMessage());
+    }
+    return new MeshLook(corners.length / 3, length(0), length(1), length(2), mesh, problem);
+  }
+
   /** The solid. */
   TriangleMesh mesh() throws MeshException {
     if (read == 0) {
+      corners = new int[0];
+      points = new double[0];
       throw new MeshException("has no triangles, must have at least 4");
     }
+    corners = Arrays.copyOf(corners, cornerCount);
     if (cornerCount == 0) {
       throw new MeshException("no triangle has an area");
     }
-    corners = Arrays.copyOf(corners, cornerCount);
     keepUsed();
     requireSize();
     requireClosed();
@@ -120,7 +139,7 @@ final class MeshAssembly {
 
   /** Keeps the points that triangles have, in the order in which they have them. */
   private void keepUsed() {
-    int[] kept = new int[numbers.size()];
+    int[] kept = new int[points.length / 3];
     double[] used = new double[3 * Math.min(kept.length, corners.length)];
     int count = 0;
     for (int i = 0; i < corners.length; i++) {
@@ -135,17 +154,17 @@ final class MeshAssembly {
   }
 
   private double longest() {
-    double longest = 0;
-    for (int axis = 0; axis < 3; axis++) {
-      double least = Double.POSITIVE_INFINITY;
-      double most = Double.NEGATIVE_INFINITY;
-      for (int i = axis; i < points.length; i += 3) {
-        least = Math.min(least, points[i]);
-        most = Math.max(most, points[i]);
-      }
-      longest = Math.max(longest, most - least);
+    return Math.max(length(0), Math.max(length(1), length(2)));
+  }
+
+  private double length(int axis) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = Double.NEGATIVE_INFINITY;
+    for (int i = axis; i < points.length; i += 3) {
+      least = Math.min(least, points[i]);
+      most = Math.max(most, points[i]);
     }
-    return longest;
+    return Math.max(0, most - least);
   }
 
   private void requireSize() throws MeshException {
@@ -157,34 +176,50 @@ final class MeshAssembly {
     }
   }
 
-  /** For each edge, how many triangles go along it in one direction more than in the other. */
+  /**
+   * Refuses what is not closed. If it is only where points are that are meant to be one, these are
+   * joined: the nearest first, so that no more than needed are.
+   */
   private void requireClosed() throws MeshException {
-    Map<Long, Integer> more = new HashMap<>();
-    for (int i = 0; i < cornerCount; i++) {
-      int from = corners[i];
-      int to = corners[i % 3 == 2 ? i - 2 : i + 1];
-      long edge = ((long) Math.min(from, to) << 32) | Math.max(from, to);
-      more.merge(edge, from < to ? 1 : -1, Integer::sum);
+    OpenEdges open = new OpenEdges(corners);
+    for (int i = 0; i < JOINED.size() && open.count() > 0; i++) {
+      join(JOINED.get(i) * longest());
+      open = new OpenEdges(corners);
     }
-    long open = more.values().stream().filter(each -> each != 0).count();
-    if (open == 0) {
-      return;
+    if (corners.length == 0) {
+      throw new MeshException("no triangle has an area");
     }
-    for (int i = 0; i < cornerCount; i++) {
-      int from = corners[i];
-      int to = corners[i % 3 == 2 ? i - 2 : i + 1];
-      if (more.get(((long) Math.min(from, to) << 32) | Math.max(from, to)) != 0) {
-        throw new MeshException(
-            "is not closed: "
-                + open
-                + (open == 1 ? " edge has" : " edges have")
-                + " no triangle on the other side, or one that faces the other way, the first from "
-                + place(from)
-                + " to "
-                + place(to)
-                + "; must be the surface of a solid");
+    long count = open.count();
+    if (count > 0) {
+      int[] first = open.first();
+      throw new MeshException(
+          "is not closed: "
+              + count
+              + (count == 1 ? " edge has" : " edges have")
+              + " no triangle on the other side, or one that faces the other way, the first from "
+              + place(first[0])
+              + " to "
+              + place(first[1])
+              + "; must be the surface of a solid");
+    }
+  }
+
+  /** Makes one of points that are as near as that; triangles that are nothing then go. */
+  private void join(double withinM) {
+    int[] first = PointJoin.firstWithin(points, withinM);
+    int kept = 0;
+    for (int i = 0; i < corners.length; i += 3) {
+      int a = first[corners[i]];
+      int b = first[corners[i + 1]];
+      int c = first[corners[i + 2]];
+      if (a != b && b != c && c != a) {
+        corners[kept++] = a;
+        corners[kept++] = b;
+        corners[kept++] = c;
       }
     }
+    corners = Arrays.copyOf(corners, kept);
+    keepUsed();
   }
 
   /** Where a point is, as the file has it. */
@@ -204,7 +239,7 @@ final class MeshAssembly {
 
   /** Has all triangles face the other way. */
   private void turn() {
-    for (int i = 0; i < cornerCount; i += 3) {
+    for (int i = 0; i < corners.length; i += 3) {
       int second = corners[i + 1];
       corners[i + 1] = corners[i + 2];
       corners[i + 2] = second;

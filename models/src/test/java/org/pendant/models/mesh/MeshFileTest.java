@@ -67,6 +67,59 @@ class MeshFileTest {
     assertEquals(1e-4, read("a.stl", MeshTexts.binaryStl(turned)).volumeM3(), 1e-9);
   }
 
+  /** The same triangles with each corner a little elsewhere, as if it were rounded by itself. */
+  private static float[][] shaken(Random random, float[][] solid, double by) {
+    return Arrays.stream(solid)
+        .map(
+            triangle -> {
+              float[] moved = triangle.clone();
+              for (int i = 0; i < moved.length; i++) {
+                moved[i] += (float) (by * (2 * random.nextDouble() - 1));
+              }
+              return moved;
+            })
+        .toArray(float[][]::new);
+  }
+
+  @Test
+  void cornersThatNearlyAreAtOnePlaceAreJoined() throws MeshException {
+    Random random = new Random(21);
+    for (double share : new double[] {2e-7, 2e-6, 2e-5}) {
+      float[][] solid = MeshTexts.bumpy(random, 6, 8, 100);
+      TriangleMesh wanted = read("a.stl", MeshTexts.binaryStl(solid));
+      TriangleMesh found = read("a.stl", MeshTexts.textStl(shaken(random, solid, 200 * share)));
+
+      assertEquals(wanted.triangles(), found.triangles());
+      assertEquals(wanted.points(), found.points());
+      assertEquals(wanted.volumeM3(), found.volumeM3(), 1e-3 * wanted.volumeM3());
+    }
+  }
+
+  @Test
+  void whatIsFartherApartIsAHoleAndItsPlaceIsTold() {
+    float[][] solid = MeshTexts.bumpy(new Random(22), 6, 8, 100);
+    String shaken =
+        refusal("a.stl", MeshTexts.binaryStl(shaken(new Random(23), solid, 200 * 2e-3)));
+    assertTrue(shaken.startsWith("is not closed: "), shaken);
+    float[][] hole = shaken(new Random(24), Arrays.copyOf(solid, solid.length - 1), 1e-4);
+    String open = refusal("a.stl", MeshTexts.binaryStl(hole));
+    assertTrue(open.startsWith("is not closed: 3 edges have no triangle"), open);
+  }
+
+  @Test
+  void whatIsClosedAsItIsKeepsItsSmallestParts() throws MeshException {
+    float[][] tiny = MeshTexts.box(0.001f, 0.001f, 0.001f);
+    float[][] both = Arrays.copyOf(BOX, BOX.length + tiny.length);
+    for (int i = 0; i < tiny.length; i++) {
+      both[BOX.length + i] = tiny[i].clone();
+      for (int k = 0; k < 9; k += 3) {
+        both[BOX.length + i][k] += 200;
+      }
+    }
+
+    assertEquals(24, read("a.stl", MeshTexts.binaryStl(both)).triangles());
+  }
+
   @Test
   void facesWithMoreCornersAreCutIntoTriangles() throws MeshException {
     String text =
@@ -149,7 +202,9 @@ class MeshFileTest {
                 MeshException.class,
                 () -> MeshFile.read("a.stl", MeshTexts.binaryStl(BOX), MeshUnit.METRE))
             .getMessage());
-    assertEquals("is no mesh that is known: must end with .stl or .obj", refusal("a.step", "ISO"));
+    assertEquals(
+        "is no mesh that is known: must end with .stl, .obj, .glb or .gltf",
+        refusal("a.step", "ISO"));
   }
 
   @Test

@@ -2,7 +2,9 @@ package org.pendant.controller.world;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import org.pendant.models.mesh.MeshException;
+import org.pendant.models.mesh.MeshLook;
 import org.pendant.models.mesh.MeshUnit;
 import org.pendant.models.mesh.TriangleMesh;
 
@@ -27,6 +29,27 @@ public interface MeshFiles {
   /** The files in a folder, and in those below it. */
   static MeshFiles in(Path folder) {
     return new MeshFolder(folder);
+  }
+
+  /**
+   * Looks at a file in a folder, which may be no solid.
+   *
+   * @param name from the folder on
+   * @throws IOException if it cannot be read; its message is the reason alone
+   * @throws MeshException if it is no mesh at all
+   */
+  static MeshLook look(Path folder, String name, MeshUnit unit) throws IOException, MeshException {
+    return new MeshFolder(folder).look(name, unit);
+  }
+
+  /**
+   * The file of a mesh, and those beside it that it names: all that has to go along with it.
+   *
+   * @param name from the folder on, as the others
+   * @throws IOException if one cannot be read
+   */
+  static List<String> named(Path folder, String name) throws IOException {
+    return new MeshFolder(folder).named(name);
   }
 
   /** Those that a scene has already, for reading what was written of it. */

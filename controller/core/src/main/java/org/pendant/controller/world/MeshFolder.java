@@ -8,8 +8,12 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.pendant.models.mesh.MeshException;
 import org.pendant.models.mesh.MeshFile;
+import org.pendant.models.mesh.MeshLook;
+import org.pendant.models.mesh.MeshNeighbours;
 import org.pendant.models.mesh.MeshUnit;
 import org.pendant.models.mesh.TriangleMesh;
 
@@ -18,7 +22,34 @@ record MeshFolder(Path folder) implements MeshFiles {
 
   @Override
   public TriangleMesh read(String name, MeshUnit unit) throws IOException, MeshException {
-    return MeshFile.read(name, bytes(name), unit);
+    return MeshFile.read(name, bytes(name), unit, beside(name));
+  }
+
+  /** What can be told of a file; its message is the reason alone where it cannot be read. */
+  MeshLook look(String name, MeshUnit unit) throws IOException, MeshException {
+    return MeshFile.look(name, bytes(name), unit, beside(name));
+  }
+
+  /** The file of a mesh and those that it names, from the folder on. */
+  List<String> named(String name) throws IOException {
+    List<String> files = new ArrayList<>(List.of(name));
+    MeshNeighbours told =
+        other -> {
+          files.add(name.substring(0, name.lastIndexOf('/') + 1) + other);
+          return beside(name).read(other);
+        };
+    try {
+      var _ = MeshFile.look(name, bytes(name), MeshUnit.METRE, told);
+    } catch (MeshException e) {
+      throw new IOException(name + ": " + e.getMessage(), e);
+    }
+    return files;
+  }
+
+  /** The files beside that of a mesh. */
+  private MeshNeighbours beside(String name) {
+    String within = name.substring(0, name.lastIndexOf('/') + 1);
+    return other -> bytes(within + other);
   }
 
   private byte[] bytes(String name) throws IOException {

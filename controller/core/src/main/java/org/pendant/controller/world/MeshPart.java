@@ -42,6 +42,6 @@ public record MeshPart(String file, MeshUnit unit, TriangleMesh triangles) {
     }
     return MeshFile.hasEnding(file)
         ? Optional.empty()
-        : Optional.of("mesh is " + Json.quoted(file) + ", must end with .stl or .obj");
+        : Optional.of("mesh is " + Json.quoted(file) + ", " + MeshFile.MUST_END);
   }
 }

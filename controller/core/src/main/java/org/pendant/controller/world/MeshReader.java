@@ -8,6 +8,7 @@ import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.mesh.MeshException;
+import org.pendant.models.mesh.MeshFile;
 import org.pendant.models.mesh.MeshUnit;
 
 /** Mesh reader: reads the meshes that a scene names, each file once. */
@@ -34,7 +35,7 @@ final class MeshReader {
     if (refusal.isPresent()) {
       throw file.place().refusal(refusal.get());
     }
-    Wanted wanted = new Wanted(file.value(), unit(whole, object));
+    Wanted wanted = new Wanted(file.value(), unit(file.value(), whole, object));
     MeshPart part = known.get(wanted);
     if (part == null) {
       part = read(wanted, file);
@@ -43,8 +44,11 @@ final class MeshReader {
     return part;
   }
 
-  private static MeshUnit unit(Json whole, JsonFields object) throws JsonException {
+  private static MeshUnit unit(String file, Json whole, JsonFields object) throws JsonException {
     if (object.optional("unit").isEmpty()) {
+      if (MeshFile.unit(file).isPresent()) {
+        return MeshFile.unit(file).get();
+      }
       throw whole
           .place()
           .refusal("unit is missing, " + UNITS + ": a mesh does not say what its numbers count");

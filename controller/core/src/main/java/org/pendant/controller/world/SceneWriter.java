@@ -3,10 +3,12 @@ package org.pendant.controller.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.json.JsonValues;
+import org.pendant.models.mesh.MeshFile;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Wrench;
 
@@ -90,8 +92,7 @@ public final class SceneWriter {
                   + pose(mesh.poseInBase())
                   + ", \"mesh\": "
                   + JsonValues.text(mesh.part().file())
-                  + ", \"unit\": "
-                  + JsonValues.text(mesh.part().unit().word());
+                  + unit(mesh.part());
           case SceneObject.Sphere sphere ->
               "{\"type\": \"sphere\", "
                   + name
@@ -103,6 +104,12 @@ public final class SceneWriter {
         + (object.massKg() > 0 ? ", \"mass\": " + JsonValues.number(object.massKg()) : "")
         + material(object.material())
         + "}";
+  }
+
+  private static String unit(MeshPart part) {
+    return MeshFile.unit(part.file()).equals(Optional.of(part.unit()))
+        ? ""
+        : ", \"unit\": " + JsonValues.text(part.unit().word());
   }
 
   private static String material(Material material) {

@@ -111,7 +111,7 @@ final class MeshObjectTest {
         "s.json:1:88: none.stl: is not there",
         refusal(OBJECT.replace("parts/block.obj", "none.stl")));
     assertEquals(
-        "s.json:1:88: mesh is \"part.step\", must end with .stl or .obj",
+        "s.json:1:88: mesh is \"part.step\", must end with .stl, .obj, .glb or .gltf",
         refusal(OBJECT.replace("parts/block.obj", "part.step")));
     Files.writeString(folder.resolve("parts/block.obj"), BLOCK.replace("f 5 6 7 8\n", ""));
     String open = refusal(OBJECT);

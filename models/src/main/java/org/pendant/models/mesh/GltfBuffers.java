@@ -1,0 +1,234 @@
+package org.pendant.models.mesh;
+
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.pendant.models.json.Json;
+import org.pendant.models.json.JsonException;
+import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.Range;
+
+/** glTF buffers: the numbers of a file, by its accessors. Whatever they say stays in bounds. */
+final class GltfBuffers {
+  private static final int MAX_BUFFERS = 100;
+  private static final int MAX_VIEWS = 100_000;
+  private static final Range BYTES = new Range(0, MeshFile.MAX_BYTES, "");
+  private static final Range STRIDE = new Range(4, 252, "");
+  private static final Range COUNT = new Range(1, 3.0 * TriangleMesh.MAX_TRIANGLES, "");
+  private static final Range COMPONENT = new Range(5120, 5126, "");
+
+  private final List<ByteBuffer> buffers = new ArrayList<>();
+  private final List<JsonFields> views;
+  private final List<JsonFields> accessors;
+
+  GltfBuffers(GltfFile file, MeshNeighbours beside) throws MeshException, JsonException {
+    long all = 0;
+    for (JsonFields buffer : list(file.root(), "buffers", MAX_BUFFERS)) {
+      int length = whole(buffer, "byteLength", BYTES);
+      ByteBuffer bytes = buffer(buffer, file, beside);
+      if (bytes.remaining() < length) {
+        throw new MeshException(
+            "is cut: buffer "
+                + buffers.size()
+                + " has "
+                + bytes.remaining()
+                + " bytes, must have "
+                + length);
+      }
+      all += length;
+      if (all > MeshFile.MAX_BYTES) {
+        throw new MeshException(
+            "has more than " + MeshFile.MAX_BYTES + " bytes of buffers, must be at most that many");
+      }
+      buffers.add(bytes.slice(0, length).order(ByteOrder.LITTLE_ENDIAN));
+    }
+    views = list(file.root(), "bufferViews", MAX_VIEWS);
+    accessors = list(file.root(), "accessors", MAX_VIEWS);
+  }
+
+  /** Numbers of an accessor: some for each element. */
+  interface Numbers {
+    /** How many elements there are. */
+    int count();
+
+    /** A number of an element. */
+    double at(int element, int component);
+  }
+
+  /** The objects of an array that may be left out. */
+  static List<JsonFields> list(JsonFields in, String key, int most) throws JsonException {
+    List<JsonFields> list = new ArrayList<>();
+    for (Json each : in.array(key, most)) {
+      list.add(new JsonFields(each, key));
+    }
+    return list;
+  }
+
+  /** A whole number that must be there. */
+  static int whole(JsonFields in, String key, Range range) throws JsonException {
+    double value = in.number(key, range);
+    if (value != Math.rint(value)) {
+      throw in.required(key).place().refusal(key + " is " + value + ", must be a whole number");
+    }
+    return (int) value;
+  }
+
+  private static int offset(JsonFields in) throws JsonException {
+    return in.optional("byteOffset").isPresent() ? whole(in, "byteOffset", BYTES) : 0;
+  }
+
+  /** The element of a list that a key names. */
+  static JsonFields named(JsonFields in, String key, List<JsonFields> list) throws JsonException {
+    return list.get(index(in, key, list.size()));
+  }
+
+  /** The number of an element of a list, which must be there. */
+  static int index(JsonFields in, String key, int size) throws JsonException {
+    if (size == 0) {
+      throw in.required(key).place().refusal(key + " names what is not there");
+    }
+    return whole(in, key, new Range(0, size - 1.0, ""));
+  }
+
+  private static ByteBuffer buffer(JsonFields buffer, GltfFile file, MeshNeighbours beside)
+      throws MeshException, JsonException {
+    if (buffer.optional("uri").isEmpty()) {
+      return file.behind()
+          .orElseThrow(() -> new MeshException("has a buffer without a uri, and no bytes of it"));
+    }
+    Json.Text uri = buffer.text("uri");
+    String text = uri.value();
+    if (text.toLowerCase(Locale.ROOT).startsWith("data:")) {
+      int comma = text.indexOf(',');
+      if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
+        throw uri.place().refusal("uri is " + uri.described() + ", must be data in base64");
+      }
+      try {
+        return ByteBuffer.wrap(Base64.getDecoder().decode(text.substring(comma + 1)));
+      } catch (IllegalArgumentException e) {
+        throw uri.place().refusal("uri is no base64: " + e.getMessage());
+      }
+    }
+    String name = decoded(uri);
+    try {
+      return ByteBuffer.wrap(beside.read(name));
+    } catch (IOException e) {
+      throw uri.place().refusal(name + ": " + e.getMessage());
+    }
+  }
+
+  /** The name of a file beside this one, or below. */
+  private static String decoded(Json.Text uri) throws JsonException {
+    String name;
+    try {
+      name = URLDecoder.decode(uri.value().replace("+", "%2B"), StandardCharsets.UTF_8);
+    } catch (IllegalArgumentException e) {
+      throw uri.place()
+          .refusal("uri is " + uri.described() + ", must be a name: " + e.getMessage());
+    }
+    if (name.startsWith("/")
+        || name.indexOf('\\') >= 0
+        || name.indexOf(':') >= 0
+        || List.of(name.split("/", -1)).contains("..")) {
+      throw uri.place()
+          .refusal("uri is " + uri.described() + ", must be a file beside this one, or below");
+    }
+    return name;
+  }
+
+  /** Where three coordinates of points are. */
+  Numbers points(int accessor) throws MeshException, JsonException {
+    return numbers(accessor, "VEC3", 3);
+  }
+
+  /** Numbers of points. */
+  Numbers indices(int accessor) throws MeshException, JsonException {
+    return numbers(accessor, "SCALAR", 1);
+  }
+
+  int accessors() {
+    return accessors.size();
+  }
+
+  private Numbers numbers(int number, String type, int each) throws MeshException, JsonException {
+    JsonFields accessor = accessors.get(number);
+    Json.Text is = accessor.text("type");
+    if (!is.value().equals(type)) {
+      throw is.place().refusal("type is " + is.described() + ", must be " + type);
+    }
+    if (accessor.optional("sparse").isPresent() || accessor.optional("bufferView").isEmpty()) {
+      throw accessor.place().refusal("an accessor is sparse or has no numbers, which is not read");
+    }
+    int component = whole(accessor, "componentType", COMPONENT);
+    int size = size(component, accessor);
+    int count = whole(accessor, "count", COUNT);
+    JsonFields view = named(accessor, "bufferView", views);
+    ByteBuffer buffer = buffers.get(index(view, "buffer", buffers.size()));
+    int viewAt = offset(view);
+    int viewLength = whole(view, "byteLength", BYTES);
+    int stride =
+        view.optional("byteStride").isPresent() ? whole(view, "byteStride", STRIDE) : each * size;
+    int at = offset(accessor);
+    long needed = at + (long) stride * (count - 1) + (long) each * size;
+    if (needed > viewLength || (long) viewAt + viewLength > buffer.limit()) {
+      throw accessor
+          .place()
+          .refusal(
+              "an accessor of "
+                  + count
+                  + " elements needs "
+                  + needed
+                  + " bytes, its view has "
+                  + Math.max(0, Math.min(viewLength, buffer.limit() - viewAt)));
+    }
+    boolean normalized = accessor.flag("normalized");
+    int first = viewAt + at;
+    return new Numbers() {
+      @Override
+      public int count() {
+        return count;
+      }
+
+      @Override
+      public double at(int element, int part) {
+        return number(buffer, first + element * stride + part * size, component, normalized);
+      }
+    };
+  }
+
+  private static int size(int component, JsonFields accessor) throws JsonException {
+    return switch (component) {
+      case 5120, 5121 -> 1;
+      case 5122, 5123 -> 2;
+      case 5125, 5126 -> 4;
+      default ->
+          throw accessor
+              .required("componentType")
+              .place()
+              .refusal("componentType is " + component + ", must be 5120 to 5123, 5125 or 5126");
+    };
+  }
+
+  private static double number(ByteBuffer buffer, int at, int component, boolean normalized) {
+    return switch (component) {
+      case 5120 -> normalized ? Math.max(-1, buffer.get(at) / 127.0) : buffer.get(at);
+      case 5121 -> Byte.toUnsignedInt(buffer.get(at)) / (normalized ? 255.0 : 1);
+      case 5122 -> normalized ? Math.max(-1, buffer.getShort(at) / 32767.0) : buffer.getShort(at);
+      case 5123 -> Short.toUnsignedInt(buffer.getShort(at)) / (normalized ? 65535.0 : 1);
+      case 5125 -> Integer.toUnsignedLong(buffer.getInt(at));
+      default -> buffer.getFloat(at);
+    };
+  }
+
+  /** The index of an optional key, if it is there. */
+  static Optional<Integer> optionalIndex(JsonFields in, String key, int size) throws JsonException {
+    return in.optional(key).isPresent() ? Optional.of(index(in, key, size)) : Optional.empty();
+  }
+}
