@@ -4,19 +4,19 @@ import java.awt.Component;
 import java.awt.Dialog.ModalityType;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.io.IOException;
+import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.function.BiConsumer;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
-import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.MeshPart;
 import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SceneDraft;
@@ -24,12 +24,13 @@ import org.pendant.kit.background.Background;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
-import org.pendant.models.mesh.MeshException;
+import org.pendant.models.mesh.MeshFile;
 import org.pendant.models.mesh.MeshUnit;
 
 /**
- * Mesh dialog: asks for a file of triangles and for its unit, which the file does not say, while
- * the window behind it can be used. What is wrong with them is told in it.
+ * Mesh dialog: asks for a file of triangles, for its unit, which most files do not say, and for a
+ * mass, while the window behind it can be used. It tells what a file is before it is added, and
+ * what is wrong beside the field that it is wrong in.
  */
 final class MeshDialog {
   private static final String TITLE = "Add mesh";
@@ -37,51 +38,92 @@ final class MeshDialog {
 
   private final SceneDraft draft;
   private final Runnable close;
+  private final Taker chosen;
   private final JFileChooser chooser;
   private final JComboBox<String> unit = new JComboBox<>();
-  private final Remark problem = new Remark("mesh-problem", Palette::error);
-  private final BiConsumer<String, MeshPart> chosen;
+  private final JTextField mass = new JTextField();
+  private final Remark facts = new Remark("mesh-facts", Palette::quiet);
+  private final Remark fileProblem = new Remark("mesh-problem", Palette::error);
+  private final Remark unitProblem = new Remark("mesh-unit-problem", Palette::error);
+  private final Remark massProblem = new Remark("mesh-mass-problem", Palette::error);
 
-  private MeshDialog(SceneDraft draft, Runnable close, BiConsumer<String, MeshPart> chosen) {
+  /** What was asked for last; answers to others come too late. */
+  private Optional<MeshChoice> looking = Optional.empty();
+
+  private MeshChoice.Facts known = MeshChoice.Facts.NONE;
+  private boolean adding;
+
+  /** Takes what was chosen. */
+  @FunctionalInterface
+  interface Taker {
+    /**
+     * Takes it.
+     *
+     * @param name of the file without its ending
+     * @param massKg 0 for what stands still
+     */
+    void take(String name, MeshPart part, double massKg);
+  }
+
+  /**
+   * The content of a dialog.
+   *
+   * @param close shuts it
+   */
+  MeshDialog(SceneDraft draft, Runnable close, Taker chosen) {
     this.draft = draft;
     this.close = close;
     this.chosen = chosen;
     chooser = new JFileChooser(folder().map(Path::toFile).orElse(null));
     chooser.setName("mesh-dialog");
     chooser.getAccessibleContext().setAccessibleName(TITLE);
-    chooser.setFileFilter(new FileNameExtensionFilter("Meshes (STL, OBJ)", "stl", "obj"));
+    chooser.setFileFilter(
+        new FileNameExtensionFilter(
+            "Meshes (STL, OBJ, glTF)", MeshFile.ENDINGS.toArray(String[]::new)));
     chooser.setApproveButtonText("Add");
+    chooser.setAccessory(side());
+    chooser.addPropertyChangeListener(JFileChooser.SELECTED_FILE_CHANGED_PROPERTY, event -> look());
+    chooser.addActionListener(
+        event -> {
+          if (event.getActionCommand().equals(JFileChooser.APPROVE_SELECTION)) {
+            add();
+          } else {
+            close.run();
+          }
+        });
+    unit.addActionListener(event -> look());
+    if (folder().isEmpty()) {
+      fileProblem.say(choice().missing());
+    }
+  }
+
+  private JPanel side() {
     TitledCard.named(unit, "mesh-unit", "Unit of the numbers in the file");
     unit.addItem(NO_UNIT);
     for (MeshUnit each : MeshUnit.values()) {
       unit.addItem(each.word());
     }
-    JPanel side = new JPanel(new MigLayout("insets 0 12 0 0, wrap, width 200!", "[grow, fill]"));
-    JLabel label = new JLabel("Unit of the file");
-    label.setLabelFor(unit);
-    side.add(label);
+    TitledCard.named(mass, "mesh-mass", "Mass in kg; empty for what stands still");
+    JPanel side = new JPanel(new MigLayout("insets 0 12 0 0, wrap, width 220!", "[grow, fill]"));
+    side.add(label("Unit of the file", unit));
     side.add(unit);
-    side.add(problem, Remark.LAYOUT);
-    chooser.setAccessory(side);
-    chooser.addActionListener(
-        event -> {
-          if (event.getActionCommand().equals(JFileChooser.APPROVE_SELECTION)) {
-            take(chooser.getSelectedFile().toPath().toAbsolutePath().normalize());
-          } else {
-            close.run();
-          }
-        });
-    if (folder().isEmpty()) {
-      problem.say("Save the scene first: meshes are files in its folder.");
-    }
+    side.add(unitProblem, Remark.LAYOUT);
+    side.add(label("Mass, kg (empty: stands still)", mass));
+    side.add(mass);
+    side.add(massProblem, Remark.LAYOUT);
+    side.add(facts, Remark.LAYOUT + ", gaptop 8");
+    side.add(fileProblem, Remark.LAYOUT);
+    return side;
   }
 
-  /**
-   * Opens the dialog.
-   *
-   * @param chosen takes the name of the file without its ending, and its triangles
-   */
-  static void show(Component parent, SceneDraft draft, BiConsumer<String, MeshPart> chosen) {
+  private static JLabel label(String text, JComponent of) {
+    JLabel label = new JLabel(text);
+    label.setLabelFor(of);
+    return label;
+  }
+
+  /** Opens the dialog. */
+  static void show(Component parent, SceneDraft draft, Taker chosen) {
     JDialog dialog =
         new JDialog(SwingUtilities.getWindowAncestor(parent), TITLE, ModalityType.MODELESS);
     MeshDialog content = new MeshDialog(draft, dialog::dispose, chosen);
@@ -98,54 +140,89 @@ final class MeshDialog {
     dialog.setVisible(true);
   }
 
+  /** The chooser, with all fields in it. */
+  JFileChooser component() {
+    return chooser;
+  }
+
   private Optional<Path> folder() {
     return draft.document().onDisk().map(SavedProgram::path).map(Path::getParent);
   }
 
-  private void take(Path file) {
-    Optional<Path> folder = folder();
-    Optional<MeshUnit> of = MeshUnit.of(String.valueOf(unit.getSelectedItem()));
-    if (folder.isEmpty()) {
-      problem.say("Save the scene first: meshes are files in its folder.");
-    } else if (!file.startsWith(folder.get())) {
-      problem.say("The file must be in the folder of the scene, " + folder.get() + ", or below.");
-    } else if (of.isEmpty()) {
-      problem.say("Choose the unit: the file does not say what its numbers count.");
-      unit.requestFocusInWindow();
-    } else {
-      read(folder.get(), file, of.get());
+  private MeshChoice choice() {
+    return new MeshChoice(
+        folder(),
+        Optional.ofNullable(chooser.getSelectedFile())
+            .map(File::toPath)
+            .map(path -> path.toAbsolutePath().normalize()),
+        MeshUnit.of(String.valueOf(unit.getSelectedItem())));
+  }
+
+  /** Tells what the chosen file is, as far as that can be known. */
+  private void look() {
+    MeshChoice now = choice();
+    if (looking.equals(Optional.of(now))) {
+      return;
+    }
+    looking = Optional.of(now);
+    known = MeshChoice.Facts.NONE;
+    adding = false;
+    facts.say("");
+    unitProblem.say("");
+    massProblem.say("");
+    fileProblem.say(now.file().isEmpty() ? "" : now.missing());
+    if (now.missing().isEmpty() && now.unit().isEmpty() && now.knownUnit().isPresent()) {
+      // asks for another look, with the unit that the format has
+      unit.setSelectedItem(now.knownUnit().get().word());
+    } else if (now.missing().isEmpty() && now.knownUnit().isPresent()) {
+      facts.say("Reading\u2026");
+      Background.run(
+          now::look, found -> found(now, found), failed -> fileProblem.say(failed.getMessage()));
     }
   }
 
-  private void read(Path folder, Path file, MeshUnit of) {
-    String name = name(folder, file);
-    Background.run(
-        () -> part(folder, name, of),
-        part -> {
-          close.run();
-          chosen.accept(stem(name), part);
-        },
-        failed -> problem.say(name + ": " + failed.getMessage()));
+  private void found(MeshChoice of, MeshChoice.Facts found) {
+    if (!looking.equals(Optional.of(of))) {
+      return;
+    }
+    known = found;
+    facts.say(String.join("\n", found.lines()));
+    fileProblem.say(found.problem());
+    if (adding) {
+      finish(of);
+    }
   }
 
-  private static MeshPart part(Path folder, String name, MeshUnit of) throws IOException {
+  /** Adds what was chosen, as soon as it has been read again: the file may have changed. */
+  private void add() {
+    looking = Optional.empty();
+    look();
+    MeshChoice now = choice();
+    fileProblem.say(now.missing());
+    if (now.missing().isEmpty()) {
+      unitProblem.say(now.missingUnit());
+      adding = now.knownUnit().isPresent();
+      if (!adding) {
+        unit.requestFocusInWindow();
+      }
+    }
+  }
+
+  private void finish(MeshChoice of) {
+    adding = false;
+    if (known.part().isEmpty()) {
+      return;
+    }
+    MeshPart part = known.part().get();
+    double massKg;
     try {
-      return new MeshPart(name, of, MeshFiles.in(folder).read(name, of));
-    } catch (MeshException | IllegalArgumentException e) {
-      throw new IOException(e.getMessage(), e);
+      massKg = MeshChoice.massKg(mass.getText(), part);
+    } catch (IllegalArgumentException e) {
+      massProblem.say(e.getMessage());
+      mass.requestFocusInWindow();
+      return;
     }
-  }
-
-  /** The name of a file as scenes have it. */
-  private static String name(Path folder, Path file) {
-    return folder.relativize(file).toString().replace('\\', '/');
-  }
-
-  /** What an object of it is called. */
-  private static String stem(String name) {
-    String last = name.substring(name.lastIndexOf('/') + 1);
-    int dot = last.lastIndexOf('.');
-    String stem = dot > 0 ? last.substring(0, dot) : last;
-    return stem.length() > 40 ? stem.substring(0, 40) : stem;
+    close.run();
+    chosen.take(of.stem(), part, massKg);
   }
 }

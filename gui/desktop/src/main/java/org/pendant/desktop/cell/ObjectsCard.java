@@ -88,13 +88,14 @@ final class ObjectsCard {
             MeshDialog.show(
                 card,
                 draft,
-                (name, part) ->
+                (name, part, massKg) ->
                     take.accept(
                         new SceneObject.Mesh(
                             items.freshName(name),
                             new Pose(IN_FRONT_M, besideM(), 0, 0, 0, 0),
                             part,
-                            Material.DEFAULT))));
+                            Material.DEFAULT,
+                            massKg))));
     PartsForm<SceneObject> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
@@ -55,6 +56,10 @@ public final class SceneDraft {
 
     String text() {
       return SceneWriter.write(scene, equipment);
+    }
+
+    Content with(UnaryOperator<Scene> as) {
+      return new Content(as.apply(scene), equipment);
     }
   }
 
@@ -185,6 +190,27 @@ public final class SceneDraft {
    */
   public void setEquipment(Map<String, String> members) {
     change(new Content(now.scene(), new LinkedHashMap<>(members)));
+  }
+
+  /**
+   * Has the scene, and all that can be undone, as another one that is the same thing: one that was
+   * saved in another folder, from where its meshes are named otherwise. Nothing of this can be
+   * undone.
+   */
+  public void rename(UnaryOperator<Scene> as) {
+    rename(done, as);
+    rename(undone, as);
+    row = row.map(each -> each.with(as));
+    now = now.with(as);
+    document.setText(now.text());
+    saved = document.modified() ? saved.with(as) : now;
+    tell();
+  }
+
+  private static void rename(Deque<Content> contents, UnaryOperator<Scene> as) {
+    List<Content> renamed = contents.stream().map(each -> each.with(as)).toList();
+    contents.clear();
+    contents.addAll(renamed);
   }
 
   private void change(Content next) {

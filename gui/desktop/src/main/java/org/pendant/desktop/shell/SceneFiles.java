@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.pendant.controller.world.MeshFiles;
+import org.pendant.controller.world.SceneWriter;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.DiskChange;
 import org.pendant.desktop.session.ProgramDocument;
@@ -16,6 +17,7 @@ import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.session.SceneMemory;
+import org.pendant.desktop.session.SceneMove;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
@@ -30,6 +32,7 @@ import org.pendant.kit.export.SaveRequest;
 final class SceneFiles {
   private static final String TROUBLE = "scene-trouble";
   private static final String CHANGED = "scene-change";
+  private static final String MESHES = "scene-meshes";
 
   private final ActiveInstallation installation;
   private final SceneDraft draft;
@@ -208,10 +211,83 @@ final class SceneFiles {
             List.of("json"),
             SceneFiles::fitting,
             List.of()),
-        chosen ->
-            chosen.ifPresentOrElse(
-                path -> saver.saveAs(document, document.toSaveAs(path), then),
-                () -> then.accept(false)));
+        chosen -> chosen.ifPresentOrElse(path -> saveAs(path, then), () -> then.accept(false)));
+  }
+
+  /**
+   * Saves what people change in a file that they have chosen, with the meshes that it names.
+   *
+   * @param then hears whether it is on disk now
+   */
+  void saveAs(Path path, Consumer<Boolean> then) {
+    ProgramDocument document = draft.document();
+    Optional<SceneMove> move =
+        document.file().map(file -> new SceneMove(file.getParent(), path.getParent()));
+    List<String> copies = move.map(each -> each.toCopy(draft.scene())).orElse(List.of());
+    if (copies.isEmpty()) {
+      write(document, path, move, then);
+      return;
+    }
+    notices.ask(
+        MESHES,
+        (copies.size() == 1
+                ? "The mesh " + copies.getFirst() + " is"
+                : copies.size() + " meshes, such as " + copies.getFirst() + ", are")
+            + " not in the new folder of the scene, where they have to be.",
+        List.of(
+            new Choice(
+                "Copy and save",
+                () ->
+                    Background.run(
+                        () -> {
+                          move.get().copy(copies);
+                          return copies.size();
+                        },
+                        copied -> write(document, path, move, then),
+                        failed -> {
+                          notices.tell(
+                              MESHES, "The scene is not saved there: " + failed.getMessage());
+                          then.accept(false);
+                        })),
+            new Choice("Cancel", () -> then.accept(false), true)));
+    notices.focus();
+  }
+
+  private void write(
+      ProgramDocument document, Path path, Optional<SceneMove> move, Consumer<Boolean> then) {
+    SavedProgram as = document.toSaveAs(path);
+    Optional<SceneMove> renaming =
+        move.filter(each -> !each.renamed(draft.scene()).equals(draft.scene()));
+    if (renaming.isEmpty()) {
+      saver.saveAs(document, as, then);
+      return;
+    }
+    String text = SceneWriter.write(renaming.get().renamed(draft.scene()), draft.equipment());
+    saver.saveAs(
+        document,
+        new SavedProgram(as.path(), text, as.charset(), as.carriageReturns(), as.remarks()),
+        saved -> {
+          if (saved && document == draft.document()) {
+            rename(renaming.get());
+          }
+          then.accept(saved);
+        });
+  }
+
+  /** Has all that is known of the scene name its meshes from the new folder. */
+  private void rename(SceneMove move) {
+    boolean isCurrent = draft.document() == ofCurrent && draft.scene().equals(current.scene());
+    draft.rename(move::renamed);
+    if (isCurrent) {
+      ProgramDocument document = draft.document();
+      try {
+        current =
+            SceneFile.of(document.name(), document.text(), MeshFiles.of(draft.scene()))
+                .at(document.name(), document.onDisk());
+      } catch (IOException e) {
+        trouble(e.getMessage(), document.file());
+      }
+    }
   }
 
   /** A scene is known by the ending of its file. */

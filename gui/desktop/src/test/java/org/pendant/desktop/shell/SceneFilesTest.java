@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,16 +15,19 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import javax.swing.JButton;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.session.SceneMemory;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.settings.Settings;
@@ -241,5 +246,94 @@ final class SceneFilesTest {
     DispatchThread.run(scenes::look);
     DispatchThread.await(() -> !scenes.looking());
     DispatchThread.run(() -> assertFalse(notices.shows("scene-change")));
+  }
+
+  /** A scene with a mesh in a folder below its own. */
+  private Path sceneWithMesh() throws IOException {
+    Path cell = Files.createDirectories(folder.resolve("cell/parts")).getParent();
+    Files.writeString(
+        cell.resolve("parts/a.obj"),
+        "v 0 0 0\nv 60 0 0\nv 60 40 0\nv 0 40 0\nv 30 20 20\n"
+            + "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+    return Files.writeString(
+        cell.resolve("m.scene.json"),
+        "{\"objects\": [{\"type\": \"mesh\", \"name\": \"a\", \"pose\": [0, 0, 0, 0, 0, 0],"
+            + " \"mesh\": \"parts/a.obj\", \"unit\": \"mm\"}]}");
+  }
+
+  private void saveAs(Path path) throws Exception {
+    DispatchThread.run(() -> scenes.saveAs(path, saved -> told.add("saved " + saved)));
+  }
+
+  private void press(String name) throws Exception {
+    DispatchThread.run(
+        () -> {
+          for (JButton button : buttons(notices)) {
+            if (name.equals(button.getName())) {
+              button.doClick(0);
+              return;
+            }
+          }
+          throw new AssertionError("there is no " + name);
+        });
+  }
+
+  private static List<JButton> buttons(Container in) {
+    List<JButton> found = new ArrayList<>();
+    for (Component each : in.getComponents()) {
+      if (each instanceof JButton button) {
+        found.add(button);
+      } else if (each instanceof Container container) {
+        found.addAll(buttons(container));
+      }
+    }
+    return found;
+  }
+
+  @Test
+  void aSceneThatIsSavedAboveItsMeshesNamesThemFromThere() throws Exception {
+    open(sceneWithMesh());
+    Path above = folder.resolve("m.scene.json");
+    saveAs(above);
+    DispatchThread.await(() -> told.contains("saved true"));
+
+    assertEquals(
+        "cell/parts/a.obj",
+        ((SceneObject.Mesh) SceneFile.read(above).scene().objects().getFirst()).part().file());
+    assertFalse(draft.document().modified());
+    assertFalse(scenes.canApply(), "what is around the arm is the same");
+    assertEquals(Optional.of(above), scenes.current().path());
+  }
+
+  @Test
+  void meshesAreCopiedToAnotherFolderAfterAQuestion() throws Exception {
+    open(sceneWithMesh());
+    Path other = Files.createDirectory(folder.resolve("other")).resolve("m.scene.json");
+    saveAs(other);
+    assertTrue(notices.shows("scene-meshes"));
+    press("scene-meshes-cancel");
+    DispatchThread.await(() -> told.contains("saved false"));
+    assertFalse(Files.exists(other));
+
+    saveAs(other);
+    press("scene-meshes-copy-and-save");
+    DispatchThread.await(() -> told.contains("saved true"));
+    assertEquals(1, SceneFile.read(other).scene().objects().size());
+    assertFalse(draft.document().modified());
+  }
+
+  @Test
+  void aFileThatIsInTheWayOfAMeshIsToldAndNothingIsSaved() throws Exception {
+    open(sceneWithMesh());
+    Path parts = Files.createDirectories(folder.resolve("other/parts"));
+    Files.writeString(parts.resolve("a.obj"), "mine");
+    Path other = parts.resolveSibling("m.scene.json");
+    saveAs(other);
+    press("scene-meshes-copy-and-save");
+    DispatchThread.await(() -> told.contains("saved false"));
+
+    assertTrue(notices.shows("scene-meshes"));
+    assertFalse(Files.exists(other));
+    assertEquals("mine", Files.readString(parts.resolve("a.obj")));
   }
 }
