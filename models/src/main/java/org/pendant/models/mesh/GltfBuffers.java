@@ -1,7 +1,6 @@
 package org.pendant.models.mesh;
 
 import java.io.IOException;
-import java.net.URLDecoder;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -126,13 +125,7 @@ final class GltfBuffers {
 
   /** The name of a file beside this one, or below. */
   private static String decoded(Json.Text uri) throws JsonException {
-    String name;
-    try {
-      name = URLDecoder.decode(uri.value().replace("+", "%2B"), StandardCharsets.UTF_8);
-    } catch (IllegalArgumentException e) {
-      throw uri.place()
-          .refusal("uri is " + uri.described() + ", must be a name: " + e.getMessage());
-    }
+    String name = withoutPercent(uri);
     if (name.startsWith("/")
         || name.indexOf('\\') >= 0
         || name.indexOf(':') >= 0
@@ -141,6 +134,27 @@ final class GltfBuffers {
           .refusal("uri is " + uri.described() + ", must be a file beside this one, or below");
     }
     return name;
+  }
+
+  /** Bytes that are written as % and two digits, as names with spaces have them. */
+  private static String withoutPercent(Json.Text uri) throws JsonException {
+    byte[] letters = uri.value().getBytes(StandardCharsets.UTF_8);
+    ByteBuffer name = ByteBuffer.allocate(letters.length);
+    for (int i = 0; i < letters.length; i++) {
+      if (letters[i] != '%') {
+        name.put(letters[i]);
+        continue;
+      }
+      int high = i + 2 < letters.length ? Character.digit((char) letters[i + 1], 16) : -1;
+      int low = i + 2 < letters.length ? Character.digit((char) letters[i + 2], 16) : -1;
+      if (high < 0 || low < 0) {
+        throw uri.place()
+            .refusal("uri is " + uri.described() + ", must have two digits behind each %");
+      }
+      name.put((byte) (16 * high + low));
+      i += 2;
+    }
+    return new String(name.array(), 0, name.position(), StandardCharsets.UTF_8);
   }
 
   /** Where three coordinates of points are. */

@@ -239,6 +239,9 @@ class GltfReaderTest {
     assertEquals(
         "JSON:13:41: none 1.bin: is not there",
         refusal(FILE.formatted(", \"uri\": \"none%201.bin\"")));
+    assertEquals(
+        "JSON:13:41: uri is \"a%2\", must have two digits behind each %",
+        refusal(FILE.formatted(", \"uri\": \"a%2\"")));
     for (String uri : new String[] {"../a.bin", "/etc/passwd", "file:a", "a\\\\b", "%2e%2e/a"}) {
       String refusal = refusal(FILE.formatted(", \"uri\": \"" + uri + "\""));
       assertTrue(refusal.contains("must be a file beside this one, or below"), refusal);

@@ -1,6 +1,8 @@
 package org.pendant.desktop.cell;
 
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -69,12 +71,14 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
       List<String> lines =
           List.of(
               String.format(Locale.ROOT, "%,d triangles", look.triangles()),
-              String.format(
-                  Locale.ROOT, "%.4g \u00d7 %.4g \u00d7 %.4g m", look.xM(), look.yM(), look.zM()),
+              rounded(look.xM())
+                  + " \u00d7 "
+                  + rounded(look.yM())
+                  + " \u00d7 "
+                  + rounded(look.zM())
+                  + " m",
               look.mesh()
-                  .map(
-                      mesh ->
-                          String.format(Locale.ROOT, "closed, %.4g litres", 1000 * mesh.volumeM3()))
+                  .map(mesh -> "closed, " + rounded(1000 * mesh.volumeM3()) + " litres")
                   .orElse("not the surface of a solid"));
       return new Facts(
           lines,
@@ -83,6 +87,11 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
     } catch (IOException | MeshException | IllegalArgumentException e) {
       return new Facts(List.of(), name + ": " + e.getMessage(), Optional.empty());
     }
+  }
+
+  /** Four digits that tell something. */
+  private static String rounded(double number) {
+    return new BigDecimal(number).round(new MathContext(4)).stripTrailingZeros().toPlainString();
   }
 
   /** The name of the file as scenes have it. */

@@ -1,7 +1,9 @@
 package org.pendant.desktop.cell;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
+import java.awt.Dimension;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
@@ -104,11 +106,12 @@ final class MeshDialog {
       unit.addItem(each.word());
     }
     TitledCard.named(mass, "mesh-mass", "Mass in kg; empty for what stands still");
-    JPanel side = new JPanel(new MigLayout("insets 0 12 0 0, wrap, width 220!", "[grow, fill]"));
+    JPanel side =
+        new JPanel(new MigLayout("insets 0 12 0 0, wrap, hidemode 3, width 270!", "[grow, fill]"));
     side.add(label("Unit of the file", unit));
     side.add(unit);
     side.add(unitProblem, Remark.LAYOUT);
-    side.add(label("Mass, kg (empty: stands still)", mass));
+    side.add(label("Mass, kg (empty: stands still)", mass), "gaptop 4");
     side.add(mass);
     side.add(massProblem, Remark.LAYOUT);
     side.add(facts, Remark.LAYOUT + ", gaptop 8");
@@ -135,6 +138,8 @@ final class MeshDialog {
           }
         });
     dialog.add(content.chooser);
+    // room for what is wrong beside the files
+    dialog.setPreferredSize(new Dimension(UIScale.scale(820), UIScale.scale(540)));
     dialog.pack();
     dialog.setLocationRelativeTo(parent);
     dialog.setVisible(true);
@@ -178,6 +183,8 @@ final class MeshDialog {
       facts.say("Reading\u2026");
       Background.run(
           now::look, found -> found(now, found), failed -> fileProblem.say(failed.getMessage()));
+    } else if (now.missing().isEmpty()) {
+      facts.say("With a unit it can be told what is in the file.");
     }
   }
 

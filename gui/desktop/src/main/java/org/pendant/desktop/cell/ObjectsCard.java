@@ -1,5 +1,6 @@
 package org.pendant.desktop.cell;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,10 +29,12 @@ final class ObjectsCard {
 
   private static final double ABREAST_M = 0.15;
   private static final int MAX_ABREAST = 5;
+  private static final int MAX_TRIES = 12;
   private static final Vector3 UP = new Vector3(0, 0, 1);
 
   private final SceneDraft draft;
   private final TitledCard card = new TitledCard("Objects", "[grow, fill]");
+  private final Drafted drafted = new Drafted();
   private final Items<SceneObject> items;
 
   /**
@@ -48,7 +51,7 @@ final class ObjectsCard {
             "cell-object",
             "Objects around the arm",
             "Nothing is around the arm. Add a table, a box or a ball: the tool can touch them.",
-            new Drafted(),
+            drafted,
             each -> each.name() + "  (" + ObjectShape.words(each) + ")");
     items.adder(
         "Add plane",
@@ -90,12 +93,13 @@ final class ObjectsCard {
                 draft,
                 (name, part, massKg) ->
                     take.accept(
-                        new SceneObject.Mesh(
-                            items.freshName(name),
-                            new Pose(IN_FRONT_M, besideM(), 0, 0, 0, 0),
-                            part,
-                            Material.DEFAULT,
-                            massKg))));
+                        clear(
+                            new SceneObject.Mesh(
+                                items.freshName(name),
+                                new Pose(IN_FRONT_M, besideM(), 0, 0, 0, 0),
+                                part,
+                                Material.DEFAULT,
+                                massKg)))));
     PartsForm<SceneObject> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
@@ -125,6 +129,22 @@ final class ObjectsCard {
     form.buttons(here);
     addMaterial(form);
     card.add(items.component());
+  }
+
+  /** A mesh that stands on z = 0, beside what does not leave it any room. */
+  private SceneObject clear(SceneObject.Mesh mesh) {
+    double upM = -mesh.part().triangles().least(2);
+    SceneObject first = ObjectShape.at(mesh, new Vector3(IN_FRONT_M, besideM(), upM));
+    for (int i = 0; i < MAX_TRIES; i++) {
+      SceneObject there =
+          ObjectShape.at(mesh, new Vector3(IN_FRONT_M, besideM() + i * ABREAST_M, upM));
+      List<SceneObject> with = new ArrayList<>(draft.scene().objects());
+      with.add(there);
+      if (drafted.refusal(with).isEmpty()) {
+        return there;
+      }
+    }
+    return first;
   }
 
   /** Beside the others: what is new can be seen. */

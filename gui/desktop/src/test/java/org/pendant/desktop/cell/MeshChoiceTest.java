@@ -35,7 +35,7 @@ final class MeshChoiceTest {
     assertEquals("", choice.missing());
     assertEquals("pyramid", choice.stem());
     assertEquals(
-        List.of("6 triangles", "0.06000 \u00d7 0.04000 \u00d7 0.02000 m", "closed, 0.01600 litres"),
+        List.of("6 triangles", "0.06 \u00d7 0.04 \u00d7 0.02 m", "closed, 0.016 litres"),
         facts.lines());
     assertEquals("", facts.problem());
     assertEquals("parts/pyramid.obj", facts.part().orElseThrow().file());
@@ -47,8 +47,7 @@ final class MeshChoiceTest {
         choice("a.obj", PYRAMID.replace("f 2 3 5\n", ""), MeshUnit.MILLIMETRE).look();
 
     assertEquals(
-        List.of(
-            "5 triangles", "0.06000 \u00d7 0.04000 \u00d7 0.02000 m", "not the surface of a solid"),
+        List.of("5 triangles", "0.06 \u00d7 0.04 \u00d7 0.02 m", "not the surface of a solid"),
         facts.lines());
     assertTrue(
         facts.problem().startsWith("a.obj: is not closed: 3 edges have no triangle"),

@@ -145,7 +145,7 @@ final class MeshDialogTest {
     run(
         () -> {
           choose("pyramid.obj");
-          assertEquals("", says("mesh-facts"), "its unit is not known yet");
+          assertEquals("With a unit it can be told what is in the file.", says("mesh-facts"));
           unit("mm");
         });
     await(() -> says("mesh-facts").startsWith("6 triangles"));
