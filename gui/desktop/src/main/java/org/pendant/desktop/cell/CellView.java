@@ -10,6 +10,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
@@ -49,9 +50,12 @@ public final class CellView implements View {
       DevicesCard devices,
       RulesCard rules,
       LoadCard load,
-      ToolPointsCard tool) {
+      ToolPointsCard tool,
+      WiringPage wiring,
+      JTabbedPane pages) {
     void show() {
       bar.show();
+      wiring.show();
       devices.show();
       rules.show();
       objects.show();
@@ -84,6 +88,9 @@ public final class CellView implements View {
     workbench
         .actions()
         .add(new Action("cell.redo", "Redo in the scene", "", draft::canRedo, draft::redo));
+    workbench
+        .actions()
+        .add(Action.of("cell.wiring", "Wire the devices of the cell", "", this::showWiring));
   }
 
   /**
@@ -93,6 +100,12 @@ public final class CellView implements View {
    */
   public ObjectHand hand(BooleanSupplier active) {
     return new PlacingHand(draft, active, name -> cards().objects().choose(name));
+  }
+
+  private void showWiring() {
+    workbench.show(ID);
+    cards().pages().setSelectedComponent(cards().wiring().component());
+    cards().wiring().first().requestFocusInWindow();
   }
 
   private void key(String keys, Runnable run) {
@@ -121,7 +134,9 @@ public final class CellView implements View {
               new DevicesCard(draft, measures, rotation, signalName),
               new RulesCard(draft),
               new LoadCard(draft, measures),
-              new ToolPointsCard(draft, measures));
+              new ToolPointsCard(draft, measures),
+              new WiringPage(draft, signalName),
+              new JTabbedPane());
       JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
       sheet.add(made.objects.component());
       JPanel second =
@@ -140,7 +155,10 @@ public final class CellView implements View {
       scroll.setBorder(BorderFactory.createEmptyBorder());
       scroll.setName("cell-scroll");
       content.add(made.bar.component(), BorderLayout.NORTH);
-      content.add(scroll, BorderLayout.CENTER);
+      made.pages.setName("cell-pages");
+      made.pages.addTab("Forms", scroll);
+      made.pages.addTab("Wiring", made.wiring.component());
+      content.add(made.pages, BorderLayout.CENTER);
       cards = Optional.of(made);
       made.show();
     }
@@ -171,5 +189,6 @@ public final class CellView implements View {
   public void refresh(ControllerState state) {
     rotation.look();
     cards().bar().refresh();
+    cards().wiring().refresh(state);
   }
 }

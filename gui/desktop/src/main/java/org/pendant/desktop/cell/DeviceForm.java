@@ -1,6 +1,7 @@
 package org.pendant.desktop.cell;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -267,10 +268,17 @@ final class DeviceForm {
         (device, signal) -> part.change(device, text -> text.withText(wire.key(), signal)));
   }
 
+  /** Inputs for what the device sets; for what it watches all there are, outputs first. */
   private static List<String> signals(DeviceField.Wire wire) {
+    Stream<SignalBank> banks =
+        wire.input()
+            ? Arrays.stream(SignalBank.values()).filter(SignalBank::input)
+            : Arrays.stream(SignalBank.values())
+                .sorted(
+                    Comparator.comparing((SignalBank bank) -> bank == SignalBank.FLAG)
+                        .thenComparing(SignalBank::input));
     Stream<String> all =
-        Arrays.stream(SignalBank.values())
-            .filter(bank -> bank != SignalBank.FLAG && bank.input() == wire.input())
+        banks
             .flatMap(bank -> IntStream.range(0, bank.size()).mapToObj(i -> new Signal(bank, i)))
             .map(Signal::toString);
     return Stream.concat(wire.required() ? Stream.of() : Stream.of(""), all).toList();

@@ -179,7 +179,9 @@ final class MenuPlan {
             list(
                 all("scene-file.new", "scene-file.open"),
                 line(),
-                all("scene-file.save", "scene-file.save-as", "scene-file.apply"))),
+                all("scene-file.save", "scene-file.save-as", "scene-file.apply"),
+                line(),
+                all("cell"))),
         all("file.open-recording", "file"),
         line(),
         all("file.quit"));

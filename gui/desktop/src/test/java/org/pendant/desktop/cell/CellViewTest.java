@@ -11,6 +11,9 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,10 +23,13 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -343,5 +349,93 @@ final class CellViewTest {
           assertEquals(1, draft.devices().size());
           assertTrue(problem(view, "cell-device-problem").startsWith("part is \"left\""));
         });
+  }
+
+  private static void key(WireList list, String keys) {
+    list.getActionMap()
+        .get(list.getInputMap().get(KeyStroke.getKeyStroke(keys)))
+        .actionPerformed(null);
+  }
+
+  @Test
+  void aPortIsWiredByKeys() throws Exception {
+    show(
+        view -> {
+          add(view, "gripper-driven-by-outputs");
+          find(view, "cell-pages", JTabbedPane.class).setSelectedIndex(1);
+          WireList ports = find(view, "cell-wiring-ports", WireList.class);
+          WireList signals = find(view, "cell-wiring-signals", WireList.class);
+          ports.select(row -> row.text().equals("Gripped"));
+          key(ports, "ENTER");
+          signals.select(row -> row.text().equals("digital_out[3]"));
+          key(signals, "ENTER");
+          assertEquals(
+              "Not possible: Gripped of gripper is set by the device: it goes to an input,"
+                  + " digital_out[3] is an output",
+              problem(view, "cell-wiring-said"));
+          signals.select(row -> row.text().equals("tool_in[1]"));
+          key(signals, "ENTER");
+          assertEquals("tool_in[1]", device().text("gripped"));
+          key(ports, "DELETE");
+          assertEquals("", device().text("gripped"));
+          press(view, "cell-undo");
+          assertEquals("tool_in[1]", device().text("gripped"));
+        });
+  }
+
+  @Test
+  void aWireIsDrawnByMouse() throws Exception {
+    show(
+        view -> {
+          add(view, "door");
+          find(view, "cell-pages", JTabbedPane.class).setSelectedIndex(1);
+          view.component().validate();
+          WireList ports = find(view, "cell-wiring-ports", WireList.class);
+          WireList signals = find(view, "cell-wiring-signals", WireList.class);
+          drag(ports, "Closed", signals, "digital_out[2]");
+          assertEquals("", device().text("closed"), "an output is set by programs");
+          drag(ports, "Closed", signals, "digital_in[2]");
+          assertEquals("digital_in[2]", device().text("closed"));
+          drag(signals, "digital_out[5]", ports, "Close");
+          assertEquals("digital_out[5]", device().text("close"));
+        });
+  }
+
+  @Test
+  void wiresNeedNoRoom() throws Exception {
+    show(
+        view -> {
+          add(view, "door");
+          find(view, "cell-pages", JTabbedPane.class).setSelectedIndex(1);
+          JComponent board = find(view, "cell-wiring-board", JComponent.class);
+          for (int height : List.of(0, 1, 300)) {
+            board.setSize(400, height);
+            board.doLayout();
+            assertEquals(height, board.getComponent(0).getHeight());
+          }
+        });
+  }
+
+  private DeviceText device() {
+    return Equipment.devices(draft.equipment()).getFirst();
+  }
+
+  private static void drag(WireList from, String row, WireList to, String target) {
+    Point begin = from.pin(each -> each.text().equals(row)).orElseThrow();
+    Point end =
+        SwingUtilities.convertPoint(
+            to, to.pin(each -> each.text().equals(target)).orElseThrow(), from);
+    int inwards = to.getX() + 20;
+    boolean toLeft = end.x < begin.x;
+    mouse(from, MouseEvent.MOUSE_PRESSED, new Point(begin.x + (toLeft ? 5 : -5), begin.y));
+    Point at = new Point(end.x + (toLeft ? -inwards : inwards), end.y);
+    mouse(from, MouseEvent.MOUSE_DRAGGED, at);
+    mouse(from, MouseEvent.MOUSE_RELEASED, at);
+  }
+
+  private static void mouse(WireList list, int id, Point at) {
+    list.dispatchEvent(
+        new MouseEvent(
+            list, id, 0, InputEvent.BUTTON1_DOWN_MASK, at.x, at.y, 1, false, MouseEvent.BUTTON1));
   }
 }

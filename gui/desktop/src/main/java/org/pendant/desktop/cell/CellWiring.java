@@ -1,0 +1,234 @@
+package org.pendant.desktop.cell;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import org.pendant.controller.device.DeviceField;
+import org.pendant.controller.device.DeviceKind;
+import org.pendant.controller.io.SignalBank;
+
+/**
+ * Cell wiring: what of the devices of a cell is wired to which signals of the controller;
+ * immutable.
+ *
+ * @param boxes devices, and the rules if there are some
+ */
+record CellWiring(List<Box> boxes) {
+  private static final String RULES = "Rules";
+  private static final String ENCODER = "encoder";
+  private static final int ENCODERS = 2;
+
+  /** Of an encoder that is wired to a belt which did not say how many it has. */
+  private static final double FIRST_TICKS_PER_M = 10_000;
+
+  private static final Pattern RULE_PART =
+      Pattern.compile("\"(when|while|set)\"\\s*:\\s*\"([^\"]*)\"");
+  private static final Pattern SIGNAL = Pattern.compile("[\\w.]+\\[\\d+]");
+
+  /** Copies the list. */
+  CellWiring {
+    boxes = List.copyOf(boxes);
+  }
+
+  /**
+   * A device.
+   *
+   * @param reached what programs reach it by besides, in words; empty for nothing
+   */
+  record Box(String name, String title, String reached, List<WirePort> ports) {
+    /** Copies the list. */
+    Box {
+      ports = List.copyOf(ports);
+    }
+  }
+
+  /**
+   * Signals that stand beside each other.
+   *
+   * @param title what they are called together
+   */
+  record Group(String title, List<WireSignal> signals) {
+    /** Copies the list. */
+    Group {
+      signals = List.copyOf(signals);
+    }
+  }
+
+  /**
+   * The wiring of a cell.
+   *
+   * @param rules as JSON
+   */
+  static CellWiring of(List<DeviceText> devices, String rules) {
+    List<Box> boxes = new ArrayList<>();
+    for (DeviceText device : devices) {
+      DeviceKind.of(device.type()).ifPresent(kind -> boxes.add(box(device, kind)));
+    }
+    List<WirePort> ruled = ports(rules);
+    if (!ruled.isEmpty()) {
+      boxes.add(new Box(RULES, "", "", ruled));
+    }
+    return new CellWiring(boxes);
+  }
+
+  private static Box box(DeviceText device, DeviceKind kind) {
+    List<WirePort> ports = new ArrayList<>();
+    for (DeviceField field : kind.fields()) {
+      if (field instanceof DeviceField.Wire wire) {
+        ports.add(
+            port(
+                device,
+                field,
+                wire.input() ? WirePort.Way.TELLS : WirePort.Way.WATCHES,
+                device.text(wire.key())));
+      } else if (field.key().equals(ENCODER)) {
+        OptionalDouble number = device.number(ENCODER);
+        ports.add(
+            port(
+                device,
+                field,
+                WirePort.Way.TURNS,
+                number.isPresent() ? encoder((int) number.getAsDouble()) : ""));
+      }
+    }
+    return new Box(device.name(), kind.title(), ports.isEmpty() ? kind.reached() : "", ports);
+  }
+
+  private static WirePort port(
+      DeviceText device, DeviceField field, WirePort.Way way, String signal) {
+    return new WirePort(
+        device.name(),
+        field.key(),
+        field.title(),
+        field.help(),
+        way,
+        field.required(),
+        signal,
+        false);
+  }
+
+  /** What rules watch and set. */
+  private static List<WirePort> ports(String rules) {
+    Set<WirePort> ports = new LinkedHashSet<>();
+    Matcher parts = RULE_PART.matcher(rules);
+    while (parts.find()) {
+      boolean sets = parts.group(1).equals("set");
+      Matcher signals = SIGNAL.matcher(parts.group(2));
+      while (signals.find()) {
+        String signal = signals.group();
+        ports.add(
+            new WirePort(
+                RULES,
+                (sets ? "set " : "watch ") + signal,
+                sets ? "sets" : "watches",
+                signal,
+                sets ? WirePort.Way.TELLS : WirePort.Way.WATCHES,
+                true,
+                signal,
+                true));
+      }
+    }
+    return List.copyOf(ports);
+  }
+
+  private static String encoder(int number) {
+    return ENCODER + "[" + number + "]";
+  }
+
+  /** What the controller has, inputs and outputs beside each other as on its box. */
+  static List<Group> signals() {
+    List<Group> groups = new ArrayList<>();
+    for (SignalBank bank : SignalBank.values()) {
+      if (bank != SignalBank.FLAG) {
+        groups.add(
+            group(
+                title(bank),
+                bank.text(),
+                bank.size(),
+                bank.input() ? WireSignal.Kind.INPUT : WireSignal.Kind.OUTPUT));
+      }
+    }
+    groups.add(group("Encoders", ENCODER, ENCODERS, WireSignal.Kind.ENCODER));
+    groups.add(
+        group("Flags", SignalBank.FLAG.text(), SignalBank.FLAG.size(), WireSignal.Kind.FLAG));
+    return groups;
+  }
+
+  private static Group group(String title, String name, int size, WireSignal.Kind kind) {
+    return new Group(
+        title,
+        IntStream.range(0, size)
+            .mapToObj(i -> new WireSignal(name + "[" + i + "]", kind))
+            .toList());
+  }
+
+  private static String title(SignalBank bank) {
+    return switch (bank) {
+      case STANDARD_IN -> "Digital inputs";
+      case STANDARD_OUT -> "Digital outputs";
+      case CONFIGURABLE_IN -> "Configurable inputs";
+      case CONFIGURABLE_OUT -> "Configurable outputs";
+      case TOOL_IN -> "Tool inputs";
+      case TOOL_OUT -> "Tool outputs";
+      case FLAG -> "Flags";
+    };
+  }
+
+  /** All ports, in the order of their boxes. */
+  List<WirePort> ports() {
+    return boxes.stream().flatMap(each -> each.ports().stream()).toList();
+  }
+
+  /** Those at a signal. */
+  List<WirePort> at(String signal) {
+    return ports().stream().filter(each -> each.signal().equals(signal)).toList();
+  }
+
+  /**
+   * What else sets an input that a port shall set, in words; empty for nothing. Such a wire can be:
+   * the last one that changes counts.
+   */
+  String alsoSetBy(WirePort port, String signal) {
+    return port.way() != WirePort.Way.TELLS
+        ? ""
+        : at(signal).stream()
+            .filter(each -> each.way() == WirePort.Way.TELLS && !each.isAt(port))
+            .findFirst()
+            .map(other -> signal + " is also set by " + other.device())
+            .orElse("");
+  }
+
+  /** Devices with the wire of a port at a signal; empty, the text, for no wire. */
+  static List<DeviceText> wired(List<DeviceText> devices, WirePort port, String signal) {
+    return devices.stream()
+        .map(each -> each.name().equals(port.device()) ? wired(each, port, signal) : each)
+        .toList();
+  }
+
+  private static DeviceText wired(DeviceText device, WirePort port, String signal) {
+    if (port.way() != WirePort.Way.TURNS) {
+      return device.withText(port.key(), signal);
+    }
+    OptionalDouble number =
+        signal.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(number(signal));
+    DeviceText next = device.withNumber(ENCODER, number);
+    return number.isPresent() && next.number("ticks").isEmpty()
+        ? next.withNumber("ticks", OptionalDouble.of(FIRST_TICKS_PER_M))
+        : next;
+  }
+
+  private static int number(String encoder) {
+    return Integer.parseInt(encoder.substring(encoder.indexOf('[') + 1, encoder.length() - 1));
+  }
+
+  /** The port at the same place in this wiring. */
+  Optional<WirePort> now(WirePort before) {
+    return ports().stream().filter(before::isAt).findFirst();
+  }
+}
