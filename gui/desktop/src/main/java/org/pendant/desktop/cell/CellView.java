@@ -15,6 +15,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.unit.RotationChoice;
@@ -22,9 +23,11 @@ import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
+import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.Measures;
 import org.pendant.kit.layout.CardSheet;
 import org.pendant.kit.layout.SettledScroll;
+import org.pendant.models.pose.Pose;
 
 /** Cell view: the screen on which people put things around the arm. */
 public final class CellView implements View {
@@ -93,13 +96,34 @@ public final class CellView implements View {
         .add(Action.of("cell.wiring", "Wire the devices of the cell", "", this::showWiring));
   }
 
+  private Vector3 tcpInBaseM() {
+    Pose tcp = workbench.session().state().arm().targetTcpInBase();
+    return new Vector3(tcp.x(), tcp.y(), tcp.z());
+  }
+
   /**
-   * A hand that moves objects in 3D.
+   * A hand that moves objects and devices in 3D.
    *
    * @param active whether it may now
    */
   public ObjectHand hand(BooleanSupplier active) {
-    return new PlacingHand(draft, active, name -> cards().objects().choose(name));
+    return new PlacingHand(
+        draft,
+        active,
+        name -> cards().objects().choose(name),
+        name -> cards().devices().choose(name),
+        this::words);
+  }
+
+  /** A place in the base, such as {@code X 300 Y -250 Z 120 mm}. */
+  private String words(Vector3 placeM) {
+    Measure unit = ShownMeasure.by(workbench.settings()).of(Measure.MILLIMETRE);
+    return "X "
+        + unit.text(placeM.x())
+        + "  Y "
+        + unit.text(placeM.y())
+        + "  Z "
+        + unit.words(placeM.z());
   }
 
   private void showWiring() {
@@ -131,7 +155,7 @@ public final class CellView implements View {
           new Cards(
               new CellBar(workbench, draft),
               new ObjectsCard(draft, rotation, measures, workbench.session()::state),
-              new DevicesCard(draft, measures, rotation, signalName),
+              new DevicesCard(draft, measures, rotation, signalName, this::tcpInBaseM),
               new RulesCard(draft),
               new LoadCard(draft, measures),
               new ToolPointsCard(draft, measures),

@@ -1,5 +1,6 @@
 package org.pendant.desktop.cell;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
@@ -8,10 +9,12 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.BinaryOperator;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import org.pendant.controller.device.DeviceField;
 import org.pendant.controller.device.DeviceKind;
 import org.pendant.controller.io.Signal;
@@ -19,11 +22,13 @@ import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.DeviceHandles;
 import org.pendant.desktop.unit.PoseRows;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.Measures;
 import org.pendant.kit.form.PartsForm;
+import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 
@@ -53,6 +58,7 @@ final class DeviceForm {
   private final RotationChoice rotation;
   private final UnaryOperator<String> signalName;
   private final Supplier<Scene> scene;
+  private final Consumer<String> putAtTcp;
   private final Set<String> kinds = new HashSet<>();
 
   /**
@@ -62,14 +68,17 @@ final class DeviceForm {
    * @param rotation how rotations are shown
    * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
    * @param scene whose objects devices work with
+   * @param putAtTcp moves the place of a key, or all of the chosen device, to the TCP
    */
   DeviceForm(
       PartsForm<DeviceText> form,
       Measures measures,
       RotationChoice rotation,
       UnaryOperator<String> signalName,
-      Supplier<Scene> scene) {
+      Supplier<Scene> scene,
+      Consumer<String> putAtTcp) {
     this.scene = scene;
+    this.putAtTcp = putAtTcp;
     this.form = form.in(measures).telling(why -> ShownRange.of(why, measures));
     this.measures = measures;
     this.rotation = rotation;
@@ -91,12 +100,45 @@ final class DeviceForm {
         () -> {
           Part whole = new Part(device -> device, (device, next) -> next, kind.type());
           kind.fields().forEach(each -> addRow(each, whole));
+          addPutters(kind);
           form.note(
               kind.reached().isEmpty()
                   ? "It takes away what has its middle there."
                   : "Programs reach it by " + kind.reached() + ".");
         });
     form.naming("");
+  }
+
+  /** Buttons that put its place, or each end of it, at the TCP. */
+  private void addPutters(DeviceKind kind) {
+    List<DeviceField> places =
+        kind.fields().stream().filter(DeviceField.Place.class::isInstance).toList();
+    if (places.isEmpty()) {
+      return;
+    }
+    List<JButton> buttons = new ArrayList<>();
+    buttons.add(putter(kind, DeviceHandles.WHOLE, "Put at TCP", "Put its middle where the TCP is"));
+    // a corner may have to stay where it is, an end goes anywhere
+    places.stream()
+        .filter(each -> each.key().equals("from") || each.key().equals("to"))
+        .forEach(
+            each ->
+                buttons.add(
+                    putter(
+                        kind,
+                        each.key(),
+                        each.title() + " at TCP",
+                        "Put " + each.help() + " where the TCP is")));
+    form.buttons(buttons.toArray(JButton[]::new));
+  }
+
+  private JButton putter(DeviceKind kind, String key, String title, String tip) {
+    JButton button = new JButton(title);
+    TitledCard.compact(button);
+    TitledCard.named(
+        button, "cell-device-" + kind.type() + (key.isEmpty() ? "" : "-" + key) + "-here", tip);
+    button.addActionListener(event -> putAtTcp.accept(key));
+    return button;
   }
 
   /**

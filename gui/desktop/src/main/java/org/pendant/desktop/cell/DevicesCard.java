@@ -8,6 +8,7 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import org.pendant.controller.device.DeviceKind;
+import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Items;
@@ -25,12 +26,14 @@ final class DevicesCard {
    * @param measures in which lengths are shown
    * @param rotation how rotations are shown
    * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
+   * @param tcpInBaseM where the TCP is, m
    */
   DevicesCard(
       SceneDraft draft,
       Measures measures,
       RotationChoice rotation,
-      UnaryOperator<String> signalName) {
+      UnaryOperator<String> signalName,
+      Supplier<Vector3> tcpInBaseM) {
     this.draft = draft;
     items =
         new Items<>(
@@ -44,7 +47,18 @@ final class DevicesCard {
       kinds.put(kind.title(), () -> DeviceForm.fresh(kind, devices(), draft.scene()));
     }
     items.adders("Add", kinds);
-    form = new DeviceForm(items.form(), measures, rotation, signalName, draft::scene);
+    form =
+        new DeviceForm(
+            items.form(),
+            measures,
+            rotation,
+            signalName,
+            draft::scene,
+            key ->
+                items
+                    .chosen()
+                    .map(each -> DevicePlaces.of(each).moved(key, tcpInBaseM.get()))
+                    .ifPresent(items::replace));
     card.add(items.component());
   }
 
@@ -73,6 +87,14 @@ final class DevicesCard {
 
   JComponent component() {
     return card;
+  }
+
+  /** Shows the form of a device. */
+  void choose(String name) {
+    devices().stream()
+        .filter(each -> each.name().equals(name))
+        .findFirst()
+        .ifPresent(items::choose);
   }
 
   /** Shows the draft. */

@@ -27,6 +27,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
+import javax.swing.SwingConstants;
 import javax.swing.UIManager;
 import org.pendant.kit.theme.Palette;
 
@@ -117,9 +118,10 @@ final class WireList extends JList<WireRow> {
   }
 
   private static boolean isSame(WireRow one, WireRow other) {
-    return one instanceof WireRow.OfPort(WirePort a) && other instanceof WireRow.OfPort(WirePort b)
-        ? a.isAt(b)
-        : one.text().equals(other.text());
+    if (one instanceof WireRow.OfPort(WirePort port)) {
+      return other instanceof WireRow.OfPort(WirePort same) && port.isAt(same);
+    }
+    return one.text().equals(other.text());
   }
 
   /**
@@ -263,8 +265,12 @@ final class WireList extends JList<WireRow> {
 
     Cell() {
       super(new BorderLayout(UIScale.scale(8), 0));
-      add(text, pinsRight ? BorderLayout.WEST : BorderLayout.CENTER);
-      add(note, pinsRight ? BorderLayout.CENTER : BorderLayout.EAST);
+      JPanel words = new JPanel(new BorderLayout(UIScale.scale(8), 0));
+      words.setOpaque(false);
+      words.add(text, BorderLayout.WEST);
+      words.add(note, BorderLayout.CENTER);
+      note.setHorizontalAlignment(pinsRight ? SwingConstants.LEADING : SwingConstants.TRAILING);
+      add(words, BorderLayout.CENTER);
       add(pin, pinsRight ? BorderLayout.EAST : BorderLayout.WEST);
     }
 

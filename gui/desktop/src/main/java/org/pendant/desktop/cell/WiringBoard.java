@@ -349,11 +349,11 @@ final class WiringBoard extends JPanel {
 
   /** Scrolls a list whose edge the pointer is at. */
   private void scrollAt(Point point) {
-    for (JScrollPane each : List.of(signalScroll, portScroll)) {
-      WireList list = each == signalScroll ? signals : ports;
+    for (WireList list : List.of(signals, ports)) {
+      Rectangle seen = list.getVisibleRect();
+      Rectangle onBoard = SwingUtilities.convertRectangle(list, seen, this);
       int step = list.getFixedCellHeight();
-      if (point.x >= each.getX() && point.x < each.getX() + each.getWidth()) {
-        Rectangle seen = list.getVisibleRect();
+      if (point.x >= onBoard.x && point.x < onBoard.x + onBoard.width) {
         if (point.y < step) {
           list.scrollRectToVisible(new Rectangle(0, seen.y - step, 1, 1));
         } else if (point.y > getHeight() - step) {

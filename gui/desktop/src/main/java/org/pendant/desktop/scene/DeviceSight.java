@@ -14,16 +14,17 @@ import org.pendant.models.pose.Pose;
 /**
  * Device sight: what is to be seen of the devices of the cell; immutable.
  *
- * @param gripper on the flange, the first one of the cell
+ * @param grippers on the flange
  * @param sensors where they see something, and where parts are taken away
  * @param doors which have no place: they are told beside the picture
  */
-public record DeviceSight(Optional<Gripper> gripper, List<Sensor> sensors, List<Door> doors) {
+public record DeviceSight(List<Gripper> grippers, List<Sensor> sensors, List<Door> doors) {
   /** None. */
-  public static final DeviceSight NONE = new DeviceSight(Optional.empty(), List.of(), List.of());
+  public static final DeviceSight NONE = new DeviceSight(List.of(), List.of(), List.of());
 
   /** Copies the lists. */
   public DeviceSight {
+    grippers = List.copyOf(grippers);
     sensors = List.copyOf(sensors);
     doors = List.copyOf(doors);
   }
@@ -76,7 +77,7 @@ public record DeviceSight(Optional<Gripper> gripper, List<Sensor> sensors, List<
    * @param begins whether a device whose state is missing is as it begins
    */
   public static DeviceSight of(List<DeviceSetup> setups, List<DeviceState> states, boolean begins) {
-    Optional<Gripper> gripper = Optional.empty();
+    List<Gripper> grippers = new ArrayList<>();
     List<Sensor> sensors = new ArrayList<>();
     List<Door> doors = new ArrayList<>();
     for (DeviceSetup setup : setups) {
@@ -94,12 +95,12 @@ public record DeviceSight(Optional<Gripper> gripper, List<Sensor> sensors, List<
         sensors.add(
             new Sensor(camera.name(), camera.area(), state.map(DeviceState::on).orElse(false)));
       } else if (setup.hand().isPresent()) {
-        gripper = gripper.or(() -> Optional.of(gripper(setup, state, begins)));
+        grippers.add(gripper(setup, state, begins));
       } else if (setup instanceof DeviceSetup.Driven door) {
         doors.add(new Door(door.name(), share(state, begins)));
       }
     }
-    return new DeviceSight(gripper, sensors, doors);
+    return new DeviceSight(grippers, sensors, doors);
   }
 
   private static Gripper gripper(DeviceSetup setup, Optional<DeviceState> state, boolean begins) {

@@ -9,17 +9,15 @@ public final class GripperPlaces {
   private GripperPlaces() {}
 
   /**
-   * A place for each mesh of {@link org.pendant.desktop.scene.mesh.GripperMesh}; none without a
-   * gripper. What is not to be seen has no size.
+   * For each gripper a place for each mesh of {@link org.pendant.desktop.scene.mesh.GripperMesh}.
+   * What is not to be seen has no size.
    *
    * @param places of the links of the arm
    */
-  public static List<Matrix4f> of(SceneModel model, LinkPlaces places) {
-    return model
-        .devices()
-        .gripper()
+  public static List<List<Matrix4f>> of(SceneModel model, LinkPlaces places) {
+    return model.devices().grippers().stream()
         .map(gripper -> of(gripper, new Matrix4f(places.of(Link.WRIST_3)), model))
-        .orElse(List.of());
+        .toList();
   }
 
   private static List<Matrix4f> of(DeviceSight.Gripper gripper, Matrix4f flange, SceneModel model) {

@@ -361,11 +361,9 @@ final class ScenePanel implements View, GhostArm {
   }
 
   private DeviceSight devices(ControllerState state) {
-    Optional<List<DeviceSetup>> draft = proposedDevices.get();
-    return DeviceSight.of(
-        draft.orElseGet(() -> workbench.session().options().equipment().devices()),
-        state.devices(),
-        draft.isPresent());
+    List<DeviceSetup> real = workbench.session().options().equipment().devices();
+    Optional<List<DeviceSetup>> draft = proposedDevices.get().filter(each -> !each.equals(real));
+    return DeviceSight.of(draft.orElse(real), state.devices(), draft.isPresent());
   }
 
   /** How near the arm is to the limits that hold now. */
@@ -446,7 +444,9 @@ final class ScenePanel implements View, GhostArm {
       realScene = real;
       trace.clear();
     }
-    Scene scene = proposed.get().orElseGet(() -> movedScene(real, moved));
+    // what is proposed as it is already is shown as it moves
+    Scene scene =
+        proposed.get().filter(each -> !each.equals(real)).orElseGet(() -> movedScene(real, moved));
     boolean otherArm = surroundings.isEmpty() || !surroundings.get().arm.id().equals(id);
     if (otherArm || !surroundings.get().scene.equals(scene)) {
       if (otherArm) {

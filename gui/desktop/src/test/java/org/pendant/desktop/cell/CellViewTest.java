@@ -402,6 +402,23 @@ final class CellViewTest {
   }
 
   @Test
+  void aDeviceIsPutAtTheTcp() throws Exception {
+    show(
+        view -> {
+          Pose tcp = session.state().arm().targetTcpInBase();
+          add(view, "proximity-sensor");
+          press(view, "cell-device-proximity-here");
+          assertEquals(tcp.x(), device().place("at").x(), 1e-5);
+          assertEquals(tcp.z(), device().place("at").z(), 1e-5);
+          press(view, "cell-device-remove");
+          add(view, "light-barrier");
+          press(view, "cell-device-light-barrier-to-here");
+          assertEquals(tcp.y(), device().place("to").y(), 1e-5);
+          assertEquals(0.4, device().place("from").x());
+        });
+  }
+
+  @Test
   void wiresNeedNoRoom() throws Exception {
     show(
         view -> {

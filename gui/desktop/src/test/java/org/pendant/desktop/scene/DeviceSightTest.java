@@ -15,6 +15,8 @@ import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
 import org.pendant.controller.wire.CellSignal;
+import org.pendant.controller.world.HandSetup;
+import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.models.pose.Pose;
 
 final class DeviceSightTest {
@@ -53,7 +55,7 @@ final class DeviceSightTest {
                 state("left", 0.085, 0.03, true),
                 state("guard", 1, 0.4, false)),
             false);
-    DeviceSight.Gripper gripper = sight.gripper().orElseThrow();
+    DeviceSight.Gripper gripper = sight.grippers().getFirst();
     assertEquals(OptionalDouble.of(0.03), gripper.openingM());
     assertTrue(gripper.holds());
     assertTrue(sight.sensors().getFirst().sees());
@@ -63,7 +65,7 @@ final class DeviceSightTest {
   @Test
   void whatIsNotKnownOfThePastIsNotClaimed() {
     DeviceSight sight = DeviceSight.of(List.of(GATE, GRIPPER, DOOR), List.of(), false);
-    assertEquals(OptionalDouble.empty(), sight.gripper().orElseThrow().openingM());
+    assertEquals(OptionalDouble.empty(), sight.grippers().getFirst().openingM());
     assertFalse(sight.sensors().getFirst().sees());
     assertEquals("guard", sight.doors().getFirst().words());
   }
@@ -71,7 +73,7 @@ final class DeviceSightTest {
   @Test
   void whatIsProposedIsSeenAsItBegins() {
     DeviceSight sight = DeviceSight.of(List.of(GRIPPER, DOOR), List.of(), true);
-    assertEquals(OptionalDouble.of(0.085), sight.gripper().orElseThrow().openingM());
+    assertEquals(OptionalDouble.of(0.085), sight.grippers().getFirst().openingM());
     assertEquals("guard: open", sight.doors().getFirst().words());
   }
 
@@ -84,7 +86,8 @@ final class DeviceSightTest {
                 DeviceSight.of(List.of(GRIPPER), List.of(state("left", 0.085, 0.06, true)), false));
     List<Matrix4f> places =
         GripperPlaces.of(
-            model, new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad()));
+                model, new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad()))
+            .getFirst();
     Vector3f one = places.get(2).getTranslation(new Vector3f());
     Vector3f other = places.get(3).getTranslation(new Vector3f());
     assertEquals(0.06, one.distance(other), 1e-6);
@@ -96,6 +99,27 @@ final class DeviceSightTest {
   }
 
   @Test
+  void allGrippersAreSeenEachWhereItIs() {
+    Pose aside = new Pose(0.08, 0, 0.1, 0, 1, 0);
+    DeviceSetup cup =
+        new DeviceSetup.Vacuum(
+            "cup",
+            new CellSignal("", "digital_out", 0),
+            Optional.empty(),
+            0.1,
+            false,
+            Optional.of(
+                new HandSetup(Optional.of(aside), HandSetup.Grip.Cup.DEFAULT, HandSetup.RUBBER)));
+    SceneModel model =
+        Models.of("ur5e").withDevices(DeviceSight.of(List.of(GRIPPER, cup), List.of(), true));
+    LinkPlaces links = new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad());
+    List<List<Matrix4f>> places = GripperPlaces.of(model, links);
+    assertEquals(2, places.size());
+    Matrix4f expected = new Matrix4f(links.of(Link.WRIST_3)).mul(LinkPlaces.matrix(aside));
+    assertTrue(expected.equals(places.getLast().get(1), 1e-6f));
+  }
+
+  @Test
   void aSensorThatSeesHasAnotherColour() {
     List<DeviceSetup> gate = List.of(GATE);
     DeviceSight clear = DeviceSight.of(gate, List.of(state("gate", 0, 0, false)), false);
@@ -104,5 +128,15 @@ final class DeviceSightTest {
         DeviceOutlines.of(clear, SceneTheme.LIGHT).number(0, 4),
         DeviceOutlines.of(broken, SceneTheme.LIGHT).number(0, 4));
     assertEquals(-0.3, DeviceOutlines.of(clear, SceneTheme.DARK).number(0, 1), 1e-6);
+  }
+
+  @Test
+  void aLightBarrierIsHeldAtBothEndsAndInItsMiddle() {
+    List<DeviceHandles.Handle> handles =
+        DeviceHandles.of(DeviceSight.of(List.of(GATE), List.of(), true));
+    assertEquals(
+        List.of("", "from", "to"), handles.stream().map(DeviceHandles.Handle::key).toList());
+    assertEquals(0, handles.getFirst().placeM().y(), 1e-12);
+    assertEquals(0.3, handles.getLast().placeM().y(), 1e-12);
   }
 }

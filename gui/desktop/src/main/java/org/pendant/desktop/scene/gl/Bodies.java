@@ -1,10 +1,10 @@
 package org.pendant.desktop.scene.gl;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import org.joml.Matrix4f;
 import org.pendant.controller.world.HandSetup;
@@ -38,9 +38,10 @@ final class Bodies implements AutoCloseable {
   private Set<String> touched = Set.of();
   private Mesh.Box worldBox = new Mesh.Box(0, 0, 0, -1, -1, -1);
   private GpuMesh world = new GpuMesh(List.of());
-  private Optional<GripperOf> gripperNow = Optional.empty();
-  private List<Mesh.Box> gripperBoxes = List.of();
-  private GpuMesh gripper = new GpuMesh(List.of());
+  private final List<LoadedGripper> grippers = new ArrayList<>();
+
+  /** A gripper in the memory of the graphics, and how far its meshes reach. */
+  private record LoadedGripper(GripperOf of, List<Mesh.Box> boxes, GpuMesh mesh) {}
 
   private record GripperOf(HandSetup.Grip grip, double reachM, double strokeM, boolean holds) {
     static GripperOf of(DeviceSight.Gripper sight, Pose tcpInFlange) {
@@ -82,29 +83,36 @@ final class Bodies implements AutoCloseable {
       world.close();
       world = new GpuMesh(List.of(mesh));
     }
-    Optional<GripperOf> wanted =
-        model.devices().gripper().map(sight -> GripperOf.of(sight, model.tcpInFlange()));
-    if (!wanted.equals(gripperNow)) {
-      gripperNow = wanted;
-      List<Mesh> meshes = wanted.map(each -> each.meshes(detail)).orElse(List.of());
-      gripperBoxes = meshes.stream().map(Mesh::box).toList();
-      gripper.close();
-      gripper = new GpuMesh(meshes);
+    List<GripperOf> wanted =
+        model.devices().grippers().stream()
+            .map(sight -> GripperOf.of(sight, model.tcpInFlange()))
+            .toList();
+    if (!wanted.equals(grippers.stream().map(LoadedGripper::of).toList())) {
+      grippers.forEach(each -> each.mesh.close());
+      grippers.clear();
+      for (GripperOf each : wanted) {
+        List<Mesh> meshes = each.meshes(detail);
+        grippers.add(
+            new LoadedGripper(each, meshes.stream().map(Mesh::box).toList(), new GpuMesh(meshes)));
+      }
     }
   }
 
   /**
    * Counts all that throws a shadow.
    *
-   * @param gripperPlaces of its meshes
+   * @param gripperPlaces of the meshes of each gripper
    */
-  void addTo(ShadowReach reach, LinkPlaces places, List<Matrix4f> gripperPlaces) {
+  void addTo(ShadowReach reach, LinkPlaces places, List<List<Matrix4f>> gripperPlaces) {
     for (Link link : Link.values()) {
       reach.add(armBoxes.get(link), places.of(link));
     }
     reach.add(worldBox, new Matrix4f());
     for (int i = 0; i < gripperPlaces.size(); i++) {
-      reach.add(gripperBoxes.get(i), gripperPlaces.get(i));
+      List<Mesh.Box> boxes = grippers.get(i).boxes;
+      for (int j = 0; j < boxes.size(); j++) {
+        reach.add(boxes.get(j), gripperPlaces.get(i).get(j));
+      }
     }
   }
 
@@ -123,9 +131,9 @@ final class Bodies implements AutoCloseable {
     return world;
   }
 
-  /** The gripper, one place for each of its meshes. */
-  GpuMesh gripper() {
-    return gripper;
+  /** A gripper, one place for each of its meshes. */
+  GpuMesh gripper(int number) {
+    return grippers.get(number).mesh;
   }
 
   /** Arrows of length 1, in place 0. */
@@ -147,7 +155,7 @@ final class Bodies implements AutoCloseable {
   public void close() {
     arm.close();
     world.close();
-    gripper.close();
+    grippers.forEach(each -> each.mesh.close());
     frame.close();
     rod.close();
     ball.close();

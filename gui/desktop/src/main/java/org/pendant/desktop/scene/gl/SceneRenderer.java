@@ -65,7 +65,7 @@ final class SceneRenderer implements AutoCloseable {
       String armId,
       Joints positionRad,
       Object world,
-      Object gripper,
+      Object grippers,
       Pose tcpInFlange,
       Detail detail) {}
 
@@ -76,7 +76,7 @@ final class SceneRenderer implements AutoCloseable {
       Quality quality,
       Bodies bodies,
       LinkPlaces places,
-      List<Matrix4f> gripperPlaces,
+      List<List<Matrix4f>> gripperPlaces,
       Ground ground,
       Matrix4fc toClip,
       Matrix4fc toMap) {}
@@ -154,7 +154,7 @@ final class SceneRenderer implements AutoCloseable {
             model.arm().id(),
             model.positionRad(),
             model.world(),
-            model.devices().gripper(),
+            model.devices().grippers(),
             model.tcpInFlange(),
             sight.quality.detail());
     if (inShadow.equals(Optional.of(caster))) {
@@ -170,7 +170,7 @@ final class SceneRenderer implements AutoCloseable {
     sight.bodies.arm().draw();
     depth.set("places", 0, new Matrix4f());
     sight.bodies.world().draw();
-    drawGripper(sight, depth);
+    drawGrippers(sight, depth);
     shadow.end();
   }
 
@@ -233,7 +233,7 @@ final class SceneRenderer implements AutoCloseable {
     solid.setBits("hit", 0);
     solid.set("places", 0, new Matrix4f());
     bodies.world().draw();
-    drawGripper(sight, solid);
+    drawGrippers(sight, solid);
     float length = frameLengthM(model);
     Matrix4f tcp = LinkPlaces.matrix(model.tcpInBase());
     drawFrame(sight, solid, new Matrix4f(), length);
@@ -245,20 +245,20 @@ final class SceneRenderer implements AutoCloseable {
       float share = mark.chosen() ? CHOSEN_MARK_SHARE : MARK_SHARE;
       drawFrame(sight, solid, LinkPlaces.matrix(mark.inBase()), share * length);
     }
-    if (model.devices().gripper().isEmpty()) {
+    if (model.devices().grippers().isEmpty()) {
       drawRod(sight, solid, new Matrix4f(sight.places.of(Link.WRIST_3)), tcp);
     }
     model.payload().ifPresent(ball -> drawBall(sight, solid, ball));
   }
 
-  private static void drawGripper(Sight sight, ShaderProgram program) {
-    if (sight.gripperPlaces.isEmpty()) {
-      return;
+  private static void drawGrippers(Sight sight, ShaderProgram program) {
+    for (int gripper = 0; gripper < sight.gripperPlaces.size(); gripper++) {
+      List<Matrix4f> places = sight.gripperPlaces.get(gripper);
+      for (int i = 0; i < places.size(); i++) {
+        program.set("places", i, places.get(i));
+      }
+      sight.bodies.gripper(gripper).draw();
     }
-    for (int i = 0; i < sight.gripperPlaces.size(); i++) {
-      program.set("places", i, sight.gripperPlaces.get(i));
-    }
-    sight.bodies.gripper().draw();
   }
 
   private static float frameLengthM(SceneModel model) {

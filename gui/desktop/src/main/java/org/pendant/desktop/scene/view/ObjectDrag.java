@@ -2,18 +2,24 @@ package org.pendant.desktop.scene.view;
 
 import java.awt.Cursor;
 import java.awt.EventQueue;
+import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.SwingUtilities;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.DeviceHandles;
 import org.pendant.desktop.scene.Picked;
 import org.pendant.desktop.scene.Ray;
 
 /**
- * Object drag: the mouse that places an object of the scene: along the floor, up and down with
- * Ctrl, without steps with Alt. What is under the pointer is known a moment after the press; until
- * then, and while something is held, the view does not turn.
+ * Object drag: the mouse that places an object or a device of the scene: along the floor, up and
+ * down with Ctrl, without steps with Alt. What is under the pointer is known a moment after the
+ * press; until then, and while something is held, the view does not turn.
  */
 final class ObjectDrag extends MouseAdapter {
   private static final Vector3 NOWHERE = new Vector3(0, 0, 0);
@@ -23,6 +29,15 @@ final class ObjectDrag extends MouseAdapter {
   private ObjectHand hand = ObjectHand.NONE;
   private Optional<Hold> held = Optional.empty();
   private boolean asking;
+
+  /** Whether the pointer is on a handle of a device. */
+  private boolean onHandle;
+
+  /** Where the pointer is while it holds something. */
+  private Optional<Point> pointer = Optional.empty();
+
+  /** How near to a handle the pointer has to be, in the size of letters. */
+  private static final double NEAR_EM = 0.8;
 
   /** Counts the presses, so that an answer to an earlier one is dropped. */
   private int press;
@@ -74,6 +89,13 @@ final class ObjectDrag extends MouseAdapter {
         || !hand.grabs()) {
       return;
     }
+    Optional<DeviceHandles.Handle> handle = handleAt(event.getPoint());
+    if (handle.isPresent()) {
+      if (hand.begin(handle.get())) {
+        hold(handle.get().placeM(), upright(event));
+      }
+      return;
+    }
     asking = true;
     int asked = ++press;
     boolean upright = upright(event);
@@ -99,8 +121,58 @@ final class ObjectDrag extends MouseAdapter {
     if (found.isPresent()
         && found.get() instanceof Picked.OnObject(String name, Vector3 pointM, _)
         && hand.begin(name)) {
-      held = Optional.of(new Hold(pointM, NOWHERE, upright));
-      view.setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
+      hold(pointM, upright);
+    }
+  }
+
+  private void hold(Vector3 pointM, boolean upright) {
+    held = Optional.of(new Hold(pointM, NOWHERE, upright));
+    view.setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
+  }
+
+  /** Where devices can be held now, and where that is seen. */
+  Map<DeviceHandles.Handle, Point2D> handles() {
+    if (!hand.grabs() || view.drawn().isEmpty()) {
+      return Map.of();
+    }
+    PictureRequest shown = view.drawn().get();
+    Map<DeviceHandles.Handle, Point2D> seen = new LinkedHashMap<>();
+    for (DeviceHandles.Handle each : DeviceHandles.of(shown.model().devices())) {
+      shown
+          .camera()
+          .pixel(each.placeM(), view.getWidth(), view.getHeight())
+          .ifPresent(at -> seen.put(each, at));
+    }
+    return seen;
+  }
+
+  /** The nearest handle that the pointer is on. */
+  private Optional<DeviceHandles.Handle> handleAt(Point point) {
+    double nearPx = NEAR_EM * view.getFont().getSize();
+    return handles().entrySet().stream()
+        .filter(each -> each.getValue().distance(point) <= nearPx)
+        .min(Comparator.comparingDouble(each -> each.getValue().distance(point)))
+        .map(Map.Entry::getKey);
+  }
+
+  /** What is said of what is held, and where the pointer is then. */
+  Optional<String> words() {
+    return held.isPresent() && !hand.words().isEmpty()
+        ? Optional.of(hand.words())
+        : Optional.empty();
+  }
+
+  /** Where the pointer is while it holds something; empty while it does not. */
+  Optional<Point> pointer() {
+    return held.isPresent() ? pointer : Optional.empty();
+  }
+
+  @Override
+  public void mouseMoved(MouseEvent event) {
+    boolean on = handleAt(event.getPoint()).isPresent();
+    if (on != onHandle) {
+      onHandle = on;
+      view.setCursor(Cursor.getPredefinedCursor(on ? Cursor.MOVE_CURSOR : Cursor.DEFAULT_CURSOR));
     }
   }
 
@@ -129,6 +201,8 @@ final class ObjectDrag extends MouseAdapter {
       held = Optional.of(new Hold(place.get(), wayM, upright(event)));
     }
     hand.move(wayM, event.isAltDown());
+    pointer = Optional.of(event.getPoint());
+    view.repaint();
   }
 
   @Override

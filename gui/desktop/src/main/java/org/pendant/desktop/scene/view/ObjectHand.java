@@ -1,8 +1,9 @@
 package org.pendant.desktop.scene.view;
 
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.DeviceHandles;
 
-/** Hand on an object of the scene: places it when the user drags it in the picture. */
+/** Hand on objects and devices of the scene: places them when they are dragged in the picture. */
 public interface ObjectHand {
   /** A hand that drags nothing. */
   ObjectHand NONE =
@@ -18,7 +19,17 @@ public interface ObjectHand {
         }
 
         @Override
+        public boolean begin(DeviceHandles.Handle handle) {
+          return false;
+        }
+
+        @Override
         public void move(Vector3 wayInBaseM, boolean fine) {}
+
+        @Override
+        public String words() {
+          return "";
+        }
 
         @Override
         public void end() {}
@@ -30,6 +41,9 @@ public interface ObjectHand {
   /** An object is held. Answers whether it can be moved. */
   boolean begin(String name);
 
+  /** A device is held. Answers whether it can be moved. */
+  boolean begin(DeviceHandles.Handle handle);
+
   /**
    * It is dragged.
    *
@@ -37,6 +51,9 @@ public interface ObjectHand {
    * @param fine whether it goes just there, and not in steps
    */
   void move(Vector3 wayInBaseM, boolean fine);
+
+  /** Where what is held is now, for people; empty for nothing. */
+  String words();
 
   /** It is let go. */
   void end();

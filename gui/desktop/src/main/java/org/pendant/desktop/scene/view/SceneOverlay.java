@@ -12,6 +12,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -291,6 +292,20 @@ final class SceneOverlay {
     graphics.draw(
         new Ellipse2D.Double(
             target.at().getX() - radius, target.at().getY() - radius, 2 * radius, 2 * radius));
+  }
+
+  /** Squares at which devices are held. */
+  void handles(Collection<Point2D> places) {
+    double side = 0.6 * em;
+    graphics.setStroke(new BasicStroke(1.5f));
+    for (Point2D at : places) {
+      Rectangle2D square =
+          new Rectangle2D.Double(at.getX() - side / 2, at.getY() - side / 2, side, side);
+      graphics.setColor(Palette.card());
+      graphics.fill(square);
+      graphics.setColor(Palette.accent());
+      graphics.draw(square);
+    }
   }
 
   /** What is known of what the pointer is on, in lines. */

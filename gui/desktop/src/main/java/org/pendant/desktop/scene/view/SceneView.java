@@ -404,7 +404,9 @@ public final class SceneView extends JPanel {
     overlay.legend(drawn.get().model());
     overlay.compared(drawn.get().model());
     overlay.doors(drawn.get().model());
+    overlay.handles(placing.handles().values());
     overlay.pointed(hover.pointer(), marks.target().map(MarkTarget::words).or(hover::name));
+    overlay.pointed(placing.pointer(), placing.words());
     drag.paint(own, drawn.get(), getWidth(), getHeight());
     own.dispose();
   }
