@@ -54,6 +54,7 @@ public final class CellView implements View {
       RulesCard rules,
       LoadCard load,
       ToolPointsCard tool,
+      LinksCard links,
       WiringPage wiring,
       JTabbedPane pages) {
     void show() {
@@ -64,6 +65,7 @@ public final class CellView implements View {
       objects.show();
       load.show();
       tool.show();
+      links.show();
     }
   }
 
@@ -159,6 +161,7 @@ public final class CellView implements View {
               new RulesCard(draft),
               new LoadCard(draft, measures),
               new ToolPointsCard(draft, measures),
+              new LinksCard(draft),
               new WiringPage(draft, signalName),
               new JTabbedPane());
       JPanel sheet = new CardSheet(GAP, WIDEST_CARD);
@@ -170,6 +173,7 @@ public final class CellView implements View {
       second.add(made.rules.component());
       second.add(made.load.component());
       second.add(made.tool.component());
+      second.add(made.links.component());
       sheet.add(second);
       JScrollPane scroll =
           new SettledScroll(
@@ -214,5 +218,6 @@ public final class CellView implements View {
     rotation.look();
     cards().bar().refresh();
     cards().wiring().refresh(state);
+    cards().devices().refresh(state.devices());
   }
 }

@@ -1,14 +1,18 @@
 package org.pendant.desktop.cell;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import org.pendant.controller.device.DeviceKind;
+import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.io.DeviceRow;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Items;
@@ -21,6 +25,9 @@ final class DevicesCard {
   private final TitledCard card = new TitledCard("Devices", "[grow, fill]");
   private final Items<DeviceText> items;
   private final DeviceForm form;
+
+  /** What devices of the controller are at, by their names. */
+  private Map<String, String> doing = Map.of();
 
   /**
    * @param measures in which lengths are shown
@@ -41,7 +48,7 @@ final class DevicesCard {
             "Devices of the cell",
             "None. Grippers, doors and sensors answer the program.",
             new Drafted(),
-            each -> each.name() + "  (" + each.title() + ")");
+            this::words);
     Map<String, Supplier<DeviceText>> kinds = new LinkedHashMap<>();
     for (DeviceKind kind : DeviceKind.ALL) {
       kinds.put(kind.title(), () -> DeviceForm.fresh(kind, devices(), draft.scene()));
@@ -60,6 +67,23 @@ final class DevicesCard {
                     .map(each -> DevicePlaces.of(each).moved(key, tcpInBaseM.get()))
                     .ifPresent(items::replace));
     card.add(items.component());
+  }
+
+  private String words(DeviceText device) {
+    String now = doing.getOrDefault(device.name(), "");
+    return device.name() + "  (" + device.title() + ")" + (now.isEmpty() ? "" : "  \u2013 " + now);
+  }
+
+  /** Shows what devices are at. */
+  void refresh(List<DeviceState> states) {
+    Map<String, String> now = new HashMap<>();
+    for (DeviceState each : states) {
+      now.put(each.name(), DeviceRow.of(each).doing().toLowerCase(Locale.ROOT));
+    }
+    if (!now.equals(doing)) {
+      doing = now;
+      items.show();
+    }
   }
 
   private List<DeviceText> devices() {

@@ -12,13 +12,15 @@ import org.pendant.controller.device.DeviceState;
  * @param takesPart whether people can put a part into it
  * @param hasPart whether there is one
  */
-record DeviceRow(String name, String kind, String doing, boolean takesPart, boolean hasPart) {
+public record DeviceRow(
+    String name, String kind, String doing, boolean takesPart, boolean hasPart) {
   private static final double MM = 1e-3;
   private static final String DOOR = "door";
   private static final String LIMIT_SWITCH = "limit switch";
   private static final String BUTTON = "button";
 
-  static DeviceRow of(DeviceState device) {
+  /** A device as it is now. */
+  public static DeviceRow of(DeviceState device) {
     return new DeviceRow(
         device.name(), device.kind(), doing(device), device.mostM() > 0, device.partM() > 0);
   }
@@ -33,10 +35,13 @@ record DeviceRow(String name, String kind, String doing, boolean takesPart, bool
       return switch (device.kind()) {
         case "camera" -> device.on() ? "Sees a part" : "Sees nothing";
         case "lamp" -> device.on() ? "Lit" : "Not lit";
+        case "belt" -> device.on() ? "Runs" : "Stands still";
+        case "source" -> device.on() ? "A part comes" : "Waits";
+        case "sink" -> device.on() ? "Takes a part" : "Waits";
         case LIMIT_SWITCH, BUTTON -> device.on() ? "Pressed" : "Not pressed";
         default ->
             device.mostM() == 0
-                ? device.on() ? "Sees the tool" : "Sees nothing"
+                ? device.on() ? "Sees something" : "Sees nothing"
                 : device.on() ? "Holds a part" : "Holds nothing";
       };
     }

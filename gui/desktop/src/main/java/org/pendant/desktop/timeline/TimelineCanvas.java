@@ -138,6 +138,9 @@ final class TimelineCanvas extends JComponent implements Scrollable {
 
   void show(Tracks found) {
     tracks = found;
+    if (painter.provide(found)) {
+      revalidate();
+    }
     repaint();
   }
 

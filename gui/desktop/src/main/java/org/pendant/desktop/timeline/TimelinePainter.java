@@ -21,13 +21,31 @@ import org.pendant.recording.RecordingMark;
 
 /** Timeline painter: draws a timeline: names at the left, time above, a row for each track. */
 final class TimelinePainter {
-  private static final List<String> ROWS =
-      List.of("Program", "Marks", "Inputs", "Outputs", "TCP speed");
+  /** What there may be to see, from above. */
+  private enum Row {
+    PROGRAM("Program", 1.35),
+    MARKS("Marks", 1.2),
+    INPUTS("Inputs", 0.7),
+    OUTPUTS("Outputs", 0.7),
+    NEAREST("Nearest", 1.4),
+    SPEED("TCP speed", 2.4);
 
-  private static final int MARKS = 1;
+    private final String title;
 
-  /** Height of each row in heights of a line of text. */
-  private static final double[] HEIGHTS = {1.35, 1.2, 0.7, 0.7, 2.4};
+    /** In heights of a line of text. */
+    private final double height;
+
+    Row(String title, double height) {
+      this.title = title;
+      this.height = height;
+    }
+  }
+
+  private static final List<Row> ALL = List.of(Row.values());
+
+  /** Where nobody knows how near the arm is to anything. */
+  private static final List<Row> WITHOUT_NEAREST =
+      ALL.stream().filter(row -> row != Row.NEAREST).toList();
 
   /** Height of the axis in the same. */
   private static final double AXIS = 1.5;
@@ -41,6 +59,7 @@ final class TimelinePainter {
   /** From this use of a margin on it is told as an error. */
   private static final double HIGH = 0.8;
 
+  private List<Row> rows = WITHOUT_NEAREST;
   private int left = UIScale.scale(84);
   private double marksTop;
   private double marksBottom;
@@ -59,9 +78,16 @@ final class TimelinePainter {
     return width - left - UIScale.scale(12);
   }
 
+  /** Has a row for each track that there is; answers whether there are others than before. */
+  boolean provide(Tracks tracks) {
+    List<Row> before = rows;
+    rows = tracks.nearestM().isPresent() ? ALL : WITHOUT_NEAREST;
+    return !rows.equals(before);
+  }
+
   /** The height that all rows need. */
   int height(FontMetrics metrics) {
-    return height(metrics, rest() + HEIGHTS[HEIGHTS.length - 1]);
+    return height(metrics, rest() + rows.getLast().height);
   }
 
   /** The height below which names and rows would lie on each other. */
@@ -69,17 +95,13 @@ final class TimelinePainter {
     return height(metrics, SMALLEST * (rest() + 1));
   }
 
-  private static int height(FontMetrics metrics, double lines) {
-    return (int) Math.ceil((AXIS + lines) * metrics.getHeight()) + (ROWS.size() + 1) * gap();
+  private int height(FontMetrics metrics, double lines) {
+    return (int) Math.ceil((AXIS + lines) * metrics.getHeight()) + (rows.size() + 1) * gap();
   }
 
   /** The lines of all rows but the last. */
-  private static double rest() {
-    double lines = 0;
-    for (int i = 0; i < HEIGHTS.length - 1; i++) {
-      lines += HEIGHTS[i];
-    }
-    return lines;
+  private double rest() {
+    return rows.subList(0, rows.size() - 1).stream().mapToDouble(row -> row.height).sum();
   }
 
   private static int gap() {
@@ -99,7 +121,10 @@ final class TimelinePainter {
     pen.setColor(Palette.card());
     pen.fillRect(0, 0, size.width, size.height);
     FontMetrics metrics = pen.getFontMetrics();
-    left = 2 * gap() + ROWS.stream().mapToInt(metrics::stringWidth).max().orElse(0) + gap();
+    left =
+        2 * gap()
+            + rows.stream().map(row -> row.title).mapToInt(metrics::stringWidth).max().orElse(0)
+            + gap();
     int width = plotWidth(size.width);
     if (width < 1) {
       return;
@@ -107,12 +132,13 @@ final class TimelinePainter {
     Sheet sheet = new Sheet(pen, at.range(), left, width, metrics);
     double y = axis(sheet, size.height, at);
     double[] heights = heights(size.height - y, metrics.getHeight());
-    for (int row = 0; row < ROWS.size(); row++) {
-      double height = heights[row];
-      label(sheet, ROWS.get(row), y, height);
+    for (int i = 0; i < rows.size(); i++) {
+      Row row = rows.get(i);
+      double height = heights[i];
+      label(sheet, row.title, y, height);
       pen.setClip(left, 0, width + 1, size.height);
       row(sheet, row, tracks, y, height);
-      if (row == MARKS) {
+      if (row == Row.MARKS) {
         marksTop = y;
         marksBottom = y + height;
         clients(sheet, clients, y, height);
@@ -125,20 +151,20 @@ final class TimelinePainter {
   }
 
   /** The last row takes what is left; where there is little, all get less. */
-  private static double[] heights(double room, int lineHeight) {
-    double[] heights = new double[HEIGHTS.length];
-    double gaps = (double) HEIGHTS.length * gap();
+  private double[] heights(double room, int lineHeight) {
+    double[] heights = new double[rows.size()];
+    double gaps = (double) rows.size() * gap();
     double rest = rest() * lineHeight;
     double scale = Math.clamp((room - gaps) / (rest + lineHeight), SMALLEST, 1);
     for (int i = 0; i < heights.length - 1; i++) {
-      heights[i] = scale * HEIGHTS[i] * lineHeight;
+      heights[i] = scale * rows.get(i).height * lineHeight;
     }
     heights[heights.length - 1] = Math.max(scale * lineHeight, room - gaps - scale * rest);
     return heights;
   }
 
   /** Where things are drawn. */
-  private record Sheet(Graphics2D pen, TimeRange range, int left, int width, FontMetrics metrics) {
+  record Sheet(Graphics2D pen, TimeRange range, int left, int width, FontMetrics metrics) {
     double x(double timeS) {
       return left + range.share(timeS) * width;
     }
@@ -187,13 +213,14 @@ final class TimelinePainter {
     return bottom + gap();
   }
 
-  private static void row(Sheet sheet, int row, Tracks tracks, double y, double height) {
+  private static void row(Sheet sheet, Row row, Tracks tracks, double y, double height) {
     switch (row) {
-      case 0 -> programs(sheet, tracks, y, height);
-      case 1 -> marks(sheet, tracks, y, height);
-      case 2 -> edges(sheet, tracks.inputs(), Palette.series(0), y, height);
-      case 3 -> edges(sheet, tracks.outputs(), Palette.series(1), y, height);
-      default -> tracks.speedMPerS().ifPresent(speed -> speed(sheet, speed, y, height));
+      case PROGRAM -> programs(sheet, tracks, y, height);
+      case MARKS -> marks(sheet, tracks, y, height);
+      case INPUTS -> edges(sheet, tracks.inputs(), Palette.series(0), y, height);
+      case OUTPUTS -> edges(sheet, tracks.outputs(), Palette.series(1), y, height);
+      case NEAREST -> NearestRow.paint(sheet, tracks, y, height);
+      case SPEED -> tracks.speedMPerS().ifPresent(speed -> speed(sheet, speed, y, height));
     }
   }
 

@@ -30,6 +30,7 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.world.Scene;
 import org.pendant.desktop.session.Branching;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.View;
@@ -403,7 +404,8 @@ public final class TimelineView implements View {
     branch.progress().ifPresent(share -> progress.setValue((int) (THOUSAND * share)));
     // a file does not say whether the programs in it had one
     boolean startRamp = !lookBack.ofFile() && workbench.session().options().startRamp();
-    watch.look(lookBack.recording(), lookBack.range(), canvas.buckets(), startRamp);
+    boolean cell = lookBack.ofFile() || !workbench.session().options().scene().equals(Scene.EMPTY);
+    watch.look(lookBack.recording(), lookBack.range(), canvas.buckets(), startRamp, cell);
     canvas.repaint();
   }
 }

@@ -30,8 +30,9 @@ final class TrackWatch {
    * Looks, unless that would be too often.
    *
    * @param startRamp whether the programs of the recording have a start ramp
+   * @param cell whether there is something around the arm
    */
-  void look(Recording recording, TimeRange range, int buckets, boolean startRamp) {
+  void look(Recording recording, TimeRange range, int buckets, boolean startRamp, boolean cell) {
     // Another width is another picture; one that only moves with time can wait.
     boolean other = Math.abs(range.widthS() - last.widthS()) > 1e-9;
     long since = System.nanoTime() - doneNs;
@@ -45,16 +46,16 @@ final class TrackWatch {
         .name("timeline")
         .start(
             () -> {
-              Optional<Tracks> tracks = tracks(recording, range, buckets, startRamp);
+              Optional<Tracks> tracks = tracks(recording, range, buckets, startRamp, cell);
               EventQueue.invokeLater(() -> done(tracks, System.nanoTime() - begin));
             });
   }
 
   /** Empty after a fault of ours: what was found before stays. */
   private static Optional<Tracks> tracks(
-      Recording recording, TimeRange range, int buckets, boolean startRamp) {
+      Recording recording, TimeRange range, int buckets, boolean startRamp, boolean cell) {
     try {
-      return Optional.of(Tracks.of(recording, range, buckets, startRamp));
+      return Optional.of(Tracks.of(recording, range, buckets, startRamp, cell));
     } catch (UncheckedIOException e) {
       // A file has gone. A user who looks at a moment of it is told; here nothing is drawn.
       return Optional.of(Tracks.NONE);

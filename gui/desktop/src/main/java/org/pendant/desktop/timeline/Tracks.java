@@ -2,9 +2,14 @@ package org.pendant.desktop.timeline;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.world.LinkHit;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.Column;
 import org.pendant.recording.ColumnTrace;
@@ -22,6 +27,9 @@ import org.pendant.recording.RecordingMark;
  * @param warningsS when the log had a warning, s
  * @param inputs where a digital input changed
  * @param outputs where a digital output changed
+ * @param nearestM how far a link of the arm was from another one or an object; empty where nobody
+ *     knows
+ * @param hits what the arm has run into
  * @param speedMPerS how fast the TCP went
  */
 record Tracks(
@@ -33,6 +41,8 @@ record Tracks(
     List<Double> warningsS,
     List<Bar> inputs,
     List<Bar> outputs,
+    Optional<ColumnTrace> nearestM,
+    List<Hit> hits,
     Optional<ColumnTrace> speedMPerS) {
   /** Nothing was looked at yet. */
   static final Tracks NONE =
@@ -45,6 +55,8 @@ record Tracks(
           List.of(),
           List.of(),
           List.of(),
+          Optional.empty(),
+          List.of(),
           Optional.empty());
 
   /** More cannot be told from each other. */
@@ -52,8 +64,19 @@ record Tracks(
 
   private static final double PAUSED = 2;
 
+  /** In the text of a stop. */
+  private static final Pattern HIT =
+      Pattern.compile("(" + LinkHit.THE + "[^:]+" + LinkHit.HAS_HIT + ".+?)(?:: |$)");
+
   /** A stretch of time, s. */
   record Bar(double fromS, double toS) {}
+
+  /**
+   * A collision of the arm.
+   *
+   * @param words who has hit what
+   */
+  record Hit(double timeS, String words) {}
 
   /** A program from its start to its end. */
   record Run(double fromS, double toS, String name, boolean failed) {
@@ -67,8 +90,10 @@ record Tracks(
    *
    * @param buckets how finely, such as one for each pixel
    * @param startRamp whether the programs of the recording have a start ramp
+   * @param cell whether there is something around the arm
    */
-  static Tracks of(Recording recording, TimeRange range, int buckets, boolean startRamp) {
+  static Tracks of(
+      Recording recording, TimeRange range, int buckets, boolean startRamp, boolean cell) {
     List<RecordingMark> marks = recording.marks();
     double fromS = range.fromS();
     double toS = range.toS();
@@ -82,7 +107,45 @@ record Tracks(
         warnings(recording, fromS, toS),
         edges(recording, range, buckets, true),
         edges(recording, range, buckets, false),
+        cell ? nearest(recording, range, buckets) : Optional.empty(),
+        hits(marks),
         Optional.of(recording.scan(Column.of("tcp_speed", 0), fromS, toS, buckets)));
+  }
+
+  private static Optional<ColumnTrace> nearest(Recording recording, TimeRange range, int buckets) {
+    ColumnTrace nearest =
+        recording.scan(Column.of("link_distance", 0), range.fromS(), range.toS(), buckets);
+    return IntStream.range(0, nearest.size()).allMatch(i -> Double.isNaN(nearest.lowest(i)))
+        ? Optional.empty()
+        : Optional.of(nearest);
+  }
+
+  /** What stops tell of them. */
+  static List<Hit> hits(List<RecordingMark> marks) {
+    List<Hit> hits = new ArrayList<>();
+    for (RecordingMark mark : marks) {
+      Matcher sentence = HIT.matcher(ByteText.decoded(mark.text()));
+      if (mark.kind() == RecordingMark.Kind.PROTECTIVE_STOP && sentence.find()) {
+        hits.add(new Hit(mark.timeS(), sentence.group(1)));
+      }
+    }
+    return hits;
+  }
+
+  /** How near something was at a time, such as {@code , nearest 34 mm}. */
+  private String nearestWords(double timeS) {
+    if (nearestM.isEmpty()) {
+      return "";
+    }
+    ColumnTrace trace = nearestM.get();
+    int i = (int) Math.floor(range.share(timeS) * trace.size());
+    if (i < 0 || i >= trace.size() || Double.isNaN(trace.lowest(i))) {
+      return "";
+    }
+    double mm = 1000 * trace.lowest(i);
+    return mm < 0
+        ? String.format(Locale.ROOT, ", %.1f mm inside of something", -mm)
+        : String.format(Locale.ROOT, ", nearest %.0f mm", mm);
   }
 
   /** What there is at a time, in words. */
@@ -103,7 +166,7 @@ record Tracks(
         about.append(", start ramp: moves come up to speed in its first 0.160 s");
       }
     }
-    return about.toString();
+    return about.append(nearestWords(timeS)).toString();
   }
 
   private static String words(RecordingMark mark) {

@@ -35,6 +35,12 @@ final class DeviceRowTest {
   }
 
   @Test
+  void beltsTellWhetherTheyRun() {
+    assertEquals("Runs", doing(new DeviceState("b", "belt", 0, 0, 0, true, 0, 0, 0)));
+    assertEquals("Stands still", doing(new DeviceState("b", "belt", 0, 0, 0, false, 0, 0, 0)));
+  }
+
+  @Test
   void switchesTellWhetherTheyArePressedAndLampsWhetherTheyAreLit() {
     DeviceState button = new DeviceState("b", "button", 0, 0, 0, true, 1, 1, 0);
     assertEquals("Pressed", doing(button));

@@ -58,6 +58,27 @@ final class TracksTest {
   }
 
   @Test
+  void aStopAtACollisionTellsWhoHasHitWhat() {
+    String hit =
+        "C157A2 protective stop at 1.344 s: the forearm has hit \"post\": 0.0016 m, limit 0 m";
+    assertEquals(
+        List.of(new Tracks.Hit(1.344, "the forearm has hit \"post\"")),
+        Tracks.hits(
+            List.of(
+                mark(Kind.PROTECTIVE_STOP, 1, "C157A0 protective stop: force"),
+                mark(Kind.PROTECTIVE_STOP, 1.344, hit),
+                mark(Kind.MESSAGE, 2, hit))));
+  }
+
+  @Test
+  void howNearTheArmWasIsToldWhereSomethingIsAroundIt() {
+    RecordedRun run = new RecordedRun().start("def p():\n  sleep(0.1)\nend\n").frames(50);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.1), 50, false, true);
+    assertTrue(tracks.nearestM().orElseThrow().lowest(20) > 0.01);
+    assertTrue(tracks.about(0.05, 0).matches(".*p runs, nearest \\d+ mm"), tracks.about(0.05, 0));
+  }
+
+  @Test
   void findsEdgesPausesWarningsAndSpeed() {
     RecordedRun run =
         new RecordedRun()
@@ -72,7 +93,7 @@ final class TracksTest {
             .frames(100)
             .pause()
             .frames(200);
-    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.6), 300, false);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.6), 300, false, false);
 
     assertEquals(1, tracks.outputs().size(), tracks.outputs()::toString);
     assertEquals(0.1, tracks.outputs().getFirst().fromS(), 0.01);
@@ -81,6 +102,7 @@ final class TracksTest {
     assertTrue(tracks.pauses().getFirst().fromS() >= 0.2);
     assertEquals("p", tracks.runs().getFirst().name());
     assertFalse(tracks.speedMPerS().isEmpty());
+    assertTrue(tracks.nearestM().isEmpty());
     assertTrue(tracks.about(0.05, 0).endsWith("p runs"), tracks.about(0.05, 0));
   }
 
@@ -93,14 +115,14 @@ final class TracksTest {
             .frames(250)
             .start("sleep(0.2)\nmovej([0, -1.2, -1.5, -1.5, 1.5, 0], t=0.3)\n")
             .frames(300);
-    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, true);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, true, false);
 
     assertEquals(1, tracks.startRamps().size(), tracks.startRamps()::toString);
     assertEquals(0.102, tracks.startRamps().getFirst().fromS(), 1e-9);
     assertEquals(0.262, tracks.startRamps().getFirst().toS(), 1e-9);
     assertTrue(tracks.about(0.2, 0).contains("start ramp"), tracks.about(0.2, 0));
     assertFalse(tracks.about(0.3, 0).contains("start ramp"), tracks.about(0.3, 0));
-    Tracks without = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, false);
+    Tracks without = Tracks.of(run.ring.recording(), new TimeRange(0, 1.2), 600, false, false);
     assertEquals(List.of(), without.startRamps());
   }
 }
