@@ -11,7 +11,10 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.pendant.controller.device.DeviceField;
 import org.pendant.controller.device.DeviceKind;
+import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.io.SignalBank;
+import org.pendant.controller.wire.CellSignal;
+import org.pendant.controller.wire.SignalGroup;
 
 /**
  * Cell wiring: what of the devices of a cell is wired to which signals of the controller;
@@ -24,12 +27,15 @@ record CellWiring(List<Box> boxes) {
   private static final String ENCODER = "encoder";
   private static final int ENCODERS = 2;
 
+  /** Signals of a group of a device that have rows. */
+  private static final int MAX_SHOWN = 64;
+
   /** Of an encoder that is wired to a belt which did not say how many it has. */
   private static final double FIRST_TICKS_PER_M = 10_000;
 
   private static final Pattern RULE_PART =
       Pattern.compile("\"(when|while|set)\"\\s*:\\s*\"([^\"]*)\"");
-  private static final Pattern SIGNAL = Pattern.compile("[\\w.]+\\[\\d+]");
+  private static final Pattern SIGNAL = Pattern.compile("[\\w.-]+\\[\\d+]");
 
   /** Copies the list. */
   CellWiring {
@@ -158,6 +164,33 @@ record CellWiring(List<Box> boxes) {
     groups.add(
         group("Flags", SignalBank.FLAG.text(), SignalBank.FLAG.size(), WireSignal.Kind.FLAG));
     return groups;
+  }
+
+  /**
+   * Digital signals of devices, which others are wired to; of many in a group the first ones.
+   *
+   * @param devices whose they are
+   */
+  static List<Group> signals(List<DeviceSetup> devices) {
+    List<Group> groups = new ArrayList<>();
+    for (DeviceSetup device : devices) {
+      for (SignalGroup each : device.signals()) {
+        if (each.digital()) {
+          groups.add(group(device.name(), each));
+        }
+      }
+    }
+    return groups;
+  }
+
+  private static Group group(String owner, SignalGroup group) {
+    WireSignal.Kind kind = group.settable() ? WireSignal.Kind.INPUT : WireSignal.Kind.OUTPUT;
+    return new Group(
+        owner + ": " + group.name(),
+        IntStream.range(group.first(), group.first() + Math.min(MAX_SHOWN, group.count()))
+            .mapToObj(i -> new CellSignal(owner, group.name(), i).toString())
+            .map(name -> new WireSignal(name, kind))
+            .toList());
   }
 
   private static Group group(String title, String name, int size, WireSignal.Kind kind) {

@@ -227,7 +227,9 @@ final class WiringPage {
 
   private List<WireRow> signalRows() {
     List<WireRow> rows = new ArrayList<>();
-    for (CellWiring.Group group : CellWiring.signals()) {
+    List<CellWiring.Group> groups = new ArrayList<>(CellWiring.signals());
+    groups.addAll(CellWiring.signals(draft.devices()));
+    for (CellWiring.Group group : groups) {
       rows.add(new WireRow.Heading(group.title(), "", false));
       for (WireSignal signal : group.signals()) {
         rows.add(new WireRow.OfSignal(signal, signalName.apply(signal.name())));

@@ -35,7 +35,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.device.DeviceSetup;
-import org.pendant.controller.io.Signal;
 import org.pendant.controller.world.HandSetup;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
@@ -222,7 +221,7 @@ final class CellViewTest {
           DeviceSetup.Driven gripper = (DeviceSetup.Driven) draft.devices().getFirst();
           assertEquals("left", gripper.name());
           assertEquals(0.06, gripper.strokeM());
-          assertEquals(Signal.named("digital_out[1]"), gripper.close());
+          assertEquals("digital_out[1]", gripper.close().toString());
           type(view, "cell-device-gripper-stroke", "");
           assertEquals(0.05, draft.devices().getFirst().strokeM());
           press(view, "cell-device-remove");
