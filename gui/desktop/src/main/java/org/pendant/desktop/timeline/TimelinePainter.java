@@ -7,6 +7,7 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.Shape;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -129,14 +130,14 @@ final class TimelinePainter {
     if (width < 1) {
       return;
     }
-    Sheet sheet = new Sheet(pen, at.range(), left, width, metrics);
+    Sheet sheet = new Sheet(pen, at.range(), left, width, metrics, pen.getClip());
     double y = axis(sheet, size.height, at);
     double[] heights = heights(size.height - y, metrics.getHeight());
     for (int i = 0; i < rows.size(); i++) {
       Row row = rows.get(i);
       double height = heights[i];
       label(sheet, row.title, y, height);
-      pen.setClip(left, 0, width + 1, size.height);
+      pen.clipRect(left, 0, width + 1, size.height);
       row(sheet, row, tracks, y, height);
       if (row == Row.MARKS) {
         marksTop = y;
@@ -144,7 +145,7 @@ final class TimelinePainter {
         clients(sheet, clients, y, height);
         pins.forEach(pin -> pin(sheet, pin, marksTop, marksBottom - marksTop));
       }
-      pen.setClip(null);
+      pen.setClip(sheet.clip);
       y += height + gap();
     }
     cursor(sheet, size, at, focused);
@@ -163,8 +164,13 @@ final class TimelinePainter {
     return heights;
   }
 
-  /** Where things are drawn. */
-  record Sheet(Graphics2D pen, TimeRange range, int left, int width, FontMetrics metrics) {
+  /**
+   * Where things are drawn.
+   *
+   * @param clip what of it is to be painted
+   */
+  record Sheet(
+      Graphics2D pen, TimeRange range, int left, int width, FontMetrics metrics, Shape clip) {
     double x(double timeS) {
       return left + range.share(timeS) * width;
     }
@@ -426,7 +432,7 @@ final class TimelinePainter {
     double base = y + (height + sheet.metrics.getAscent() - sheet.metrics.getDescent()) / 2;
     // Below the name of the row, where there is room.
     if (height > 2 * sheet.metrics.getHeight()) {
-      sheet.pen.setClip(null);
+      sheet.pen.setClip(sheet.clip);
       sheet.pen.drawString(text, 2 * gap(), (float) (base + sheet.metrics.getHeight()));
     }
   }
