@@ -31,7 +31,12 @@ final class WorldCommandHandler implements CommandHandler<WorldCommand> {
           box.arm().world().grip().push(link, pointInLinkM, forceInBaseN);
       case WorldCommand.PullLink(int link, Vector3 pointInLinkM, Vector3 placeInBaseM) ->
           box.arm().world().grip().pull(link, pointInLinkM, placeInBaseM);
-      case WorldCommand.LetGo _ -> box.arm().world().grip().letGo();
+      case WorldCommand.CarryObject(String object, Vector3 pointInBaseM, Vector3 placeInBaseM) ->
+          box.arm().world().carry(object, pointInBaseM, placeInBaseM);
+      case WorldCommand.LetGo _ -> {
+        box.arm().world().grip().letGo();
+        box.arm().world().putDown();
+      }
       case WorldCommand.AttachLoad(Optional<Payload> load) ->
           load.ifPresentOrElse(box.flange()::attachLoad, box.flange()::followDeclaredPayload);
       case WorldCommand.RunEncoder(int index, double ticksPerS) ->

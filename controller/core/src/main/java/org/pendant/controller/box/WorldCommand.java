@@ -39,7 +39,19 @@ public sealed interface WorldCommand extends Command {
    */
   record PullLink(int link, Vector3 pointInLinkM, Vector3 placeInBaseM) implements WorldCommand {}
 
-  /** Ends {@link PushLink} and {@link PullLink}. */
+  /**
+   * Carries an object with a mass by hand, as long as this is repeated: at the latest every {@link
+   * HandGrip#DEAD_MAN_S} of robot time.
+   *
+   * @param object its name, or that of a copy such as {@code part #2}
+   * @param pointInBaseM where the hand takes it, -100 to 100 m each; counts only when it does not
+   *     hold it yet
+   * @param placeInBaseM where that point shall go, -100 to 100 m each
+   */
+  record CarryObject(String object, Vector3 pointInBaseM, Vector3 placeInBaseM)
+      implements WorldCommand {}
+
+  /** Ends {@link PushLink}, {@link PullLink} and {@link CarryObject}. */
   record LetGo() implements WorldCommand {}
 
   /**

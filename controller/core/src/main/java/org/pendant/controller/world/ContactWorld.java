@@ -161,6 +161,30 @@ public final class ContactWorld {
     }
   }
 
+  /**
+   * Carries an object with a mass by hand, for as long as this is repeated: at the latest every
+   * {@link HandGrip#DEAD_MAN_S} of robot time.
+   *
+   * @param object its name, or that of a copy
+   * @param pointInBaseM where the hand takes it, m; counts only when it does not hold it yet
+   * @param placeInBaseM where that point shall go, m
+   * @throws IllegalArgumentException if there is no such object, a gripper holds it, or a number is
+   *     outside -100 to 100 m
+   */
+  public void carry(String object, Vector3 pointInBaseM, Vector3 placeInBaseM) {
+    if (free == null) {
+      throw new IllegalArgumentException("no object of the scene can move");
+    }
+    free.grip().pull(object, pointInBaseM, placeInBaseM);
+  }
+
+  /** Ends {@link #carry}. */
+  public void putDown() {
+    if (free != null) {
+      free.grip().letGo();
+    }
+  }
+
   /** Whether an object moves, or is held up by the tool. */
   public boolean bodiesMove() {
     return free != null && free.move();

@@ -12,6 +12,7 @@ import org.pendant.cell.BodySurface;
 import org.pendant.cell.RigidBodyWorld;
 import org.pendant.models.collision.Capsule;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.models.json.Json;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
@@ -47,6 +48,7 @@ final class FreeBodies {
   private long comings;
 
   private final List<Hand> hands = new ArrayList<>();
+  private final BodyGrip grip = new BodyGrip(this);
 
   /** Numbers of the bodies of the tool: its points, and the fingers of hands. */
   private final List<Integer> tools = new ArrayList<>();
@@ -141,6 +143,7 @@ final class FreeBodies {
     for (Hand hand : hands) {
       hand.place(flange12, tcpInFlange, twist6);
     }
+    grip.step(stepS);
     for (int i = 0; i < points.size(); i++) {
       Vector3 at = points.get(i).pointInFlangeM();
       double x = onlyTcp ? tcpInFlange3[0] : at.x();
@@ -296,6 +299,26 @@ final class FreeBodies {
     return now;
   }
 
+  /** The hand of a person among them. */
+  BodyGrip grip() {
+    return grip;
+  }
+
+  /**
+   * Number of the body of a name that can move and is there.
+   *
+   * @throws IllegalArgumentException if there is none
+   */
+  int there(String name) {
+    for (int i : movable) {
+      if (bodies.present(i) && bodies.description(i).name().equals(name)) {
+        return i;
+      }
+    }
+    throw new IllegalArgumentException(
+        "object is " + Json.quoted(name) + ", must be one with a mass that is in the cell");
+  }
+
   /** Whether a hand holds something. */
   boolean anyHeld() {
     for (int i = 0; i < hands.size(); i++) {
@@ -363,6 +386,9 @@ final class FreeBodies {
 
   /** Whether one of them moves or is touched. */
   boolean move() {
+    if (grip.holds()) {
+      return true;
+    }
     for (int i = 0; i < hands.size(); i++) {
       if (hands.get(i).busy()) {
         return true;

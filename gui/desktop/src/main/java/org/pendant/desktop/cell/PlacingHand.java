@@ -53,13 +53,13 @@ final class PlacingHand implements ObjectHand {
   }
 
   @Override
-  public boolean grabs() {
+  public boolean grabs(boolean key) {
     return active.getAsBoolean();
   }
 
   /** A plane has no place that the pointer could be on: the view turns. */
   @Override
-  public boolean begin(String name) {
+  public boolean begin(String name, Vector3 pointInBaseM) {
     held =
         draft.scene().objects().stream()
             .filter(each -> each.name().equals(name) && !(each instanceof SceneObject.Plane))

@@ -33,8 +33,8 @@ import org.pendant.kit.theme.Palette;
  */
 @SuppressWarnings("serial") // never written to a stream
 final class WiringBoard extends JPanel {
-  private static final int LEAST_SIDE = 150;
-  private static final int WIDEST_SIDE = 330;
+  private static final int MIN_SIDE = 150;
+  private static final int MAX_SIDE = 330;
   private static final double SIDE_SHARE = 0.38;
 
   /** A press that goes no farther is a click. */
@@ -110,7 +110,7 @@ final class WiringBoard extends JPanel {
   public void doLayout() {
     int side =
         Math.clamp(
-            (int) (SIDE_SHARE * getWidth()), UIScale.scale(LEAST_SIDE), UIScale.scale(WIDEST_SIDE));
+            (int) (SIDE_SHARE * getWidth()), UIScale.scale(MIN_SIDE), UIScale.scale(MAX_SIDE));
     layer.setBounds(0, 0, getWidth(), getHeight());
     signalScroll.setBounds(0, 0, side, getHeight());
     portScroll.setBounds(getWidth() - side, 0, side, getHeight());

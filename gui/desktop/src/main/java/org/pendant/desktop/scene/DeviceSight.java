@@ -3,6 +3,7 @@ package org.pendant.desktop.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.pendant.controller.device.DeviceSetup;
@@ -17,16 +18,20 @@ import org.pendant.models.pose.Pose;
  * @param grippers on the flange
  * @param sensors where they see something, and where parts are taken away
  * @param doors which have no place: they are told beside the picture
+ * @param belts which carry what lies on them
  */
-public record DeviceSight(List<Gripper> grippers, List<Sensor> sensors, List<Door> doors) {
+public record DeviceSight(
+    List<Gripper> grippers, List<Sensor> sensors, List<Door> doors, List<Belt> belts) {
   /** None. */
-  public static final DeviceSight NONE = new DeviceSight(List.of(), List.of(), List.of());
+  public static final DeviceSight NONE =
+      new DeviceSight(List.of(), List.of(), List.of(), List.of());
 
   /** Copies the lists. */
   public DeviceSight {
     grippers = List.copyOf(grippers);
     sensors = List.copyOf(sensors);
     doors = List.copyOf(doors);
+    belts = List.copyOf(belts);
   }
 
   /**
@@ -49,6 +54,32 @@ public record DeviceSight(List<Gripper> grippers, List<Sensor> sensors, List<Doo
 
   /** A sensor, and whether it sees something. */
   public record Sensor(String name, Zone zone, boolean sees) {}
+
+  /**
+   * A belt.
+   *
+   * @param object the box whose surface runs
+   * @param backwards whether it runs against the box's x axis
+   * @param travelM how far it has gone
+   */
+  public record Belt(String name, String object, boolean backwards, double travelM) {}
+
+  /** The same with belts that have gone so far, by their names, m. */
+  public DeviceSight withTravel(Map<String, Double> travelM) {
+    return new DeviceSight(
+        grippers,
+        sensors,
+        doors,
+        belts.stream()
+            .map(
+                each ->
+                    new Belt(
+                        each.name(),
+                        each.object(),
+                        each.backwards(),
+                        travelM.getOrDefault(each.name(), 0.0)))
+            .toList());
+  }
 
   /**
    * A door.
@@ -80,6 +111,7 @@ public record DeviceSight(List<Gripper> grippers, List<Sensor> sensors, List<Doo
     List<Gripper> grippers = new ArrayList<>();
     List<Sensor> sensors = new ArrayList<>();
     List<Door> doors = new ArrayList<>();
+    List<Belt> belts = new ArrayList<>();
     for (DeviceSetup setup : setups) {
       Optional<DeviceState> state =
           states.stream().filter(each -> each.name().equals(setup.name())).findFirst();
@@ -94,13 +126,15 @@ public record DeviceSight(List<Gripper> grippers, List<Sensor> sensors, List<Doo
       } else if (setup instanceof DeviceSetup.Camera camera) {
         sensors.add(
             new Sensor(camera.name(), camera.area(), state.map(DeviceState::on).orElse(false)));
+      } else if (setup instanceof DeviceSetup.Belt belt) {
+        belts.add(new Belt(belt.name(), belt.object(), belt.speedMPerS() < 0, 0));
       } else if (setup.hand().isPresent()) {
         grippers.add(gripper(setup, state, begins));
       } else if (setup instanceof DeviceSetup.Driven door) {
         doors.add(new Door(door.name(), share(state, begins)));
       }
     }
-    return new DeviceSight(grippers, sensors, doors);
+    return new DeviceSight(grippers, sensors, doors, belts);
   }
 
   private static Gripper gripper(DeviceSetup setup, Optional<DeviceState> state, boolean begins) {

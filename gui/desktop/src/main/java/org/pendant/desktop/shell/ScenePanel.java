@@ -35,8 +35,10 @@ import org.pendant.controller.world.MovedObject;
 import org.pendant.controller.world.MovedScene;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.move.ArmPull;
+import org.pendant.desktop.move.BodyPull;
 import org.pendant.desktop.move.GhostArm;
 import org.pendant.desktop.scene.ArmTrace;
+import org.pendant.desktop.scene.BeltTravel;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.JointFrames;
@@ -102,6 +104,8 @@ final class ScenePanel implements View, GhostArm {
   private final SafetyScene safety;
   private final TouchedAtStop touchedAtStop = new TouchedAtStop();
   private final ArmPull pull;
+  private final BodyPull carry;
+  private final BeltTravel belts = new BeltTravel();
   private final SceneBar bar;
   private final Timer moving = Faults.timer(MOVING_MS, this::follow);
   private Optional<Joints> ghostRad = Optional.empty();
@@ -159,6 +163,8 @@ final class ScenePanel implements View, GhostArm {
     shows = new SceneShows(workbench.settings());
     safety = new SafetyScene(workbench.session(), shows);
     pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
+    carry = new BodyPull(workbench.session()::submit, EventQueue::invokeLater);
+    setObjectHand(ObjectHand.NONE);
     picture.setHand(new PullingHand(pull, () -> past.get().isPresent()));
     bar = bar();
     panel.add(bar, BorderLayout.NORTH);
@@ -274,9 +280,16 @@ final class ScenePanel implements View, GhostArm {
     compared = ways;
   }
 
-  /** Places objects of the scene from now on when they are dragged. */
+  /** Places objects of the scene from now on when they are dragged, unless they are carried. */
   void setObjectHand(ObjectHand hand) {
-    picture.setObjectHand(hand);
+    picture.setObjectHand(
+        new CarryingHand(hand, carry, () -> past.get().isPresent(), pull::wanted, this::canMove));
+  }
+
+  /** Whether an object of that name, or a copy, has a mass and is there. */
+  private boolean canMove(String name) {
+    return workbench.session().state().moved().stream()
+        .anyMatch(each -> each.name().equals(name) && each.there());
   }
 
   /** Where to ask for the scene that people change and have not applied yet. */
@@ -318,6 +331,8 @@ final class ScenePanel implements View, GhostArm {
     // A hand pulls the arm where it is, whatever is shown.
     pull.take(workbench.session().state(), workbench.session().pace());
     pull.newReason().ifPresent(workbench::notify);
+    carry.repeat();
+    carry.newReason().ifPresent(workbench::notify);
   }
 
   private void follow() {
@@ -363,7 +378,8 @@ final class ScenePanel implements View, GhostArm {
   private DeviceSight devices(ControllerState state) {
     List<DeviceSetup> real = workbench.session().options().equipment().devices();
     Optional<List<DeviceSetup>> draft = proposedDevices.get().filter(each -> !each.equals(real));
-    return DeviceSight.of(draft.orElse(real), state.devices(), draft.isPresent());
+    DeviceSight sight = DeviceSight.of(draft.orElse(real), state.devices(), draft.isPresent());
+    return sight.withTravel(belts.at(state.timeS(), real, state.devices()));
   }
 
   /** How near the arm is to the limits that hold now. */

@@ -46,7 +46,7 @@ final class PlacingHandTest {
   @Test
   void whatIsDraggedGoesInStepsWhereItGoes() {
     put();
-    assertTrue(hand.begin("ball"));
+    assertTrue(hand.begin("ball", new Vector3(0, 0, 0)));
     assertEquals(List.of("ball"), chosen);
     hand.move(new Vector3(0.1234, 0, 0), false);
     assertEquals(new Vector3(0.52, 0.033, 0.05), placeM(), "it keeps what it does not change");
@@ -57,11 +57,11 @@ final class PlacingHandTest {
   @Test
   void aDragIsUndoneAsOneChange() {
     put();
-    assertTrue(hand.begin("ball"));
+    assertTrue(hand.begin("ball", new Vector3(0, 0, 0)));
     hand.move(new Vector3(0.1, 0, 0), false);
     hand.move(new Vector3(0.2, 0, 0), false);
     hand.end();
-    assertTrue(hand.begin("ball"));
+    assertTrue(hand.begin("ball", new Vector3(0, 0, 0)));
     hand.move(new Vector3(0, 0, 0.1), false);
     hand.end();
     draft.undo();
@@ -73,14 +73,14 @@ final class PlacingHandTest {
   @Test
   void aPlaneIsNoThingToDrag() {
     put();
-    assertFalse(hand.begin("table"));
-    assertFalse(hand.begin("nothing"));
+    assertFalse(hand.begin("table", new Vector3(0, 0, 0)));
+    assertFalse(hand.begin("nothing", new Vector3(0, 0, 0)));
   }
 
   @Test
   void nothingIsDraggedOutOfTheSpaceThatThereIs() {
     put();
-    assertTrue(hand.begin("ball"));
+    assertTrue(hand.begin("ball", new Vector3(0, 0, 0)));
     hand.move(new Vector3(20, 0, 0), false);
     assertEquals(new Vector3(0.4, 0.033, 0.05), placeM());
   }

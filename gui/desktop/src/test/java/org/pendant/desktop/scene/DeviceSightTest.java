@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.joml.Matrix4f;
@@ -16,6 +17,9 @@ import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.world.HandSetup;
+import org.pendant.controller.world.Material;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.models.pose.Pose;
 
@@ -138,5 +142,27 @@ final class DeviceSightTest {
         List.of("", "from", "to"), handles.stream().map(DeviceHandles.Handle::key).toList());
     assertEquals(0, handles.getFirst().placeM().y(), 1e-12);
     assertEquals(0.3, handles.getLast().placeM().y(), 1e-12);
+  }
+
+  @Test
+  void chevronsGoAlongWithABelt() {
+    DeviceSetup belt = new DeviceSetup.Belt("belt", "conveyor", 0.1, 1, Optional.empty(), -1, 0);
+    List<DeviceState> runs = List.of(state("belt", 0, 0, true));
+    BeltTravel travel = new BeltTravel();
+    assertEquals(Map.of(), travel.at(1, List.of(belt), runs));
+    DeviceSight sight = DeviceSight.of(List.of(belt), runs, false);
+    DeviceSight later = sight.withTravel(travel.at(1.2, List.of(belt), runs));
+    assertEquals(0.02, later.belts().getFirst().travelM(), 1e-12);
+    List<SceneObject> conveyor =
+        List.of(
+            new SceneObject.Box("conveyor", Pose.ZERO, new Vector3(1, 0.2, 0.1), Material.DEFAULT));
+    double before = BeltOutlines.of(sight.belts(), conveyor, SceneTheme.LIGHT).number(0, 0);
+    double after = BeltOutlines.of(later.belts(), conveyor, SceneTheme.LIGHT).number(0, 0);
+    assertEquals(0.02, after - before, 1e-6);
+    assertEquals(
+        0.02,
+        travel.at(5, List.of(belt), List.of(state("belt", 0, 0, false))).get("belt"),
+        1e-12,
+        "it stands still");
   }
 }

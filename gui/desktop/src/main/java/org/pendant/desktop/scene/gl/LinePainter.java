@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4fc;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.desktop.scene.BeltOutlines;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.DeviceOutlines;
@@ -46,6 +48,7 @@ final class LinePainter implements AutoCloseable {
   private final LineStrip ways = new LineStrip();
   private final LineStrip safety = new LineStrip();
   private final LineStrip sensors = new LineStrip();
+  private final LineStrip belts = new LineStrip();
   private final List<LineStrip> compared = new ArrayList<>();
   private ComparedWays comparedNow = ComparedWays.NONE;
   private TcpTrace tracedNow = TcpTrace.EMPTY;
@@ -54,12 +57,16 @@ final class LinePainter implements AutoCloseable {
   private Optional<WaysOf> waysNow = Optional.empty();
   private Optional<SafetyOf> safetyNow = Optional.empty();
   private Optional<SensorsOf> sensorsNow = Optional.empty();
+  private Optional<BeltsOf> beltsNow = Optional.empty();
 
   private record EdgesOf(Object world, Object touched, SceneTheme theme) {}
 
   private record WaysOf(WaypointMarkers marks, SceneTheme theme) {}
 
   private record SensorsOf(List<DeviceSight.Sensor> sensors, SceneTheme theme) {}
+
+  private record BeltsOf(
+      List<DeviceSight.Belt> belts, List<Optional<SceneObject.Box>> boxes, SceneTheme theme) {}
 
   private record SafetyOf(
       SafetySight sight, String armId, Joints positionRad, Pose tcpInFlange, SceneTheme theme) {}
@@ -90,6 +97,7 @@ final class LinePainter implements AutoCloseable {
     }
     line.set("opacity", EDGE_OPACITY);
     edges.draw();
+    belts.draw();
     ways.draw();
     line.set("width", Math.max(MIN_EDGE_PX, SAFETY_PX_AT_800 * height / 800f));
     line.set("opacity", 1);
@@ -169,6 +177,7 @@ final class LinePainter implements AutoCloseable {
       sensorsNow = Optional.of(newSensors);
       sensors.load(DeviceOutlines.of(model.devices(), theme));
     }
+    loadBelts(model);
     ScaleOf newScale =
         new ScaleOf(
             Surroundings.FLOOR_REACH * model.arm().reachM(),
@@ -178,6 +187,18 @@ final class LinePainter implements AutoCloseable {
     if (!scaled.equals(Optional.of(newScale))) {
       scaled = Optional.of(newScale);
       scale.load(scale(newScale));
+    }
+  }
+
+  private void loadBelts(SceneModel model) {
+    List<DeviceSight.Belt> all = model.devices().belts();
+    List<SceneObject> objects = model.world().objects();
+    BeltsOf wanted =
+        new BeltsOf(
+            all, all.stream().map(each -> BeltOutlines.box(each, objects)).toList(), model.theme());
+    if (!beltsNow.equals(Optional.of(wanted))) {
+      beltsNow = Optional.of(wanted);
+      belts.load(BeltOutlines.of(all, objects, model.theme()));
     }
   }
 
@@ -198,6 +219,7 @@ final class LinePainter implements AutoCloseable {
     ways.close();
     safety.close();
     sensors.close();
+    belts.close();
     compared.forEach(LineStrip::close);
   }
 }

@@ -48,11 +48,18 @@ final class ObjectDrag extends MouseAdapter {
    * @param fromM where it was when it began to go this way, in the base frame, m
    * @param wayM how far it had gone before, m
    * @param upright whether it goes up and down
+   * @param facing the direction of the view where it goes in the plane of the picture
    */
-  private record Hold(Vector3 fromM, Vector3 wayM, boolean upright) {
+  private record Hold(Vector3 fromM, Vector3 wayM, boolean upright, Optional<Vector3> facing) {
 
     /** How far it goes to a place, m. */
     Vector3 wayM(Vector3 placeM) {
+      if (facing.isPresent()) {
+        return new Vector3(
+            wayM.x() + placeM.x() - fromM.x(),
+            wayM.y() + placeM.y() - fromM.y(),
+            wayM.z() + placeM.z() - fromM.z());
+      }
       return upright
           ? new Vector3(wayM.x(), wayM.y(), wayM.z() + placeM.z() - fromM.z())
           : new Vector3(
@@ -62,7 +69,10 @@ final class ObjectDrag extends MouseAdapter {
     /** The plane in which it goes, seen along a ray. */
     DragPlane plane(Ray ray) {
       return new DragPlane(
-          fromM, upright ? new Vector3(ray.direction().x(), ray.direction().y(), 0) : UP);
+          fromM,
+          facing.isPresent()
+              ? facing.get()
+              : upright ? new Vector3(ray.direction().x(), ray.direction().y(), 0) : UP);
     }
   }
 
@@ -86,7 +96,7 @@ final class ObjectDrag extends MouseAdapter {
     if (!SwingUtilities.isLeftMouseButton(event)
         || event.isShiftDown()
         || view.drawn().isEmpty()
-        || !hand.grabs()) {
+        || !hand.grabs(upright(event))) {
       return;
     }
     Optional<DeviceHandles.Handle> handle = handleAt(event.getPoint());
@@ -120,19 +130,34 @@ final class ObjectDrag extends MouseAdapter {
     asking = false;
     if (found.isPresent()
         && found.get() instanceof Picked.OnObject(String name, Vector3 pointM, _)
-        && hand.begin(name)) {
+        && hand.begin(name, pointM)) {
       hold(pointM, upright);
     }
   }
 
   private void hold(Vector3 pointM, boolean upright) {
-    held = Optional.of(new Hold(pointM, NOWHERE, upright));
+    held = Optional.of(new Hold(pointM, NOWHERE, upright, facing()));
     view.setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
+  }
+
+  /** The direction of the view, where what is held goes in the plane of the picture. */
+  private Optional<Vector3> facing() {
+    return view.camera()
+        .filter(camera -> hand.freely())
+        .map(
+            camera ->
+                camera
+                    .ray(
+                        view.getWidth() / 2.0,
+                        view.getHeight() / 2.0,
+                        view.getWidth(),
+                        view.getHeight())
+                    .direction());
   }
 
   /** Where devices can be held now, and where that is seen. */
   Map<DeviceHandles.Handle, Point2D> handles() {
-    if (!hand.grabs() || view.drawn().isEmpty()) {
+    if (!hand.hasHandles() || view.drawn().isEmpty()) {
       return Map.of();
     }
     PictureRequest shown = view.drawn().get();
@@ -197,8 +222,8 @@ final class ObjectDrag extends MouseAdapter {
       return;
     }
     Vector3 wayM = now.wayM(place.get());
-    if (now.upright() != upright(event)) {
-      held = Optional.of(new Hold(place.get(), wayM, upright(event)));
+    if (now.facing().isEmpty() && now.upright() != upright(event)) {
+      held = Optional.of(new Hold(place.get(), wayM, upright(event), now.facing()));
     }
     hand.move(wayM, event.isAltDown());
     pointer = Optional.of(event.getPoint());

@@ -9,12 +9,12 @@ public interface ObjectHand {
   ObjectHand NONE =
       new ObjectHand() {
         @Override
-        public boolean grabs() {
+        public boolean grabs(boolean key) {
           return false;
         }
 
         @Override
-        public boolean begin(String name) {
+        public boolean begin(String name, Vector3 pointInBaseM) {
           return false;
         }
 
@@ -35,11 +35,32 @@ public interface ObjectHand {
         public void end() {}
       };
 
-  /** Whether a drag that begins on an object now moves it, rather than turning the view. */
-  boolean grabs();
+  /**
+   * Whether a drag that begins on an object now moves it, rather than turning the view.
+   *
+   * @param key whether the key with which the arm is dragged is held
+   */
+  boolean grabs(boolean key);
 
-  /** An object is held. Answers whether it can be moved. */
-  boolean begin(String name);
+  /** Whether devices can be held at handles now. */
+  default boolean hasHandles() {
+    return grabs(false);
+  }
+
+  /**
+   * Whether what is held goes with the pointer in the plane of the picture; along the floor, or up
+   * and down, otherwise.
+   */
+  default boolean freely() {
+    return false;
+  }
+
+  /**
+   * An object is held. Answers whether it can be moved.
+   *
+   * @param pointInBaseM where, m
+   */
+  boolean begin(String name, Vector3 pointInBaseM);
 
   /** A device is held. Answers whether it can be moved. */
   boolean begin(DeviceHandles.Handle handle);
