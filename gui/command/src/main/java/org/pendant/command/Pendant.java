@@ -36,7 +36,7 @@ public final class Pendant {
             new RunCommand(),
             new CheckCommand(),
             new TestCommand(services),
-            new SweepCommand(),
+            new SweepCommand(services),
             new ConvertCommand(),
             new RenderCommand(services),
             new ServeCommand(),

@@ -8,6 +8,7 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.sweep.engine.Engine;
 import org.pendant.sweep.engine.EngineException;
 import org.pendant.sweep.engine.LocalEngine;
+import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.folder.ResultReader;
 import org.pendant.sweep.folder.SweepFolder;
 import org.pendant.sweep.folder.SweepFolderException;
@@ -16,8 +17,16 @@ import org.pendant.sweep.run.SweepJob;
 import org.pendant.sweep.table.ResultTable;
 import org.pendant.sweep.table.RowCondition;
 
-/** Command {@code pendant sweep PLAN.toml}: runs the variants of a plan on all cores. */
+/**
+ * Command {@code pendant sweep}: runs the variants of a plan on all cores; and what is done with
+ * the results.
+ */
 final class SweepCommand implements Subcommand {
+  private final DesktopServices services;
+
+  SweepCommand(DesktopServices services) {
+    this.services = services;
+  }
 
   @Override
   public String name() {
@@ -26,7 +35,7 @@ final class SweepCommand implements Subcommand {
 
   @Override
   public String operands() {
-    return "PLAN.toml";
+    return "PLAN.toml | report DIR | open DIR RUN | record DIR RUN...";
   }
 
   @Override
@@ -41,6 +50,10 @@ final class SweepCommand implements Subcommand {
 
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
+    Optional<SweepResults.Action> action = SweepResults.action(arguments.operands());
+    if (action.isPresent()) {
+      return new SweepResults(services).run(action.get(), arguments, console);
+    }
     if (arguments.operands().size() != 1) {
       throw new UsageException(
           "expected one plan, there are " + arguments.operands().size() + " operands");
@@ -68,7 +81,9 @@ final class SweepCommand implements Subcommand {
 
   private static ExitCode run(SweepJob job, Path plan, SweepOptions options, Console console)
       throws UsageException, IOException, SweepFolderException, EngineException {
-    List<RowCondition> conditions = options.conditions(ResultTable.of(job.plan()));
+    ResultTable table = ResultTable.of(job.plan());
+    List<RowCondition> conditions = options.conditions(table);
+    Optional<KeptRuns> kept = options.kept(table);
     try (Interruption interruption = Interruption.listen("the sweep")) {
       if (options.force()) {
         SweepFolder.clear(options.out());
@@ -95,10 +110,14 @@ final class SweepCommand implements Subcommand {
                 interruption::requested);
         progress.end(done, System.nanoTime());
       }
-      SweepSummary summary = summary(job, options.out(), conditions);
+      SweepFolder.writeParquet(options.out(), table);
+      SweepSummary summary = summary(options.out(), table, conditions);
       summary.lines().forEach(console::print);
       console.print("");
       console.print("results: " + options.out().resolve(SweepFolder.RESULTS));
+      if (kept.isPresent() && !interruption.requested()) {
+        SweepResults.keep(options.out(), job, kept.get()).forEach(console::print);
+      }
       if (done < size) {
         console.complain("pendant sweep: ended early; --resume goes on");
       }
@@ -110,10 +129,10 @@ final class SweepCommand implements Subcommand {
   }
 
   /** Of the whole table: rows of an earlier process count as well. */
-  private static SweepSummary summary(SweepJob job, Path out, List<RowCondition> conditions)
+  private static SweepSummary summary(Path out, ResultTable table, List<RowCondition> conditions)
       throws IOException, SweepFolderException {
     try (ResultReader reader = new ResultReader(out.resolve(SweepFolder.RESULTS))) {
-      SweepSummary summary = new SweepSummary(ResultTable.of(job.plan()), conditions);
+      SweepSummary summary = new SweepSummary(table, conditions);
       Optional<List<String>> row = reader.next();
       while (row.isPresent()) {
         summary.take(row.get());

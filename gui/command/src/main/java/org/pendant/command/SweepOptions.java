@@ -4,7 +4,9 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
+import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.table.ResultTable;
 import org.pendant.sweep.table.RowCondition;
 
@@ -16,8 +18,15 @@ import org.pendant.sweep.table.RowCondition;
  * @param resume whether to go on with results that are there
  * @param force whether to begin anew where there are results
  * @param asserted conditions, as they were written
+ * @param kept which recordings are kept, as it was written; empty for none
  */
-record SweepOptions(Path out, int workers, boolean resume, boolean force, List<String> asserted) {
+record SweepOptions(
+    Path out,
+    int workers,
+    boolean resume,
+    boolean force,
+    List<String> asserted,
+    Optional<String> kept) {
   private static final int MAX_WORKERS = 1024;
 
   private static final Option OUT =
@@ -44,12 +53,19 @@ record SweepOptions(Path out, int workers, boolean resume, boolean force, List<S
               "\"duration < 12\"",
               "what must hold for every run, or the exit code is 1: a column, `<`, `<=`, `>`, `>=`,"
                   + " `==` or `!=`, and a number or word; may be repeated");
+  private static final Option KEEP =
+      Option.text("--keep", "WHAT=N,...", "recordings of runs, e.g. worst=5,failed=20,duration=3")
+          .documented(
+              "worst=5,failed=20",
+              "recordings of runs, in `kept`: the first 20 that did not end by themselves, the 5"
+                  + " that came nearest to a limit of torque or speed; a column, such as"
+                  + " `duration=3`, for those with its largest numbers");
   private static final Option FORCE =
       Option.flag("--force", "begin anew where there are results already")
           .documented("begin anew in a folder that has results already");
 
   /** For the usage text. */
-  static final List<Option> ALL = List.of(OUT, WORKERS, RESUME, ASSERT, FORCE);
+  static final List<Option> ALL = List.of(OUT, WORKERS, RESUME, ASSERT, KEEP, FORCE);
 
   SweepOptions {
     asserted = List.copyOf(asserted);
@@ -67,7 +83,8 @@ record SweepOptions(Path out, int workers, boolean resume, boolean force, List<S
         workers.orElse(Math.min(MAX_WORKERS, Runtime.getRuntime().availableProcessors())),
         resume,
         force,
-        arguments.values(ASSERT));
+        arguments.values(ASSERT),
+        arguments.value(KEEP));
   }
 
   private static Path out(Arguments arguments, Path plan) throws UsageException {
@@ -80,6 +97,15 @@ record SweepOptions(Path out, int workers, boolean resume, boolean force, List<S
       return Path.of(given);
     } catch (InvalidPathException e) {
       throw new UsageException("--out " + given + ": not a file name, " + e.getReason());
+    }
+  }
+
+  /** The runs whose recordings are kept. */
+  Optional<KeptRuns> kept(ResultTable table) throws UsageException {
+    try {
+      return kept.map(each -> KeptRuns.parse(each, table));
+    } catch (IllegalArgumentException e) {
+      throw new UsageException("--keep " + e.getMessage());
     }
   }
 

@@ -128,4 +128,25 @@ final class SweepCommandTest {
     assertEquals(ExitCode.WRONG_USAGE, sweep());
     assertTrue(Files.notExists(results()));
   }
+
+  @Test
+  void anyRunOfTheTableIsRecordedAndTheReportIsOnePage() throws IOException {
+    assertEquals(ExitCode.DONE, sweep("--keep", "failed=1", plan()));
+    Path kept = folder.resolve("wait.sweep/kept");
+    assertTrue(output.toString(UTF_8).contains("pendant open " + kept.resolve("3.rec")));
+    assertEquals(ExitCode.DONE, sweep("record", folder.resolve("wait.sweep"), 1, 4));
+    assertEquals(
+        "pendant open " + kept.resolve("1.rec") + "\npendant open " + kept.resolve("4.rec") + "\n",
+        output.toString(UTF_8));
+    assertTrue(Files.size(kept.resolve("4.rec")) > 100);
+    assertEquals(ExitCode.DONE, sweep("report", folder.resolve("wait.sweep")));
+    assertTrue(Files.readString(folder.resolve("wait.sweep/report.html")).contains("5 runs"));
+    assertTrue(Files.size(folder.resolve("wait.sweep/results.parquet")) > 100);
+    assertEquals(ExitCode.WRONG_USAGE, sweep("record", folder.resolve("wait.sweep"), 5));
+    assertTrue(errors.toString(UTF_8).contains("has no row of run 5"), errors.toString(UTF_8));
+    assertEquals(ExitCode.WRONG_USAGE, sweep("record", folder.resolve("wait.sweep"), "x"));
+    assertEquals(ExitCode.WRONG_USAGE, sweep("report", folder));
+    assertEquals(ExitCode.WRONG_USAGE, sweep("--keep", "fialed=1", "--force", plan()));
+    assertTrue(errors.toString(UTF_8).contains("did you mean failed?"), errors.toString(UTF_8));
+  }
 }

@@ -11,6 +11,7 @@ import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.GrowingFile;
 import org.pendant.sweep.run.SweepJob;
 import org.pendant.sweep.table.CsvRows;
+import org.pendant.sweep.table.ParquetTable;
 import org.pendant.sweep.table.ResultTable;
 
 /**
@@ -21,6 +22,9 @@ import org.pendant.sweep.table.ResultTable;
 public final class SweepFolder implements Closeable {
   /** The table. */
   public static final String RESULTS = "results.csv";
+
+  /** The same table in Parquet's format. */
+  public static final String PARQUET = "results.parquet";
 
   /** Where the plan was, and what it was. */
   public static final String ORIGIN = "origin.txt";
@@ -118,9 +122,33 @@ public final class SweepFolder implements Closeable {
     return Files.exists(folder.resolve(RESULTS));
   }
 
-  /** Removes the table of a folder, if there is one. */
+  /** Removes what a sweep has left in a folder, if there is anything. */
   public static void clear(Path folder) throws IOException {
     Files.deleteIfExists(folder.resolve(RESULTS));
+    Files.deleteIfExists(folder.resolve(PARQUET));
+    KeptRuns.clear(folder);
+  }
+
+  /** Writes the table once more, in Parquet's format, as far as it has come. */
+  public static void writeParquet(Path folder, ResultTable table)
+      throws IOException, SweepFolderException {
+    try (ResultReader rows = new ResultReader(folder.resolve(RESULTS))) {
+      AtomicFile.write(
+          folder.resolve(PARQUET),
+          out -> {
+            ParquetTable parquet = new ParquetTable(out, table.columns());
+            try {
+              Optional<List<String>> row = rows.next();
+              while (row.isPresent()) {
+                parquet.add(row.get());
+                row = rows.next();
+              }
+            } catch (SweepFolderException e) {
+              throw new IOException(e.getMessage(), e);
+            }
+            parquet.end();
+          });
+    }
   }
 
   /** How many rows there were when it was opened. */

@@ -39,6 +39,6 @@ final class Shuffle {
       left = right;
       right = next;
     }
-    return left << halfBits | right;
+    return (left << halfBits) | right;
   }
 }

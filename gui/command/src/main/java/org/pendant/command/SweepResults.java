@@ -1,0 +1,174 @@
+package org.pendant.command;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.pendant.controller.disk.AtomicFile;
+import org.pendant.controller.disk.FileTrouble;
+import org.pendant.sweep.folder.KeptRuns;
+import org.pendant.sweep.folder.ResultReader;
+import org.pendant.sweep.folder.SweepFolder;
+import org.pendant.sweep.folder.SweepFolderException;
+import org.pendant.sweep.plan.PlanException;
+import org.pendant.sweep.report.SweepReport;
+import org.pendant.sweep.run.SweepJob;
+
+/** Sweep results: what {@code pendant sweep} does with a folder of them. */
+final class SweepResults {
+  private static final String REPORT = "report.html";
+
+  private final DesktopServices services;
+
+  /** What is done. */
+  enum Action {
+    REPORT,
+    OPEN,
+    RECORD;
+
+    private String word() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  SweepResults(DesktopServices services) {
+    this.services = services;
+  }
+
+  /** What the first operand asks for; empty where it is a plan. */
+  static Optional<Action> action(List<String> operands) {
+    return Arrays.stream(Action.values())
+        .filter(each -> !operands.isEmpty() && operands.getFirst().equals(each.word()))
+        .findFirst();
+  }
+
+  ExitCode run(Action action, Arguments arguments, Console console) throws UsageException {
+    List<String> operands = arguments.operands();
+    if (operands.size() < 2) {
+      throw new UsageException(action.word() + ": the folder of the results is missing");
+    }
+    try {
+      Path folder = Path.of(operands.get(1));
+      List<String> rest = operands.subList(2, operands.size());
+      return switch (action) {
+        case REPORT -> report(folder, rest, console);
+        case RECORD -> {
+          record(folder, rest).forEach(each -> console.print("pendant open " + each));
+          yield ExitCode.DONE;
+        }
+        case OPEN -> open(folder, rest, console);
+      };
+    } catch (InvalidPathException e) {
+      throw new UsageException(operands.get(1) + ": not a file name, " + e.getReason());
+    } catch (SweepFolderException | PlanException e) {
+      throw new UsageException(e.getMessage());
+    } catch (IOException e) {
+      throw new UsageException(operands.get(1) + ": " + FileTrouble.reason(e));
+    }
+  }
+
+  private static ExitCode report(Path folder, List<String> rest, Console console)
+      throws UsageException, IOException, SweepFolderException {
+    if (!rest.isEmpty()) {
+      throw new UsageException("report: expected one folder, there is " + rest.getFirst() + " too");
+    }
+    Path page = folder.resolve(REPORT);
+    AtomicFile.write(page, SweepReport.of(folder).getBytes(StandardCharsets.UTF_8));
+    console.print("report: " + page);
+    return ExitCode.DONE;
+  }
+
+  private ExitCode open(Path folder, List<String> runs, Console console)
+      throws UsageException, IOException, SweepFolderException, PlanException {
+    if (runs.size() != 1) {
+      throw new UsageException("open: expected the number of one run, there are " + runs.size());
+    }
+    OpenCommand open = new OpenCommand(services);
+    String file = record(folder, runs).getFirst().toString();
+    return open.run(Arguments.parse(open.options(), List.of(file)), console);
+  }
+
+  /** The recordings of some runs, which are made where they are not there. */
+  private static List<Path> record(Path folder, List<String> runs)
+      throws UsageException, IOException, SweepFolderException, PlanException {
+    if (runs.isEmpty()) {
+      throw new UsageException("the number of a run is missing");
+    }
+    SortedSet<Long> numbers = new TreeSet<>();
+    for (String each : runs) {
+      if (!each.matches("\\d{1,18}")) {
+        throw new UsageException("run is " + each + ", must be the number of a row");
+      }
+      numbers.add(Long.parseLong(each));
+    }
+    Path plan = SweepFolder.planOf(folder);
+    if (!Files.isRegularFile(plan)) {
+      throw new UsageException(
+          "the plan " + plan + " is not there any more, the run cannot be run again");
+    }
+    return record(folder, SweepJob.read(plan), numbers);
+  }
+
+  private static List<Path> record(Path folder, SweepJob job, SortedSet<Long> runs)
+      throws IOException, SweepFolderException {
+    SortedMap<Long, String> digests = digests(folder, runs);
+    List<Path> files = new ArrayList<>();
+    for (long run : runs) {
+      if (!digests.containsKey(run)) {
+        throw new SweepFolderException(folder + " has no row of run " + run);
+      }
+      files.add(KeptRuns.record(folder, job, job.plan().variant(run), digests.get(run)));
+    }
+    return files;
+  }
+
+  private static SortedMap<Long, String> digests(Path folder, SortedSet<Long> runs)
+      throws IOException, SweepFolderException {
+    SortedMap<Long, String> digests = new TreeMap<>();
+    try (ResultReader rows = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
+      int column =
+          rows.column("digest")
+              .orElseThrow(() -> new SweepFolderException(folder + " has no digests"));
+      Optional<List<String>> row = rows.next();
+      while (row.isPresent()) {
+        if (runs.contains(rows.rows() - 1)) {
+          digests.put(rows.rows() - 1, row.get().get(column));
+        }
+        row = rows.next();
+      }
+    }
+    return digests;
+  }
+
+  /** Writes the recordings that are wanted, and tells how each is opened. */
+  static List<String> keep(Path folder, SweepJob job, KeptRuns kept)
+      throws IOException, SweepFolderException {
+    SortedSet<Long> chosen;
+    try (ResultReader rows = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
+      chosen = kept.choose(rows);
+    }
+    SortedMap<Long, String> digests = digests(folder, chosen);
+    List<String> told = new ArrayList<>();
+    for (long run : chosen) {
+      try {
+        told.add(
+            "pendant open "
+                + KeptRuns.record(folder, job, job.plan().variant(run), digests.get(run)));
+      } catch (SweepFolderException e) {
+        // one that was refused has nothing to look at; the others are kept all the same
+        told.add("not kept: " + e.getMessage());
+      }
+    }
+    return told;
+  }
+}
