@@ -76,8 +76,8 @@ final class CellBuiltins {
     TestBuiltins.declare(builtins, "object_pose", SECTION)
         .doc(
             "Where the middle of an object of the scene that has a mass is now, and how it is"
-                + " turned, in the base; copies that a source has made are called as in \"box"
-                + " #2\".")
+                + " turned, in the base; of a mesh, where the origin of its file is. Copies that"
+                + " a source has made are called as in \"box #2\".")
         .needs("name", Type.STRING)
         .returns(Type.POSE)
         .effect(Effect.SENSES)

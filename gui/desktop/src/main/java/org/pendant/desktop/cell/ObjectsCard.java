@@ -133,11 +133,14 @@ final class ObjectsCard {
 
   /** A mesh that stands on z = 0, beside what does not leave it any room. */
   private SceneObject clear(SceneObject.Mesh mesh) {
-    double upM = -mesh.part().triangles().least(2);
+    // in tenths of a millimetre, which people can read
+    double upM = 0 - Math.rint(1e4 * mesh.part().triangles().least(2)) / 1e4;
     SceneObject first = ObjectShape.at(mesh, new Vector3(IN_FRONT_M, besideM(), upM));
     for (int i = 0; i < MAX_TRIES; i++) {
       SceneObject there =
-          ObjectShape.at(mesh, new Vector3(IN_FRONT_M, besideM() + i * ABREAST_M, upM));
+          ObjectShape.at(
+              mesh,
+              new Vector3(IN_FRONT_M, Math.rint(1e4 * (besideM() + i * ABREAST_M)) / 1e4, upM));
       List<SceneObject> with = new ArrayList<>(draft.scene().objects());
       with.add(there);
       if (drafted.refusal(with).isEmpty()) {
