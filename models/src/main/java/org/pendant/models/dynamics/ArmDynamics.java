@@ -28,6 +28,7 @@ public final class ArmDynamics {
   private static final int N = Joints.COUNT;
   private static final double[] ZERO = new double[N];
 
+  private final JointAngles angles;
   private final NewtonEuler newtonEuler;
   private final CompositeBodies composite;
   private final RigidBody[] bodies = new RigidBody[N];
@@ -57,9 +58,18 @@ public final class ArmDynamics {
       rotor[i] = arm.actuators().get(i).rotorInertiaKgM2();
     }
     lastLink = bodies[N - 1];
+    this.angles = angles;
     newtonEuler = new NewtonEuler(arm.dh(), bodies, angles);
     composite = new CompositeBodies(arm.dh(), bodies, angles);
     mount();
+  }
+
+  /**
+   * Cosines and sines of the posture that was computed last; who computes something of a posture
+   * right before this does can leave them here.
+   */
+  public JointAngles angles() {
+    return angles;
   }
 
   /** Welds a payload to the flange, in place of the one before. */
@@ -185,7 +195,19 @@ public final class ArmDynamics {
    * @param momentum three numbers, kg m/s, overwritten
    */
   public void linearMomentum(double[] q, double[] qd, double[] momentum) {
-    composite.linearMomentum(q, qd, momentum);
+    angles.at(q);
+    composite.linearMomentum(angles, qd, momentum);
+  }
+
+  /**
+   * The same for a posture whose cosines and sines are known already.
+   *
+   * @param angles of the six joints
+   * @param qd six joint speeds, rad/s
+   * @param momentum three numbers, kg m/s, overwritten
+   */
+  public void linearMomentum(JointAngles angles, double[] qd, double[] momentum) {
+    composite.linearMomentum(angles, qd, momentum);
   }
 
   /**

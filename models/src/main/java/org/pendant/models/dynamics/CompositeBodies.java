@@ -97,8 +97,9 @@ final class CompositeBodies {
     return x * all[1] + y * all[2] + z * all[3];
   }
 
-  void linearMomentum(double[] q, double[] qd, double[] momentum) {
-    gather(q);
+  /** At a posture whose cosines and sines are known. */
+  void linearMomentum(JointAngles angles, double[] qd, double[] momentum) {
+    gather(angles);
     double x = 0;
     double y = 0;
     double z = 0;
@@ -154,6 +155,10 @@ final class CompositeBodies {
 
   private void gather(double[] q) {
     angles.at(q);
+    gather(angles);
+  }
+
+  private void gather(JointAngles angles) {
     for (int i = N - 1; i >= 0; i--) {
       double c = angles.cos(i);
       double s = angles.sin(i);

@@ -1,7 +1,6 @@
 package org.pendant.models.dynamics;
 
-import org.ejml.data.DMatrix3;
-import org.ejml.dense.fixed.CommonOps_DDF3;
+import org.ejml.data.DMatrix3x3;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.JointAngles;
@@ -37,13 +36,6 @@ final class NewtonEuler {
   private final double[] nx = new double[N];
   private final double[] ny = new double[N];
   private final double[] nz = new double[N];
-
-  /** Angular velocity and acceleration of one body, and what its inertia makes of them. */
-  private final DMatrix3 omega = new DMatrix3();
-
-  private final DMatrix3 alpha = new DMatrix3();
-  private final DMatrix3 momentum = new DMatrix3();
-  private final DMatrix3 moment = new DMatrix3();
 
   /** How the last link moves, as of the latest call. */
   final FlangeMotion flange = new FlangeMotion();
@@ -140,13 +132,16 @@ final class NewtonEuler {
       fx[i] = body.m() * (px + (xy - ez) * y + (xz + ey) * z - (yy + zz) * x);
       fy[i] = body.m() * (py + (xy + ez) * x + (yz - ex) * z - (xx + zz) * y);
       fz[i] = body.m() * (pz + (xz - ey) * x + (yz + ex) * y - (xx + yy) * z);
-      omega.setTo(wx, wy, wz);
-      alpha.setTo(ex, ey, ez);
-      CommonOps_DDF3.mult(body.inertia(), omega, momentum);
-      CommonOps_DDF3.mult(body.inertia(), alpha, moment);
-      nx[i] = moment.a1 + wy * momentum.a3 - wz * momentum.a2;
-      ny[i] = moment.a2 + wz * momentum.a1 - wx * momentum.a3;
-      nz[i] = moment.a3 + wx * momentum.a2 - wy * momentum.a1;
+      DMatrix3x3 inertia = body.inertia();
+      double hx = inertia.a11 * wx + inertia.a12 * wy + inertia.a13 * wz;
+      double hy = inertia.a21 * wx + inertia.a22 * wy + inertia.a23 * wz;
+      double hz = inertia.a31 * wx + inertia.a32 * wy + inertia.a33 * wz;
+      double momentX = inertia.a11 * ex + inertia.a12 * ey + inertia.a13 * ez;
+      double momentY = inertia.a21 * ex + inertia.a22 * ey + inertia.a23 * ez;
+      double momentZ = inertia.a31 * ex + inertia.a32 * ey + inertia.a33 * ez;
+      nx[i] = momentX + wy * hz - wz * hy;
+      ny[i] = momentY + wz * hx - wx * hz;
+      nz[i] = momentZ + wx * hy - wy * hx;
     }
     flange.setAngular(wx, wy, wz, ex, ey, ez);
     flange.setFelt(px, py, pz);

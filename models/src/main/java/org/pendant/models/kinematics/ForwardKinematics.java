@@ -79,7 +79,12 @@ public final class ForwardKinematics {
     double s5 = Math.sin(q[4]);
     double c6 = Math.cos(q[5]);
     double s6 = Math.sin(q[5]);
-    nominalFlange(q, c1, s1, c2, s2, c5, s5, c6, s6, transform);
+    double q23 = q[1] + q[2];
+    double c23 = Math.cos(q23);
+    double s23 = Math.sin(q23);
+    double c234 = Math.cos(q23 + q[3]);
+    double s234 = Math.sin(q23 + q[3]);
+    nominalFlange(c1, s1, c2, s2, c23, s23, c234, s234, c5, s5, c6, s6, transform);
   }
 
   /**
@@ -93,11 +98,14 @@ public final class ForwardKinematics {
       return;
     }
     nominalFlange(
-        q,
         angles.cos(0),
         angles.sin(0),
         angles.cos(1),
         angles.sin(1),
+        angles.cos23(),
+        angles.sin23(),
+        angles.cos234(),
+        angles.sin234(),
         angles.cos(4),
         angles.sin(4),
         angles.cos(5),
@@ -106,21 +114,21 @@ public final class ForwardKinematics {
   }
 
   private void nominalFlange(
-      double[] q,
       double c1,
       double s1,
       double c2,
       double s2,
+      double c23,
+      double s23,
+      double c234,
+      double s234,
       double c5,
       double s5,
       double c6,
       double s6,
       double[] transform) {
-    double q23 = q[1] + q[2];
-    double c234 = Math.cos(q23 + q[3]);
-    double s234 = Math.sin(q23 + q[3]);
-    double u = dh.a2() * c2 + dh.a3() * Math.cos(q23) + dh.d5() * s234;
-    double v = dh.d1() + dh.a2() * s2 + dh.a3() * Math.sin(q23) - dh.d5() * c234;
+    double u = dh.a2() * c2 + dh.a3() * c23 + dh.d5() * s234;
+    double v = dh.d1() + dh.a2() * s2 + dh.a3() * s23 - dh.d5() * c234;
     flange(c1, s1, u, v, c234, s234, c5, s5, c6, s6, transform);
   }
 
@@ -180,6 +188,32 @@ public final class ForwardKinematics {
     double c6 = Math.cos(q[5]);
     double s6 = Math.sin(q[5]);
     frames(c1, s1, c2, s2, c23, s23, c234, s234, c5, s5, c6, s6, frames);
+  }
+
+  /**
+   * As {@link #frames(double[], double[][])}.
+   *
+   * @param angles cosines and sines of {@code q}
+   */
+  public void frames(double[] q, JointAngles angles, double[][] frames) {
+    if (!nominal) {
+      chain.frames(q, frames);
+      return;
+    }
+    frames(
+        angles.cos(0),
+        angles.sin(0),
+        angles.cos(1),
+        angles.sin(1),
+        angles.cos23(),
+        angles.sin23(),
+        angles.cos234(),
+        angles.sin234(),
+        angles.cos(4),
+        angles.sin(4),
+        angles.cos(5),
+        angles.sin(5),
+        frames);
   }
 
   /** As {@link #frames(double[], double[][])} for the nominal arm, from sines and cosines. */

@@ -12,6 +12,14 @@ public final class JointAngles {
   private final double[] sin = new double[Joints.COUNT];
   private final double[] q = new double[Joints.COUNT];
 
+  /** Whether what belongs to sums of angles is of these joint positions. */
+  private boolean summed;
+
+  private double cos23;
+  private double sin23;
+  private double cos234;
+  private double sin234;
+
   /** Those of an arm with all joints at 0. */
   public JointAngles() {
     Arrays.fill(cos, 1);
@@ -25,6 +33,7 @@ public final class JointAngles {
         q[i] = angle;
         cos[i] = Math.cos(angle);
         sin[i] = Math.sin(angle);
+        summed = false;
       }
     }
   }
@@ -37,5 +46,41 @@ public final class JointAngles {
   /** Sine of the angle of a joint, 0 to 5. */
   public double sin(int joint) {
     return sin[joint];
+  }
+
+  private void sum() {
+    if (summed) {
+      return;
+    }
+    double q23 = q[1] + q[2];
+    cos23 = Math.cos(q23);
+    sin23 = Math.sin(q23);
+    cos234 = Math.cos(q23 + q[3]);
+    sin234 = Math.sin(q23 + q[3]);
+    summed = true;
+  }
+
+  /** Cosine of the angles of shoulder and elbow together, whose axes are parallel. */
+  double cos23() {
+    sum();
+    return cos23;
+  }
+
+  /** Sine of the angles of shoulder and elbow together. */
+  double sin23() {
+    sum();
+    return sin23;
+  }
+
+  /** Cosine of the angles of shoulder, elbow and first wrist together, whose axes are parallel. */
+  double cos234() {
+    sum();
+    return cos234;
+  }
+
+  /** Sine of the angles of shoulder, elbow and first wrist together. */
+  double sin234() {
+    sum();
+    return sin234;
   }
 }

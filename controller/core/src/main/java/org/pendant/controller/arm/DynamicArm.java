@@ -81,7 +81,7 @@ public final class DynamicArm implements SimulatedArm {
         new JointServos(arm, setup.model(), friction, new SplittableRandom(setup.seed()).split());
     freeMotors = new FreeMotors(arm, setup.model(), friction);
     externalForces = new ExternalForces(arm, setup.world());
-    flange = new Flange(arm);
+    flange = new Flange(arm, sensors.angles);
     heat = new JointHeat(arm, sensors, setup.noise().measured());
     noise = new SensorNoise(arm, setup.noise(), setup.seed(), sensors);
     flange.update(body.q, body.qd, body.qdd);

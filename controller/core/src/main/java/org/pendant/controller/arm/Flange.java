@@ -11,12 +11,17 @@ import org.pendant.models.pose.Transforms;
 /** Flange: where it is, and what an accelerometer in it and bodies on it feel of its motion. */
 final class Flange {
   private final ForwardKinematics forward;
-  private final JointAngles angles = new JointAngles();
+  private final JointAngles angles;
   private final ArmDynamics dynamics;
   private final double[] inBase12 = new double[Transforms.SIZE];
 
-  /** The flange of an arm that stands upright. */
-  Flange(ArmDescription arm) {
+  /**
+   * The flange of an arm that stands upright.
+   *
+   * @param angles shared with others that compute something of the same posture
+   */
+  Flange(ArmDescription arm, JointAngles angles) {
+    this.angles = angles;
     forward = new ForwardKinematics(arm);
     dynamics = new ArmDynamics(arm, angles);
   }

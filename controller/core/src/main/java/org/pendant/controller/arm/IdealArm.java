@@ -60,7 +60,7 @@ public final class IdealArm implements SimulatedArm {
             setup.world(),
             ReadingNoise.NONE,
             setup.seed());
-    flange = new Flange(setup.arm());
+    flange = new Flange(setup.arm(), sensors.angles);
     targetLoad = new TargetLoad(setup.arm(), setup.model());
     Arrays.fill(sensors.temperatureC, JointHeat.AMBIENT_C);
     sensors.toolTemperatureC = JointHeat.AMBIENT_C;

@@ -2,6 +2,7 @@ package org.pendant.controller.arm;
 
 import org.pendant.controller.sensor.ArmSensors;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.JointAngles;
 
 /** Sensor readings of a simulated arm; the arm writes them. */
 public final class SimulatedSensors implements ArmSensors {
@@ -16,6 +17,9 @@ public final class SimulatedSensors implements ArmSensors {
   final double[] temperatureC = new double[Joints.COUNT];
   final double[] toolAccelerationMPerS2 = new double[3];
   double toolTemperatureC;
+
+  /** Of the last positions that somebody asked for; see {@link #angles}. */
+  final JointAngles angles = new JointAngles();
 
   /** By how much the force sensor errs, at the flange's origin along its axes. */
   final double[] flangeNoise6 = new double[6];
@@ -103,6 +107,12 @@ public final class SimulatedSensors implements ArmSensors {
   @Override
   public double toolAccelerationMPerS2(int axis) {
     return toolAccelerationMPerS2[axis];
+  }
+
+  @Override
+  public JointAngles angles() {
+    angles.at(positionRad);
+    return angles;
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.pendant.controller.safety;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.kinematics.JointAngles;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
@@ -36,6 +37,16 @@ final class ArmPoints {
    */
   void at(double[] q, double[] qd, Pose tcpInFlange) {
     forward.frames(q, ownFrames);
+    at(ownFrames, qd, tcpInFlange);
+  }
+
+  /**
+   * As {@link #at(double[], double[], Pose)}.
+   *
+   * @param angles cosines and sines of {@code q}
+   */
+  void at(double[] q, JointAngles angles, double[] qd, Pose tcpInFlange) {
+    forward.frames(q, angles, ownFrames);
     at(ownFrames, qd, tcpInFlange);
   }
 

@@ -46,7 +46,7 @@ final class FrameChecks {
     if (joint.isPresent()) {
       return Optional.of(StopReason.NO_READING.ofJoint(joint.getAsInt(), facts.timeS(), 0, 0));
     }
-    seen.evaluate(facts.tcpInFlange());
+    seen.evaluate(facts);
     return Optional.empty();
   }
 

@@ -5,6 +5,7 @@ import java.util.OptionalInt;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
+import org.pendant.models.kinematics.JointAngles;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -57,10 +58,12 @@ final class Observation {
   }
 
   /** Works out positions, speeds and momentum; of an arm that rests they are those of before. */
-  void evaluate(Pose tcpInFlange) {
+  void evaluate(FrameFacts facts) {
+    Pose tcpInFlange = facts.tcpInFlange();
     if (!Arrays.equals(q, lastQ) || !Arrays.equals(qd, lastQd) || !tcpInFlange.equals(lastTcp)) {
-      actual.at(q, qd, tcpInFlange);
-      dynamics.linearMomentum(q, qd, momentum);
+      JointAngles angles = facts.sensors().angles();
+      actual.at(q, angles, qd, tcpInFlange);
+      dynamics.linearMomentum(angles, qd, momentum);
       momentumKgMPerS = length(momentum);
       System.arraycopy(q, 0, lastQ, 0, Joints.COUNT);
       System.arraycopy(qd, 0, lastQd, 0, Joints.COUNT);

@@ -45,7 +45,9 @@ public final class SpeedCaps implements PathLimiter {
 
   @Override
   public double largestScaling(double[] q, double[] qd) {
-    points.at(q, qd, tcpInFlange);
+    // the drives compute what this target needs next, by the same masses
+    dynamics.angles().at(q);
+    points.at(q, dynamics.angles(), qd, tcpInFlange);
     return largestScaling(qd);
   }
 

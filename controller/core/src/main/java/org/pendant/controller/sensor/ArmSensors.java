@@ -1,6 +1,7 @@
 package org.pendant.controller.sensor;
 
 import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.JointAngles;
 
 /**
  * Readings of the sensors and drives of an arm after a frame. The numbers change with every frame:
@@ -46,6 +47,12 @@ public interface ArmSensors {
 
   /** Reading {@code axis} (0 to 2) of the accelerometer in the tool flange, flange axes, m/s². */
   double toolAccelerationMPerS2(int axis);
+
+  /**
+   * Cosines and sines of the positions, which whoever computes something of them shares; of the
+   * next ones in the next frame.
+   */
+  JointAngles angles();
 
   /** Writes the positions into six numbers; allocates nothing. */
   void copyPositionRad(double[] q);

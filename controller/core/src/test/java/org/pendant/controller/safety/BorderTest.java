@@ -130,8 +130,9 @@ final class BorderTest {
     points.at(turned.toArray(), SafetyBench.speed(1, 1).toArray(), Pose.ZERO);
     double speed = Math.signum(points.elbowVelocity(0));
     Observation seen = new Observation(bench.arm, new ArmDynamics(bench.arm), true);
-    seen.take(bench.target(turned, SafetyBench.speed(1, speed)).facts());
-    seen.evaluate(Pose.ZERO);
+    FrameFacts facts = bench.target(turned, SafetyBench.speed(1, speed)).facts();
+    seen.take(facts);
+    seen.evaluate(facts);
     TravelCheck check = new TravelCheck(STANDARD.withPlanes(wall));
     SafetyStop stop = check.check(0, seen, STANDARD.normal(), false).orElseThrow();
     assertTrue(stop.message().contains("elbow comes too close"), stop.message());

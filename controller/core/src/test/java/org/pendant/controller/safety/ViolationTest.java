@@ -233,7 +233,7 @@ final class ViolationTest {
   private double elbowForceN() {
     Observation seen = new Observation(bench.arm, new ArmDynamics(bench.arm), false);
     seen.take(bench.facts());
-    seen.evaluate(Pose.ZERO);
+    seen.evaluate(bench.facts());
     return PressCheck.elbowForceN(bench.facts(), seen);
   }
 
