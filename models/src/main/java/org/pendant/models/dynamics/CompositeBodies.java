@@ -92,14 +92,15 @@ final class CompositeBodies {
 
   /** Work that lifted the arm against an acceleration that it feels, J. */
   double potentialEnergyJ(double[] q, double x, double y, double z) {
-    gather(q);
+    angles.at(q);
+    gatherFirst(angles);
     double[] all = behind[0];
     return x * all[1] + y * all[2] + z * all[3];
   }
 
   /** At a posture whose cosines and sines are known. */
   void linearMomentum(JointAngles angles, double[] qd, double[] momentum) {
-    gather(angles);
+    gatherFirst(angles);
     double x = 0;
     double y = 0;
     double z = 0;
@@ -155,10 +156,6 @@ final class CompositeBodies {
 
   private void gather(double[] q) {
     angles.at(q);
-    gather(angles);
-  }
-
-  private void gather(JointAngles angles) {
     for (int i = N - 1; i >= 0; i--) {
       double c = angles.cos(i);
       double s = angles.sin(i);
@@ -233,6 +230,38 @@ final class CompositeBodies {
       out[7] = yy + px * ox + pz * oz;
       out[8] = yz - hy * pz - hz * py - m * py * pz;
       out[9] = zz + px * ox + py * oy;
+    }
+  }
+
+  /** As {@link #gather}, without the inertia: m and m c of the composite bodies are the same. */
+  private void gatherFirst(JointAngles angles) {
+    double m = 0;
+    double hx = 0;
+    double hy = 0;
+    double hz = 0;
+    for (int i = N - 1; i >= 0; i--) {
+      double c = angles.cos(i);
+      double s = angles.sin(i);
+      double[] own = moments[i];
+      m = own[0] + m;
+      hx = i < N - 1 ? own[1] + hx : own[1];
+      hy = i < N - 1 ? own[2] + hy : own[2];
+      hz = i < N - 1 ? own[3] + hz : own[3];
+      double sa = SIN_ALPHA[i];
+      if (sa != 0) {
+        double t = hy;
+        hy = -sa * hz;
+        hz = sa * t;
+      }
+      double t = c * hx - s * hy;
+      hy = s * hx + c * hy + m * (a[i] * s);
+      hx = t + m * (a[i] * c);
+      hz += m * d[i];
+      double[] out = behind[i];
+      out[0] = m;
+      out[1] = hx;
+      out[2] = hy;
+      out[3] = hz;
     }
   }
 }

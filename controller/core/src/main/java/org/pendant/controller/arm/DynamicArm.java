@@ -65,6 +65,8 @@ public final class DynamicArm implements SimulatedArm {
 
   private final SensorNoise noise;
   private final double[] motorSum = new double[N];
+  private final double[] rotorKgM2 = new double[N];
+  private final double[] torqueConstantNmPerA = new double[N];
   private final LastCommand last = new LastCommand();
   private Payload load = Payload.NONE;
   private boolean resting;
@@ -75,6 +77,10 @@ public final class DynamicArm implements SimulatedArm {
     this.setup = setup;
     ArmDescription arm = setup.arm();
     truth = new ArmDynamics(arm);
+    for (int i = 0; i < N; i++) {
+      rotorKgM2[i] = arm.actuators().get(i).rotorInertiaKgM2();
+      torqueConstantNmPerA[i] = arm.actuators().get(i).torqueConstantNmPerA();
+    }
     body = new ArmBody(truth, setup.startRad());
     friction = new JointFriction(arm);
     servos =
@@ -173,17 +179,16 @@ public final class DynamicArm implements SimulatedArm {
   private void measureTorques(Drives drives, int steps) {
     setup.model().inverse(body.middleQ, body.middleQd, body.qdd, sensors.modelTorqueNm);
     for (int i = 0; i < N; i++) {
-      double rotorKgM2 = setup.arm().actuators().get(i).rotorInertiaKgM2();
       sensors.torqueNm[i] = motorSum[i] / steps;
-      sensors.modelTorqueNm[i] += rotorKgM2 * body.qdd[i] + friction.slidingNm(i, body.middleQd[i]);
+      sensors.modelTorqueNm[i] +=
+          rotorKgM2[i] * body.qdd[i] + friction.slidingNm(i, body.middleQd[i]);
     }
     drives.publishTarget(sensors);
   }
 
   private void measureCurrents() {
     for (int i = 0; i < N; i++) {
-      double constant = setup.arm().actuators().get(i).torqueConstantNmPerA();
-      sensors.currentA[i] = sensors.torqueNm[i] / constant;
+      sensors.currentA[i] = sensors.torqueNm[i] / torqueConstantNmPerA[i];
     }
   }
 

@@ -1,6 +1,5 @@
 package org.pendant.controller.arm;
 
-import java.util.List;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -18,23 +17,23 @@ final class JointFriction {
   /** The rest over the speed, Nm s/rad. */
   final double[] speedDependentNmSPerRad = new double[Joints.COUNT];
 
-  private final List<Actuator> actuators;
+  private final Actuator[] actuators;
 
   JointFriction(ArmDescription arm) {
-    actuators = arm.actuators();
+    actuators = arm.actuators().toArray(Actuator[]::new);
   }
 
   /** Takes the loads of the joints, Nm. */
   void underLoad(double[] loadNm) {
     for (int i = 0; i < Joints.COUNT; i++) {
-      dryNm[i] = actuators.get(i).dryNm(loadNm[i]);
+      dryNm[i] = actuators[i].dryNm(loadNm[i]);
     }
   }
 
   /** Takes the speeds with which a frame begins, rad/s. */
   void beginFrame(double[] speedRadPerS) {
     for (int i = 0; i < Joints.COUNT; i++) {
-      speedDependentNmSPerRad[i] = actuators.get(i).speedDependentNmSPerRad(speedRadPerS[i]);
+      speedDependentNmSPerRad[i] = actuators[i].speedDependentNmSPerRad(speedRadPerS[i]);
     }
   }
 

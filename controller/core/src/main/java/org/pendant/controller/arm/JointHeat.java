@@ -23,7 +23,7 @@ final class JointHeat {
   private static final double SHARE = FrameTime.FRAME_S / TIME_CONSTANT_S;
   private static final int N = Joints.COUNT;
 
-  private final ArmDescription arm;
+  private final double[] maxTorqueNm = new double[N];
   private final double[] leadsToC = new double[N];
   private double toolLeadsToC;
 
@@ -33,7 +33,9 @@ final class JointHeat {
    * @param warm whether it has been powered for hours; otherwise it is as cold as the room
    */
   JointHeat(ArmDescription arm, SimulatedSensors sensors, boolean warm) {
-    this.arm = arm;
+    for (int i = 0; i < N; i++) {
+      maxTorqueNm[i] = arm.joints().get(i).maxTorqueNm();
+    }
     load(sensors, warm);
     System.arraycopy(leadsToC, 0, sensors.temperatureC, 0, N);
     sensors.toolTemperatureC = toolLeadsToC;
@@ -43,7 +45,7 @@ final class JointHeat {
   /** Takes the torques that the motors give now. */
   void load(SimulatedSensors sensors, boolean powered) {
     for (int i = 0; i < N; i++) {
-      double share = sensors.torqueNm[i] / arm.joints().get(i).maxTorqueNm();
+      double share = sensors.torqueNm[i] / maxTorqueNm[i];
       leadsToC[i] =
           AMBIENT_C + (powered ? POWERED_RISE_K[i] : 0) + FULL_TORQUE_RISE_K * share * share;
     }

@@ -1,7 +1,6 @@
 package org.pendant.controller.arm;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.SplittableRandom;
 import org.ejml.data.DMatrixRMaj;
 import org.pendant.models.arm.Actuator;
@@ -54,7 +53,7 @@ final class JointServos implements Drives {
   private static final int N = Joints.COUNT;
 
   private final ArmDynamics model;
-  private final List<Actuator> actuators;
+  private final Actuator[] actuators;
   private final JointFriction own;
   private final HeldFriction held;
   private final TargetLoad load;
@@ -102,10 +101,10 @@ final class JointServos implements Drives {
     this.own = own;
     held = new HeldFriction(random);
     load = new TargetLoad(arm, model);
-    actuators = arm.actuators();
+    actuators = arm.actuators().toArray(Actuator[]::new);
     DMatrixRMaj heaviest = heaviest(arm);
     for (int i = 0; i < N; i++) {
-      lagS[i] = actuators.get(i).lagS();
+      lagS[i] = actuators[i].lagS();
       lagShare[i] = lagS[i] / FrameTime.FRAME_S;
       damping[i] = SPEED_RATE_PER_S * heaviest.get(i, i);
       fastest[i] = SPEED_MARGIN * arm.joints().get(i).maxSpeedRadPerS();
@@ -180,7 +179,7 @@ final class JointServos implements Drives {
       model.inverse(middleQ, middleQd, meanQdd, feedNm);
     }
     for (int i = 0; i < N; i++) {
-      Actuator actuator = actuators.get(i);
+      Actuator actuator = actuators[i];
       double speedDependentNm;
       if (even) {
         feedNm[i] = meanBetween(i, lastMomentNm[i], load.momentNm[i]);

@@ -1,7 +1,6 @@
 package org.pendant.controller.arm;
 
 import java.util.Arrays;
-import java.util.List;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.FrictionCurve;
@@ -29,13 +28,13 @@ final class TargetLoad {
   final double[] qdd = new double[N];
 
   private final ArmDynamics model;
-  private final List<Actuator> actuators;
+  private final Actuator[] actuators;
   private final double[] q = new double[N];
   private final double[] qd = new double[N];
 
   TargetLoad(ArmDescription arm, ArmDynamics model) {
     this.model = model;
-    actuators = arm.actuators();
+    actuators = arm.actuators().toArray(Actuator[]::new);
   }
 
   /** Takes the target of a frame. */
@@ -45,7 +44,7 @@ final class TargetLoad {
     target.accelerationRadPerS2().copyTo(qdd);
     model.inverse(q, qd, qdd, momentNm);
     for (int i = 0; i < N; i++) {
-      Actuator actuator = actuators.get(i);
+      Actuator actuator = actuators[i];
       double constant = actuator.torqueConstantNmPerA();
       FrictionCurve friction = actuator.friction();
       double speedDependentA = friction.speedDependentA(qd[i]);
