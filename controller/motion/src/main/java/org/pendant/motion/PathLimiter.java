@@ -6,8 +6,14 @@ package org.pendant.motion;
  */
 @FunctionalInterface
 public interface PathLimiter {
-  /** Limits nothing. */
-  PathLimiter NONE = (q, qd) -> Double.POSITIVE_INFINITY;
+  /** Limits nothing. No lambda: the AOT cache holds none that is made with an interface. */
+  PathLimiter NONE =
+      new PathLimiter() {
+        @Override
+        public double largestScaling(double[] q, double[] qd) {
+          return Double.POSITIVE_INFINITY;
+        }
+      };
 
   /**
    * How fast time on the path may run at a point of it. Allocates nothing and keeps no argument.

@@ -2,7 +2,6 @@ package org.pendant.language.check;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.List;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.SourceRange;
@@ -34,7 +33,7 @@ final class Diagnostics {
   }
 
   List<Diagnostic> sorted() {
-    found.sort(Comparator.comparingInt(diagnostic -> diagnostic.range().start()));
+    found.sort((a, b) -> Integer.compare(a.range().start(), b.range().start()));
     return List.copyOf(found);
   }
 }

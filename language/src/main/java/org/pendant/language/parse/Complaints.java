@@ -1,7 +1,6 @@
 package org.pendant.language.parse;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -119,7 +118,7 @@ final class Complaints {
     aboutMeaning.stream()
         .filter(diagnostic -> !lines.contains(source.line(diagnostic.range().start())))
         .forEach(ordered::add);
-    ordered.sort(Comparator.comparingInt(diagnostic -> diagnostic.range().start()));
+    ordered.sort((a, b) -> Integer.compare(a.range().start(), b.range().start()));
     if (overflown || ordered.size() > LIMIT) {
       ordered.subList(Math.min(LIMIT, ordered.size()), ordered.size()).clear();
       SourceRange last = ordered.getLast().range();

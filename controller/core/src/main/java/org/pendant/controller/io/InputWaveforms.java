@@ -1,7 +1,6 @@
 package org.pendant.controller.io;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.OptionalDouble;
@@ -39,7 +38,7 @@ public final class InputWaveforms {
           changes.size() + " changes of inputs, must be at most " + MAX_CHANGES);
     }
     List<InputChange> sorted = new ArrayList<>(changes);
-    sorted.sort(Comparator.comparingDouble(InputChange::timeS));
+    sorted.sort((a, b) -> Double.compare(a.timeS(), b.timeS()));
     this.changes = List.copyOf(sorted);
     this.periodS = periodS;
     if (periodS.isPresent()) {
@@ -51,10 +50,9 @@ public final class InputWaveforms {
           .computeIfAbsent(frameAt(change.timeS()), frame -> new ArrayList<>())
           .addAll(change.writes());
     }
-    steps =
-        byFrame.entrySet().stream()
-            .map(each -> new Step(each.getKey(), List.copyOf(each.getValue())))
-            .toList();
+    List<Step> inOrder = new ArrayList<>();
+    byFrame.forEach((frame, writes) -> inOrder.add(new Step(frame, List.copyOf(writes))));
+    steps = List.copyOf(inOrder);
   }
 
   private void checkPeriod(double period) {

@@ -1,7 +1,6 @@
 package org.pendant.script.vm;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -142,7 +141,7 @@ final class Linkage {
 
   /** The labels by their lines. */
   List<ProgramLabel> labels() {
-    labels.sort(Comparator.comparingInt(ProgramLabel::line));
+    labels.sort((a, b) -> Integer.compare(a.line(), b.line()));
     return labels;
   }
 

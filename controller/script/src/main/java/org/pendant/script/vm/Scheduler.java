@@ -1,7 +1,6 @@
 package org.pendant.script.vm;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
@@ -105,6 +104,17 @@ final class Scheduler {
     return rounds();
   }
 
+  private static int compareTurns(ScriptThread a, ScriptThread b) {
+    if (a.critical != b.critical) {
+      return a.critical ? -1 : 1;
+    }
+    if (a.deferred != b.deferred) {
+      return a.deferred ? -1 : 1;
+    }
+    int byDebt = Boolean.compare(a.debtNs > 0, b.debtNs > 0);
+    return byDebt != 0 ? byDebt : Integer.compare(a.id(), b.id());
+  }
+
   /**
    * Those that had no turn go first, those that have used too much last. What was used beyond a
    * slice is paid with the slices of the frames that follow.
@@ -112,11 +122,7 @@ final class Scheduler {
   private void begin() {
     frame++;
     if (order.size() > 1) {
-      order.sort(
-          Comparator.comparing((ScriptThread t) -> !t.critical)
-              .thenComparing(t -> !t.deferred)
-              .thenComparing(t -> t.debtNs > 0)
-              .thenComparingInt(ScriptThread::id));
+      order.sort(Scheduler::compareTurns);
     }
     computing = 0;
     for (int i = 0; i < order.size(); i++) {
