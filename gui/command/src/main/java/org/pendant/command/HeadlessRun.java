@@ -55,6 +55,10 @@ final class HeadlessRun {
   private boolean pendingOutput;
   private int framesSinceLook;
   private Optional<SafetyStop> heldBy = Optional.empty();
+
+  /** What the log says of a safety stop that the program will end with, which tells it then. */
+  private Optional<LogEntry> stopEntry = Optional.empty();
+
   private int lastLine;
   private long toldLostNs;
 
@@ -109,6 +113,10 @@ final class HeadlessRun {
       }
     }
     comeToRest();
+    Optional<String> told = timedOut.isPresent() ? Optional.empty() : stopReason();
+    stopEntry
+        .filter(entry -> !told.equals(Optional.of(entry.text())))
+        .ifPresent(entry -> console.complain(Report.logEntry(source, entry)));
     return timedOut.isPresent() ? tellTimedOut(timedOut.get()) : ended();
   }
 
@@ -203,11 +211,7 @@ final class HeadlessRun {
             : ExitCode.PROGRAM_FAILED;
       }
       case Ending.Stopped stopped -> {
-        Optional<String> why =
-            heldBy
-                .or(this::safetyStop)
-                .map(SafetyStop::message)
-                .or(() -> robot.state().arm().fault().map(MotionFailure::message));
+        Optional<String> why = stopReason();
         int line = stoppedInLine();
         why.ifPresent(
             reason ->
@@ -218,6 +222,17 @@ final class HeadlessRun {
         yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
       }
     };
+  }
+
+  /** What stopped a program that did not end by itself; empty if somebody wished it. */
+  private Optional<String> stopReason() {
+    if (!(robot.state().program().ending().orElseThrow() instanceof Ending.Stopped)) {
+      return Optional.empty();
+    }
+    return heldBy
+        .or(this::safetyStop)
+        .map(SafetyStop::message)
+        .or(() -> robot.state().arm().fault().map(MotionFailure::message));
   }
 
   /** The line of the program that a safety stop met, or the last one that it reached. */
@@ -275,11 +290,22 @@ final class HeadlessRun {
         console.printBytes(entry.text());
         pendingOutput = true;
       }
-      case CONTROLLER, SAFETY, PROTOCOL -> console.complain(Report.logEntry(source, entry));
+      case SAFETY -> {
+        if (stopEntry.isEmpty() && tellsOfStop(entry)) {
+          stopEntry = Optional.of(entry);
+        } else {
+          console.complain(Report.logEntry(source, entry));
+        }
+      }
+      case CONTROLLER, PROTOCOL -> console.complain(Report.logEntry(source, entry));
       case ENDING -> {
         // Said with its place and call stack when the program has ended.
       }
     }
+  }
+
+  private boolean tellsOfStop(LogEntry entry) {
+    return safetyStop().filter(stop -> stop.message().equals(entry.text())).isPresent();
   }
 
   /** On the wall clock each line goes out at once; at full speed now and then. */
