@@ -22,7 +22,7 @@ import org.pendant.models.mesh.ConvexHull;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.time.FrameTime;
 
-/** A frame of rigid bodies on a floor, with a guided ball above them as the tool is. */
+/** A frame of rigid bodies of each shape, with a guided ball above them as the tool is. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Fork(1)
@@ -32,80 +32,167 @@ import org.pendant.models.time.FrameTime;
 public class RigidBodyBenchmark {
   private static final double[] ABOVE = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 5};
   private static final double[] SPEED = {0.1, 0, 0, 0, 0, 0};
+  private static final double[] NUDGE = {0, 0, 0.02, 0, 0, 0};
+  private static final BodySurface SURFACE =
+      new BodySurface(0.5, 0, BodySurface.DEFAULT.stiffnessNPerM());
 
-  /** What the bodies do: boxes that rest, boxes that slide, a tower of 12. */
+  /** Moment of inertia of hulls for each kg, m^2. */
+  private static final double HULL_M2 = 0.08 * 0.08 / 6;
+
+  /** So many frames go one way, and as many back. */
+  private static final int TURN_FRAMES = 500;
+
+  /** What the bodies do. */
   public enum Doing {
-    /** 50 boxes at rest. */
+    /** 50 rest on the floor. */
     REST,
-    /** 20 boxes that are dragged over the floor. */
-    SLIDE,
-    /** 12 boxes on one another, kept awake. */
+    /** 20 stand or lie on a belt that runs to and fro. */
+    BELT,
+    /** 20 are dragged over a table to and fro. */
+    TABLE,
+    /** 20 lie in a heap in a tray that is shaken. */
+    PILE,
+    /** 12 stand on one another, kept awake; balls stand in a row. */
     TOWER
   }
 
-  /** What they are: boxes, the same as hulls, or prisms of 32 sides with 64 corners. */
-  public enum Made {
-    /** Boxes of the physics library. */
+  /** What they are. */
+  public enum Shape {
+    /** Boxes. */
     BOX,
-    /** Hulls of 8 corners. */
+    /** Cylinders that stand. */
+    CYLINDER,
+    /** Cylinders that lie. */
+    LYING_CYLINDER,
+    /** Capsules that lie. */
+    CAPSULE,
+    /** Balls. */
+    SPHERE,
+    /** One after the other of all these. */
+    MIX,
+    /** Boxes as hulls of 8 corners. */
     HULL,
-    /** Hulls of 64 corners. */
-    PRISM
+    /** Cylinders that stand, as hulls of 64 corners. */
+    PRISM;
+
+    private Shape at(int i) {
+      return this == MIX ? values()[i % MIX.ordinal()] : this;
+    }
+
+    private BodyShape shape() {
+      return switch (this) {
+        case BOX, MIX -> new BodyShape.Box(0.08, 0.08, 0.08);
+        case CYLINDER -> new BodyShape.Cylinder(0.04, 0.08);
+        case LYING_CYLINDER -> new BodyShape.Cylinder(0.04, 0.08);
+        case CAPSULE -> new BodyShape.Capsule(0.04, 0.06);
+        case SPHERE -> new BodyShape.Sphere(0.04);
+        case HULL ->
+            new BodyShape.Hull(ConvexHull.block(0.08, 0.08, 0.08), HULL_M2, HULL_M2, HULL_M2);
+        case PRISM ->
+            new BodyShape.Hull(ConvexHull.prism(32, 0.04, 0.08), HULL_M2, HULL_M2, HULL_M2);
+      };
+    }
+
+    private double tilt() {
+      return this == LYING_CYLINDER || this == CAPSULE ? Math.PI / 2 : 0;
+    }
   }
 
   /** What is measured. */
   @Param public Doing doing;
 
-  /** Of what. */
-  @Param public Made made;
+  /** Of which bodies. */
+  @Param public Shape shape;
 
   private RigidBodyWorld world;
+  private int frames;
 
   @Setup
   public void make() {
-    BodySurface surface = new BodySurface(0.5, 0, BodySurface.DEFAULT.stiffnessNPerM());
     List<BodyDescription> bodies = new ArrayList<>();
     bodies.add(
         BodyDescription.kinematic(
-            "tool", new BodyShape.Sphere(0.01), Pose.ZERO.with(2, 5), surface));
-    bodies.add(BodyDescription.fixed("floor", new BodyShape.HalfSpace(), Pose.ZERO, surface));
-    int count =
-        switch (doing) {
-          case REST -> 50;
-          case SLIDE -> 20;
-          case TOWER -> 12;
-        };
+            "tool", new BodyShape.Sphere(0.01), Pose.ZERO.with(2, 5), SURFACE));
+    bodies.add(
+        doing == Doing.REST
+            ? BodyDescription.fixed("floor", new BodyShape.HalfSpace(), Pose.ZERO, SURFACE)
+            : wall("floor", 9, 2, 0.2, 0, 0, -0.1));
+    if (doing == Doing.PILE) {
+      bodies.add(wall("left", 0.02, 0.5, 2, -0.16, 0, 1));
+      bodies.add(wall("right", 0.02, 0.5, 2, 0.16, 0, 1));
+      bodies.add(wall("front", 0.3, 0.02, 2, 0, -0.16, 1));
+      bodies.add(wall("back", 0.3, 0.02, 2, 0, 0.16, 1));
+    }
+    int first = bodies.size();
+    int count = doing == Doing.REST ? 50 : doing == Doing.TOWER ? 12 : 20;
     for (int i = 0; i < count; i++) {
-      Pose pose =
-          doing == Doing.TOWER
-              ? new Pose(0, 0, 0.05 + 0.1 * i, 0, 0, 0)
-              : new Pose(-4 + 0.15 * i, 0, 0.05, 0, 0, 0);
-      bodies.add(BodyDescription.free("box " + i, shape(), pose, 1, surface));
+      Shape one = shape.at(i);
+      bodies.add(BodyDescription.free("body " + i, one.shape(), place(i, one.tilt()), 1, SURFACE));
     }
     world = new RigidBodyWorld(bodies, 0, 0, -9.82);
-    for (int i = 0; i < 1000; i++) {
+    firstFree = first;
+    frames = 0;
+    for (int i = 0; i < 2 * TURN_FRAMES; i++) {
       frame();
     }
   }
 
-  private BodyShape shape() {
-    double moment = 0.01 / 6;
-    return switch (made) {
-      case BOX -> new BodyShape.Box(0.1, 0.1, 0.1);
-      case HULL -> new BodyShape.Hull(ConvexHull.block(0.1, 0.1, 0.1), moment, moment, moment);
-      case PRISM -> new BodyShape.Hull(ConvexHull.prism(32, 0.05, 0.1), moment, moment, moment);
+  private int firstFree;
+
+  private Pose place(int i, double tilt) {
+    return switch (doing) {
+      case TOWER ->
+          shape == Shape.SPHERE || shape == Shape.CAPSULE || shape == Shape.MIX
+              ? new Pose(0.1 * i, 0, 0.04, tilt, 0, 0)
+              : new Pose(0.001 * (i % 2), 0, 0.04 + 0.08 * i, tilt, 0, 0);
+      case PILE ->
+          new Pose(
+              0.09 * (i % 2) - 0.045,
+              0.02 * (i % 3),
+              0.08 + 0.16 * (i / 2),
+              tilt,
+              0.1 * (i % 3),
+              0);
+      case REST, BELT, TABLE -> new Pose(-3 + 0.15 * i, 0, 0.04, tilt, 0, 0);
     };
+  }
+
+  private static BodyDescription wall(
+      String name, double sizeX, double sizeY, double sizeZ, double x, double y, double z) {
+    return BodyDescription.fixed(
+        name, new BodyShape.Box(sizeX, sizeY, sizeZ), new Pose(x, y, z, 0, 0, 0), SURFACE);
   }
 
   @Benchmark
   public void frame() {
+    double way = frames++ / TURN_FRAMES % 2 == 0 ? 1 : -1;
+    boolean turn = frames % TURN_FRAMES == 1;
     world.moveKinematic(0, ABOVE, SPEED);
-    if (doing == Doing.SLIDE) {
-      for (int i = 2; i < world.size(); i++) {
-        world.throwBody(i, SPEED);
+    switch (doing) {
+      case REST -> {}
+      case BELT -> {
+        if (turn) {
+          world.runSurface(1, 0.2 * way, 0, 0);
+        }
       }
-    } else if (doing == Doing.TOWER) {
-      world.throwBody(2, new double[6]);
+      case TABLE -> {
+        double[] dragged = {0.1 * way, 0, 0, 0, 0, 0};
+        for (int i = firstFree; i < world.size(); i++) {
+          world.throwBody(i, dragged);
+        }
+      }
+      case PILE -> {
+        if (turn) {
+          world.runSurface(1, 0.2 * way, 0.1 * way, 0);
+        }
+      }
+      case TOWER -> {
+        if (shape == Shape.SPHERE || shape == Shape.CAPSULE || shape == Shape.MIX) {
+          world.throwBody(firstFree + frames % 12, NUDGE);
+        } else {
+          world.throwBody(firstFree, new double[6]);
+        }
+      }
     }
     world.advance(FrameTime.FRAME_S);
   }

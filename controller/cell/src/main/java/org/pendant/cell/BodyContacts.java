@@ -11,21 +11,18 @@ import org.ode4j.ode.DContactGeomBuffer;
  * of the descriptions, so that results are the same in every run.
  */
 final class BodyContacts {
-  /** Places at which two bodies hold each other at most; a box on a table needs four. */
-  private static final int MAX_PLACES = 4;
-
   /** A place that is this near one of the step before is the same one, squared, m^2. */
   private static final double SAME_PLACE_M2 = 1e-4;
 
-  private static final int MAX_ROUNDS = 40;
+  private static final int MAX_ROUNDS = 20;
 
   /** Change of speed below which another round is not worth it, m/s. */
-  private static final double ACCURACY_M_PER_S = 1e-7;
+  private static final double ACCURACY_M_PER_S = 1e-6;
 
   private final List<CellBody> bodies;
   private final List<BodyHold> holds;
-  private final DContactGeomBuffer buffer = new DContactGeomBuffer(MAX_PLACES + 1);
-  private final RoundContacts round = new RoundContacts();
+  private final NarrowPhase narrowPhase;
+  private final DContactGeomBuffer buffer = NarrowPhase.buffer();
 
   /** Bodies that are awake, in the order in which they were looked at. */
   private final CellBody[] awake;
@@ -44,7 +41,8 @@ final class BodyContacts {
   /** For each two bodies: the first of their places in the step before and one, 0 for none. */
   private final int[] beforeOf;
 
-  BodyContacts(List<CellBody> bodies, List<BodyHold> holds) {
+  BodyContacts(List<CellBody> bodies, List<BodyHold> holds, NarrowPhase narrowPhase) {
+    this.narrowPhase = narrowPhase;
     this.bodies = bodies;
     this.holds = holds;
     int size = bodies.size();
@@ -166,12 +164,9 @@ final class BodyContacts {
       first = second;
       second = later;
     }
-    int count = CellBody.touch(first, second, MAX_PLACES, buffer);
+    int count = narrowPhase.find(first, second, buffer);
     if (count == 0) {
       return;
-    }
-    if (RoundContacts.concern(first, second)) {
-      count = round.more(first, second, buffer, count);
     }
     if (other.free() && !other.awake) {
       other.wake();

@@ -2,7 +2,6 @@ package org.pendant.cell;
 
 import java.util.Arrays;
 import org.ode4j.math.DMatrix3;
-import org.ode4j.ode.DContactGeomBuffer;
 import org.ode4j.ode.DGeom;
 import org.pendant.models.mesh.TriangleMesh;
 import org.pendant.models.pose.Rotations;
@@ -35,11 +34,11 @@ final class CellBody {
   /** Inverse of its inertia along the base's axes, rows; 0 unless it is free. */
   final double[] inverseInertia = new double[9];
 
+  /** What contacts reckon with, if it is convex; else null. */
+  final ConvexShape convex;
+
   /** Where others touch it, if it is made of triangles; else null. */
   final MeshContacts faces;
-
-  /** Where others touch it, if it is a hull; else null. */
-  private final HullContacts hulls;
 
   /** Its corners, once hulls have asked for them. */
   private Polyhedron solid;
@@ -78,11 +77,11 @@ final class CellBody {
     this.index = index;
     Transforms.of(description.poseInBase(), pose);
     geom = PhysicsLibrary.shape(description.shape(), pose);
+    convex = ConvexShape.of(description.shape());
     faces =
         description.shape() instanceof BodyShape.Faces(TriangleMesh mesh)
             ? new MeshContacts(mesh, pose)
             : null;
-    hulls = description.shape() instanceof BodyShape.Hull ? new HullContacts() : null;
     reachM = reachM(description.shape());
     inertia = BodyInertia.of(description.shape(), description.massKg());
     inverseMass = free() ? 1 / description.massKg() : 0;
@@ -95,23 +94,9 @@ final class CellBody {
     return reachM;
   }
 
-  /** Where two bodies touch, at {@code most} places at most; answers how many. */
-  static int touch(CellBody one, CellBody other, int most, DContactGeomBuffer found) {
-    if (other.faces != null) {
-      return other.faces.find(one, most, found);
-    }
-    if (one.faces != null) {
-      return one.faces.find(other, most, found);
-    }
-    HullContacts hulls = one.hulls != null ? one.hulls : other.hulls;
-    return hulls != null
-        ? hulls.find(one, other, most, found)
-        : PhysicsLibrary.touch(one.geom, other.geom, most, found);
-  }
-
   /** Whether it is a hull, which the physics library only knows as a ball. */
   boolean hull() {
-    return hulls != null;
+    return description.shape() instanceof BodyShape.Hull;
   }
 
   /** Its corners and faces, of a hull, a box or a cylinder. */

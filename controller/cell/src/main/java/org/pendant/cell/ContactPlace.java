@@ -39,6 +39,9 @@ final class ContactPlace {
 
   private final double[] tangent1 = new double[3];
   private final double[] tangent2 = new double[3];
+  private final ContactRow alongNormal = new ContactRow();
+  private final ContactRow along1 = new ContactRow();
+  private final ContactRow along2 = new ContactRow();
 
   /** From the origins of the bodies to here. */
   private final double[] arm1 = new double[3];
@@ -59,8 +62,6 @@ final class ContactPlace {
 
   private double belt2;
 
-  private final double[] turned = new double[3];
-
   /** Takes over what was found, one of {@code places} between these two. */
   void set(CellBody one, CellBody other, DContactGeom found, int places, double stepS) {
     first = one;
@@ -76,13 +77,16 @@ final class ContactPlace {
     for (int i = 0; i < 3; i++) {
       onFirst[i] = one.pose[i] * arm1[0] + one.pose[3 + i] * arm1[1] + one.pose[6 + i] * arm1[2];
     }
-    setTangents();
+    ContactFrame.across(normal, tangent1, tangent2);
+    alongNormal.set(one, arm1, other, arm2, normal);
+    along1.set(one, arm1, other, arm2, tangent1);
+    along2.set(one, arm1, other, arm2, tangent2);
     belt1 = dot(other.belt, tangent1);
     belt2 = dot(other.belt, tangent2);
     BodySurface a = one.description.surface();
     BodySurface b = other.description.surface();
     friction = Math.sqrt(a.friction() * b.friction());
-    double yielding = yielding(normal, normal);
+    double yielding = alongNormal.yielding(alongNormal);
     softness = 0;
     if (other.kinematic()) {
       double stiffness = Math.min(a.stiffnessNPerM(), b.stiffnessNPerM()) / places;
@@ -92,16 +96,16 @@ final class ContactPlace {
     } else {
       double depth = Math.min(found.depth - LAYER_M, MAX_DEPTH_M);
       leavingSpeed = RECOVERY * Math.max(0, depth) / stepS;
-      double approaching = -speed(normal);
+      double approaching = -alongNormal.speed();
       if (approaching > MIN_BOUNCE) {
         leavingSpeed =
             Math.max(leavingSpeed, Math.max(a.restitution(), b.restitution()) * approaching);
       }
     }
     normalMass = 1 / (yielding + softness);
-    double k11 = yielding(tangent1, tangent1);
-    double k22 = yielding(tangent2, tangent2);
-    double k12 = yielding(tangent1, tangent2);
+    double k11 = along1.yielding(along1);
+    double k22 = along2.yielding(along2);
+    double k12 = along1.yielding(along2);
     // the largest eigenvalue: with one mass for both directions friction ends up along the sliding
     tangentMass = 1 / (0.5 * (k11 + k22) + Math.hypot(0.5 * (k11 - k22), k12));
   }
@@ -122,17 +126,15 @@ final class ContactPlace {
     double z = before.tangentImpulse(2);
     tangentImpulse1 = x * tangent1[0] + y * tangent1[1] + z * tangent1[2];
     tangentImpulse2 = x * tangent2[0] + y * tangent2[1] + z * tangent2[2];
-    double along = normalImpulse;
-    hit(
-        along * normal[0] + tangentImpulse(0),
-        along * normal[1] + tangentImpulse(1),
-        along * normal[2] + tangentImpulse(2));
+    alongNormal.hit(normalImpulse);
+    along1.hit(tangentImpulse1);
+    along2.hit(tangentImpulse2);
   }
 
   /** Corrects the impulse; answers by how much, Ns. */
   double solve() {
-    double t1 = tangentImpulse1 - tangentMass * (speed(tangent1) - belt1);
-    double t2 = tangentImpulse2 - tangentMass * (speed(tangent2) - belt2);
+    double t1 = tangentImpulse1 - tangentMass * (along1.speed() - belt1);
+    double t2 = tangentImpulse2 - tangentMass * (along2.speed() - belt2);
     double most = friction * normalImpulse;
     double size = Math.sqrt(t1 * t1 + t2 * t2);
     if (size > most) {
@@ -143,17 +145,16 @@ final class ContactPlace {
     double d2 = t2 - tangentImpulse2;
     tangentImpulse1 = t1;
     tangentImpulse2 = t2;
-    hit(
-        d1 * tangent1[0] + d2 * tangent2[0],
-        d1 * tangent1[1] + d2 * tangent2[1],
-        d1 * tangent1[2] + d2 * tangent2[2]);
+    along1.hit(d1);
+    along2.hit(d2);
     double n =
         Math.max(
             0,
-            normalImpulse + normalMass * (leavingSpeed - speed(normal) - softness * normalImpulse));
+            normalImpulse
+                + normalMass * (leavingSpeed - alongNormal.speed() - softness * normalImpulse));
     double dn = n - normalImpulse;
     normalImpulse = n;
-    hit(dn * normal[0], dn * normal[1], dn * normal[2]);
+    alongNormal.hit(dn);
     return Math.abs(dn) + Math.abs(d1) + Math.abs(d2);
   }
 
@@ -184,76 +185,7 @@ final class ContactPlace {
     return tangentImpulse1 * tangent1[axis] + tangentImpulse2 * tangent2[axis];
   }
 
-  private void hit(double px, double py, double pz) {
-    first.hit(arm1[0], arm1[1], arm1[2], px, py, pz);
-    if (second.inverseMass > 0) {
-      second.hit(arm2[0], arm2[1], arm2[2], -px, -py, -pz);
-    }
-  }
-
-  /** How fast the first body leaves the second one here, along a direction, m/s. */
-  private double speed(double[] along) {
-    double speed = speed(first.twist, arm1, along);
-    return second.description.motion() == BodyMotion.FIXED
-        ? speed
-        : speed - speed(second.twist, arm2, along);
-  }
-
-  private static double speed(double[] twist, double[] arm, double[] along) {
-    return along[0] * (twist[0] + twist[4] * arm[2] - twist[5] * arm[1])
-        + along[1] * (twist[1] + twist[5] * arm[0] - twist[3] * arm[2])
-        + along[2] * (twist[2] + twist[3] * arm[1] - twist[4] * arm[0]);
-  }
-
-  /** Speed along {@code one} that an impulse of 1 Ns along {@code other} gives, m/s. */
-  private double yielding(double[] one, double[] other) {
-    double dot = one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
-    return dot * (first.inverseMass + second.inverseMass)
-        + turning(first, arm1, one, other)
-        + turning(second, arm2, one, other);
-  }
-
-  private double turning(CellBody body, double[] arm, double[] one, double[] other) {
-    if (body.inverseMass == 0) {
-      return 0;
-    }
-    double[] inverse = body.inverseInertia;
-    double x = arm[1] * other[2] - arm[2] * other[1];
-    double y = arm[2] * other[0] - arm[0] * other[2];
-    double z = arm[0] * other[1] - arm[1] * other[0];
-    for (int i = 0; i < 3; i++) {
-      turned[i] = inverse[3 * i] * x + inverse[3 * i + 1] * y + inverse[3 * i + 2] * z;
-    }
-    return (arm[1] * one[2] - arm[2] * one[1]) * turned[0]
-        + (arm[2] * one[0] - arm[0] * one[2]) * turned[1]
-        + (arm[0] * one[1] - arm[1] * one[0]) * turned[2];
-  }
-
-  private void setTangents() {
-    double x = normal[0];
-    double y = normal[1];
-    double z = normal[2];
-    if (Math.abs(z) > 0.7) {
-      double length = Math.sqrt(y * y + z * z);
-      set(tangent1, 0, -z / length, y / length);
-    } else {
-      double length = Math.sqrt(x * x + y * y);
-      set(tangent1, -y / length, x / length, 0);
-    }
-    set(
-        tangent2,
-        y * tangent1[2] - z * tangent1[1],
-        z * tangent1[0] - x * tangent1[2],
-        x * tangent1[1] - y * tangent1[0]);
-  }
-
   private static double dot(double[] one, double[] other) {
     return one[0] * other[0] + one[1] * other[1] + one[2] * other[2];
-  }
-
-  private static void set(double[] vector, double x, double y, double z) {
-    vector[0] = x;
-    vector[1] = y;
-    vector[2] = z;
   }
 }

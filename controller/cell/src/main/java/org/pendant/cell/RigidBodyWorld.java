@@ -40,6 +40,7 @@ public final class RigidBodyWorld {
   private final List<CellBody> bodies = new ArrayList<>();
   private final List<BodyHold> holds = new ArrayList<>();
   private final BodyRay ray = new BodyRay();
+  private final NarrowPhase narrowPhase = new NarrowPhase();
   private BodyContacts contacts;
   private final double[] gravity = new double[3];
   private double latestStepS = 1;
@@ -69,7 +70,7 @@ public final class RigidBodyWorld {
       bodies.add(new CellBody(description, bodies.size()));
     }
     requireApart();
-    contacts = new BodyContacts(bodies, holds);
+    contacts = new BodyContacts(bodies, holds, narrowPhase);
   }
 
   /**
@@ -88,7 +89,7 @@ public final class RigidBodyWorld {
       }
     }
     bodies.add(new CellBody(description, bodies.size()));
-    contacts = new BodyContacts(bodies, holds);
+    contacts = new BodyContacts(bodies, holds, narrowPhase);
     return bodies.size() - 1;
   }
 
@@ -149,11 +150,9 @@ public final class RigidBodyWorld {
     }
   }
 
-  private static boolean overlap(CellBody one, CellBody other) {
-    DContactGeomBuffer found = new DContactGeomBuffer(1);
+  private boolean overlap(CellBody one, CellBody other) {
     return !one.geom.getAABB().isDisjoint(other.geom.getAABB())
-        && CellBody.touch(one, other, 1, found) > 0
-        && found.get(0).depth > MAX_OVERLAP_M;
+        && narrowPhase.depthM(one, other, NarrowPhase.buffer()) > MAX_OVERLAP_M;
   }
 
   /**
@@ -342,20 +341,22 @@ public final class RigidBodyWorld {
   }
 
   private void requireApart() {
-    DContactGeomBuffer found = new DContactGeomBuffer(1);
+    DContactGeomBuffer found = NarrowPhase.buffer();
     for (CellBody one : bodies) {
       for (CellBody other : bodies) {
         if (one.free()
             && !other.kinematic()
             && (!other.free() || other.index > one.index)
-            && CellBody.touch(one, other, 1, found) > 0
-            && found.get(0).depth > MAX_OVERLAP_M) {
-          throw new IllegalArgumentException(
-              "bodies: %s and %s overlap by %s mm"
-                  .formatted(
-                      one.description.name(),
-                      other.description.name(),
-                      Range.number(Math.rint(found.get(0).depth * 1e4) / 10)));
+            && !one.farFrom(other)) {
+          double depthM = narrowPhase.depthM(one, other, found);
+          if (depthM > MAX_OVERLAP_M) {
+            throw new IllegalArgumentException(
+                "bodies: %s and %s overlap by %s mm"
+                    .formatted(
+                        one.description.name(),
+                        other.description.name(),
+                        Range.number(Math.rint(depthM * 1e4) / 10)));
+          }
         }
       }
     }

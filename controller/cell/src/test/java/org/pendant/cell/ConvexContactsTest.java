@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.pendant.models.pose.Pose;
 
 /** Cylinders and capsules come to rest on flat things, and flat things on them. */
-class RoundContactsTest {
+class ConvexContactsTest {
   private static final BodyDescription TABLE =
       BodyDescription.fixed(
           "table", new BodyShape.Box(0.3, 0.15, 0.1), Bodies.at(0, 0, -0.05), BodySurface.DEFAULT);
@@ -90,5 +90,68 @@ class RoundContactsTest {
     // a rolling cylinder is slower than a sliding one by its inertia
     double way = 0.5 * Bodies.G * Math.sin(slope) / 1.5 * 0.25;
     assertEquals(way, Bodies.pose(world, 1)[9] + 0.1, 0.05 * way);
+  }
+
+  /** Lets a world go on whose bodies are never left to sleep; how far the last one has got, m. */
+  private static double driftM(RigidBodyWorld world, double timeS) {
+    int last = world.size() - 1;
+    double[] before = Bodies.pose(world, last);
+    double[] rest = new double[6];
+    for (int step = 0; step < timeS / Bodies.STEP_S; step++) {
+      if (step % 200 == 0) {
+        world.throwBody(last, rest);
+      }
+      world.advance(Bodies.STEP_S);
+    }
+    double[] after = Bodies.pose(world, last);
+    return Math.hypot(after[9] - before[9], after[10] - before[10]);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"2, 0", "2, 0.0005", "8, 0", "8, 0.0005"})
+  void cylindersThatStandOnOneAnotherStayThere(int cylinders, double askewM) {
+    double minutes = Double.parseDouble(System.getProperty("pendant.tower.minutes", "0.1"));
+    List<BodyDescription> all = new ArrayList<>(List.of(TABLE));
+    for (int i = 0; i < cylinders; i++) {
+      Pose pose = new Pose(askewM * (i % 2), askewM * (i % 3), 0.01 + 0.02 * i, 0, 0, 0.7 * i);
+      all.add(part("disc " + i, DISC, pose));
+    }
+    RigidBodyWorld world = Bodies.upright(all);
+    Bodies.run(world, 1);
+    assertEquals(0, driftM(world, 60 * minutes), 2e-4);
+    assertEquals(0.02 * cylinders - 0.01, Bodies.pose(world, cylinders)[11], 1e-4 * cylinders);
+  }
+
+  @Test
+  void aCylinderThatLiesInTheGapOfTwoOthersStaysThere() {
+    double minutes = Double.parseDouble(System.getProperty("pendant.tower.minutes", "0.1"));
+    double up = 0.02 + 0.04 * Math.sqrt(0.75);
+    RigidBodyWorld world =
+        Bodies.upright(
+            List.of(
+                TABLE,
+                BodyDescription.fixed(
+                    "left", BAR, new Pose(-0.0201, 0, 0.02, Math.PI / 2, 0, 0), TABLE.surface()),
+                BodyDescription.fixed(
+                    "right", BAR, new Pose(0.0201, 0, 0.02, Math.PI / 2, 0, 0), TABLE.surface()),
+                part("bar", BAR, new Pose(0, 0, up, Math.PI / 2, 0, 0))));
+    Bodies.run(world, 1);
+    assertEquals(0, driftM(world, 60 * minutes), 2e-4);
+  }
+
+  @Test
+  void aCylinderThatLiesAcrossTwoOthersStaysThere() {
+    double minutes = Double.parseDouble(System.getProperty("pendant.tower.minutes", "0.1"));
+    RigidBodyWorld world =
+        Bodies.upright(
+            List.of(
+                TABLE,
+                BodyDescription.fixed(
+                    "left", BAR, new Pose(-0.022, 0, 0.02, Math.PI / 2, 0, 0), TABLE.surface()),
+                BodyDescription.fixed(
+                    "right", BAR, new Pose(0.022, 0, 0.02, Math.PI / 2, 0, 0), TABLE.surface()),
+                part("bar", BAR, new Pose(0, 0, 0.0599, 0, Math.PI / 2, 0))));
+    Bodies.run(world, 1);
+    assertEquals(0, driftM(world, 60 * minutes), 2e-4);
   }
 }
