@@ -14,10 +14,10 @@ final class BodyContacts {
   /** A place that is this near one of the step before is the same one, squared, m^2. */
   private static final double SAME_PLACE_M2 = 1e-4;
 
-  private static final int MAX_ROUNDS = 20;
+  private static final int MAX_ROUNDS = 30;
 
   /** Change of speed below which another round is not worth it, m/s. */
-  private static final double ACCURACY_M_PER_S = 1e-6;
+  private static final double ACCURACY_M_PER_S = 3e-7;
 
   private final List<CellBody> bodies;
   private final List<BodyHold> holds;
