@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.bench.TestBench;
+import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -188,6 +189,22 @@ public final class Controller implements Robot, Drive {
   public void wakeBy(Runnable wake) {
     commandQueue.wakeBy(wake);
     frame.feed().wakeBy(wake);
+  }
+
+  /** As a command, so that a run that is repeated hears of it at the same place. */
+  @Override
+  public void noteLostTime(double sinceStartS) {
+    var _ = submit(new BoxCommand.NoteLostTime(sinceStartS));
+  }
+
+  /** The control box, for the cell that this controller shares with others. */
+  ControlBox box() {
+    return box;
+  }
+
+  /** Begins the next frame before {@link #advance} runs it. */
+  void beginFrame() {
+    frame.begin();
   }
 
   @Override

@@ -9,6 +9,7 @@ import org.pendant.controller.arm.ReadingNoise;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.box.CellEquipment;
+import org.pendant.controller.box.CellStation;
 import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.file.ProgramsFolder;
@@ -59,6 +60,7 @@ public final class ControllerOptions {
   private ProgramsFolder programsFolder = ProgramsFolder.NONE;
   private Connectors outside = Connectors.NONE;
   private Optional<Installation> installation = Optional.empty();
+  private Optional<CellStation> station = Optional.empty();
   private long memoryBytes = standardMemoryBytes();
 
   private ControllerOptions() {}
@@ -94,6 +96,7 @@ public final class ControllerOptions {
     copy.programsFolder = programsFolder;
     copy.outside = outside;
     copy.installation = installation;
+    copy.station = station;
     copy.memoryBytes = memoryBytes;
     change.accept(copy);
     return copy;
@@ -277,6 +280,16 @@ public final class ControllerOptions {
     return changed(copy -> copy.outside = connectors);
   }
 
+  /** At a place in a cell that it shares with other controllers. */
+  ControllerOptions withStation(CellStation place) {
+    return changed(copy -> copy.station = Optional.of(place));
+  }
+
+  /** Which simulation of the arm. */
+  ArmChoice armChoice() {
+    return armChoice;
+  }
+
   /** Id of the arm. */
   public String robotId() {
     return robotId;
@@ -347,6 +360,7 @@ public final class ControllerOptions {
         powerTimes,
         systemTime,
         programsFolder,
-        outside);
+        outside,
+        station);
   }
 }

@@ -10,7 +10,7 @@ import org.pendant.script.coverage.Coverage;
 import org.pendant.script.value.Value;
 
 /** Drive of a robot: lets its time pass; used by one thread alone. */
-public interface Drive {
+public interface Drive extends Frames {
   /** The newest snapshot; any thread. */
   ControllerState state();
 
@@ -25,21 +25,6 @@ public interface Drive {
    * that drives alone. Who runs frames and only wants to know that makes no snapshots.
    */
   boolean broughtMessages();
-
-  /** Runs one frame in the calling thread; a frame that a debugger pauses in continues. */
-  void advance();
-
-  /**
-   * As {@link #advance}, but commands that have arrived are left for the next frame: they have come
-   * later than this one.
-   */
-  void advanceBeforeCommands();
-
-  /**
-   * Carries out the commands that have arrived, without a frame: robot time stands, and the newest
-   * snapshot shows what they have done.
-   */
-  void applyCommands();
 
   /**
    * Runs frames in the calling thread until a condition holds, looked at after each.
@@ -58,29 +43,13 @@ public interface Drive {
     return false;
   }
 
-  /**
-   * Whether a script thread waits for a peer outside, which lives by the wall clock, or Modbus
-   * devices are asked again and again.
-   */
-  boolean waitsForOutside();
-
-  /**
-   * Whether it is all the same when the next frames are run, as long as it is soon: no program
-   * runs, nothing moves, and nobody follows frame by frame or waits outside.
-   */
-  boolean needsNoFrameOnTime();
-
-  /** Whether somebody follows frame by frame. */
-  boolean followed();
-
   /** Has {@code journal} told of every command from now on. */
   void noteCommandsIn(CommandJournal journal);
 
-  /**
-   * Has {@code wake} run whenever a command has arrived, or somebody has begun to follow frame by
-   * frame, by the thread that brought it; it must be short.
-   */
-  void wakeBy(Runnable wake);
+  @Override
+  default boolean held() {
+    return state().debug().held();
+  }
 
   /** The text of the running or last program. */
   Optional<Source> programSource();

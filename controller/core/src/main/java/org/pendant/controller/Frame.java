@@ -57,6 +57,9 @@ final class Frame {
   /** Commands that have arrived are left for the next frame. */
   private boolean beforeCommands;
 
+  /** The next frame has begun already. */
+  private boolean begun;
+
   /** A debugger has paused the program in the frame that has begun. */
   private boolean held;
 
@@ -139,10 +142,10 @@ final class Frame {
 
   private void step() {
     beganNs = box.clock().inRealTime() ? System.nanoTime() : 0;
-    if (!held) {
-      box.beginFrame();
-      box.links().stepCell();
+    if (!held && !begun) {
+      begin();
     }
+    begun = false;
     takeInputs();
     held = runScripts();
     if (held) {
@@ -155,6 +158,13 @@ final class Frame {
     stepArm();
     checkSafety();
     publish();
+  }
+
+  /** Begins the next frame; those that share a cell begin theirs together before they go on. */
+  void begin() {
+    box.beginFrame();
+    box.links().stepCell();
+    begun = true;
   }
 
   /** The newest snapshot; any thread. */

@@ -3,9 +3,11 @@ package org.pendant.controller;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import org.pendant.controller.box.BoxCommand;
 
-/** Frame loop: a thread that drives a controller at the pace of a clock until it is closed. */
+/**
+ * Frame loop: a thread that drives a controller, or a cell of them, at the pace of a clock until it
+ * is closed.
+ */
 public final class FrameLoop implements AutoCloseable {
   /** How often a held frame is shown to those who follow each frame, ns. */
   private static final long HELD_NS = TimeUnit.MILLISECONDS.toNanos(2);
@@ -15,8 +17,7 @@ public final class FrameLoop implements AutoCloseable {
 
   private static final double NS = 1e-9;
 
-  private final Robot robot;
-  private final Drive drive;
+  private final Frames frames;
   private final Clock clock;
   private final Runnable afterEach;
   private final Thread thread;
@@ -24,46 +25,45 @@ public final class FrameLoop implements AutoCloseable {
   private volatile boolean closing;
   private volatile Optional<Throwable> failure = Optional.empty();
 
-  private FrameLoop(Controller controller, Clock clock, Runnable afterEach) {
-    robot = controller;
-    drive = controller;
+  private FrameLoop(Frames frames, Clock clock, Runnable afterEach) {
+    this.frames = frames;
     this.clock = clock;
     this.afterEach = afterEach;
     thread = Thread.ofPlatform().daemon().name("frame loop").unstarted(this::run);
   }
 
   /** Starts driving; no other thread may from now on. */
-  public static FrameLoop start(Controller controller, Clock clock) {
-    return start(controller, clock, () -> {});
+  public static FrameLoop start(Frames frames, Clock clock) {
+    return start(frames, clock, () -> {});
   }
 
   /**
-   * As {@link #start(Controller, Clock)}.
+   * As {@link #start(Frames, Clock)}.
    *
    * @param afterEach runs in the loop's thread after each frame, and must be short
    */
-  public static FrameLoop start(Controller controller, Clock clock, Runnable afterEach) {
-    FrameLoop loop = new FrameLoop(controller, clock, afterEach);
+  public static FrameLoop start(Frames frames, Clock clock, Runnable afterEach) {
+    FrameLoop loop = new FrameLoop(frames, clock, afterEach);
     loop.thread.start();
     return loop;
   }
 
   private void run() {
-    drive.wakeBy(this::commandArrived);
-    clock.gatherWhile(drive::needsNoFrameOnTime);
+    frames.wakeBy(this::commandArrived);
+    clock.gatherWhile(frames::needsNoFrameOnTime);
     // those that came before
     clock.commandArrived();
     try {
       while (!closing) {
-        Clock.Due due = clock.awaitDue(drive::waitsForOutside);
+        Clock.Due due = clock.awaitDue(frames::waitsForOutside);
         tellLost();
         switch (due) {
-          case FRAME -> drive.advance();
-          case EARLIER_FRAME -> drive.advanceBeforeCommands();
-          case COMMANDS -> drive.applyCommands();
+          case FRAME -> frames.advance();
+          case EARLIER_FRAME -> frames.advanceBeforeCommands();
+          case COMMANDS -> frames.applyCommands();
         }
         afterEach.run();
-        if (drive.state().debug().held()) {
+        if (frames.held()) {
           hold();
         }
       }
@@ -82,18 +82,17 @@ public final class FrameLoop implements AutoCloseable {
 
   /** Time stands still; only commands are waited for. */
   private void hold() throws InterruptedException {
-    LockSupport.parkNanos(drive.followed() ? HELD_NS : HELD_ALONE_NS);
+    LockSupport.parkNanos(frames.followed() ? HELD_NS : HELD_ALONE_NS);
     if (Thread.interrupted()) {
       throw new InterruptedException();
     }
     clock.startAfresh();
   }
 
-  /** As a command, so that a run that is repeated hears of it at the same place. */
   private void tellLost() {
     if (clock.lostNs() != toldLostNs) {
       toldLostNs = clock.lostNs();
-      var _ = robot.submit(new BoxCommand.NoteLostTime(NS * toldLostNs));
+      frames.noteLostTime(NS * toldLostNs);
     }
   }
 

@@ -196,6 +196,11 @@ final class CheckRun {
           "unknown-function", name, range, name + " is a variable; expected a function to call");
       return;
     }
+    Optional<String> absence = catalogue.absence(name);
+    if (absence.isPresent()) {
+      findings.nameNotFound(MissingNames.FUNCTION, name, range, absence.get());
+      return;
+    }
     String message = "function " + name + " is not defined" + here();
     missing(
         MissingNames.FUNCTION,

@@ -28,6 +28,14 @@ public interface Catalogue {
         .orElse(name);
   }
 
+  /**
+   * Why there is no function {@code name} here although other programs may call it; empty where
+   * there is nothing to say.
+   */
+  default Optional<String> absence(String name) {
+    return Optional.empty();
+  }
+
   /** Functions and methods, in the order of their declaration. */
   Collection<Signature> all();
 }

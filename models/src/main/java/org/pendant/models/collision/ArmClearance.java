@@ -274,4 +274,30 @@ public final class ArmClearance {
     }
     return least;
   }
+
+  /** Ends of all capsules in the base frame, six numbers each. */
+  double[] ends() {
+    return ends;
+  }
+
+  /** Middles of the balls around the bodies, in the base frame. */
+  double[] centres() {
+    return centre;
+  }
+
+  /** Radius of the ball around a body, m. */
+  double aroundM(int of) {
+    return around[of];
+  }
+
+  /** The first capsule of a body; one more than the last one for the body after all. */
+  int firstCapsule(int of) {
+    return start[of];
+  }
+
+  /** How far a capsule of one arm is from one of another, m; with their ends in one frame. */
+  static double apartM(
+      ArmClearance one, double[] ends, int i, ArmClearance other, double[] otherEnds, int j) {
+    return SegmentDistance.apart(ends, 6 * i, otherEnds, 6 * j) - one.radius[i] - other.radius[j];
+  }
 }

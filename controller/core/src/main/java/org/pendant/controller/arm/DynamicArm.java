@@ -106,6 +106,11 @@ public final class DynamicArm implements SimulatedArm {
     noise.read(sensors, !(command instanceof ArmCommand.BrakesOn));
   }
 
+  @Override
+  public void place() {
+    externalForces.place(body);
+  }
+
   private void move(ArmCommand command) {
     body.beginFrame();
     switch (command) {

@@ -65,15 +65,34 @@ final class ExternalForces {
       Arrays.fill(torqueNm, 0);
       return;
     }
+    predictFrame(body);
+    if (!world.shared()) {
+      placeLinks(body);
+      world.advance(flange12, tcpInFlange3, twist6, FrameTime.FRAME_S);
+    }
+    feelAhead(body);
+  }
+
+  private void predictFrame(ArmBody body) {
     predict(body, FrameTime.FRAME_S);
     jacobian.at(ahead, Pose.ZERO, jacobian36);
     moveFlange(body);
+  }
+
+  private void placeLinks(ArmBody body) {
     if (world.hasFreeBodies()) {
       forward.frames(ahead, linkFrames);
       world.moveLinks(linkFrames, body.qd);
     }
-    world.advance(flange12, tcpInFlange3, twist6, FrameTime.FRAME_S);
-    feelAhead(body);
+  }
+
+  /** Says to a world that other arms share where the arm will be at the end of the frame. */
+  void place(ArmBody body) {
+    if (world.shared() && world.hasFreeBodies()) {
+      predictFrame(body);
+      placeLinks(body);
+      world.place(flange12, tcpInFlange3, twist6);
+    }
   }
 
   /** Feels what will push {@code afterS} s later if the arm continues as now. */

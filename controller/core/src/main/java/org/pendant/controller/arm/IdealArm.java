@@ -77,6 +77,11 @@ public final class IdealArm implements SimulatedArm {
     last.remember(command);
   }
 
+  @Override
+  public void place() {
+    // it touches nothing
+  }
+
   private static boolean yields(ArmCommand command) {
     return command instanceof ArmCommand.Guide || command instanceof ArmCommand.Torque;
   }

@@ -12,6 +12,12 @@ public interface SimulatedArm extends MeasuredArm {
   /** Advances by one frame. */
   void step(ArmCommand command);
 
+  /**
+   * Says to the world around where the arm will be at the end of the next step, if it shares that
+   * world with other arms: all of them say so before the objects there move.
+   */
+  void place();
+
   /** Puts the arm elsewhere, at rest; only a simulation can (manual 15.46). */
   void jumpTo(Joints positionRad);
 

@@ -1,5 +1,6 @@
 package org.pendant.controller.box;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.arm.ArmCommand;
 import org.pendant.controller.arm.SimulatedArm;
@@ -41,7 +42,7 @@ public final class ArmDrive {
   private ArmCommand.Torque torque = new ArmCommand.Torque(TorqueSetpoint.ZERO);
   private final DriveTarget driveTarget = new DriveTarget();
   private final PositionHistory history;
-  private final Optional<LinkCollisions> collisions;
+  private final List<LinkCollisions> collisions;
   private final double[] q = new double[Joints.COUNT];
 
   /** Where the joints are, as the encoders read them, rad. */
@@ -192,9 +193,11 @@ public final class ArmDrive {
     }
     boolean undriven = safety.robotMode() != RobotMode.RUNNING || freedrive.active();
     boolean tolerated = undriven || motion.torqueDriven() || safety.stop().isPresent();
-    Optional<LinkHit> hit = collisions.get().look(q, tolerated);
-    if (hit.isPresent()) {
-      safety.linkHit(hit.get());
+    for (int i = 0; i < collisions.size(); i++) {
+      Optional<LinkHit> hit = collisions.get(i).look(q, tolerated);
+      if (hit.isPresent()) {
+        safety.linkHit(hit.get());
+      }
     }
   }
 
@@ -246,7 +249,7 @@ public final class ArmDrive {
   public void jumpTo(Joints positionRad) throws PlanningException {
     motion.jumpTo(positionRad);
     arm.jumpTo(positionRad);
-    collisions.ifPresent(LinkCollisions::restart);
+    collisions.forEach(LinkCollisions::restart);
     safety.jumped();
     actual.set(positionRad);
     setup.flange().armChanged();

@@ -33,6 +33,8 @@ import org.pendant.models.arm.Joints;
  *     BoxClock#VIRTUAL_START} and goes with the frames, so that runs repeat exactly
  * @param programsFolder where programs may read files
  * @param connectors by which programs reach other computers
+ * @param station its place in a cell that it shares with other controllers; empty for one that is
+ *     alone in its cell
  */
 public record BoxSetup(
     ArmDescription arm,
@@ -49,7 +51,8 @@ public record BoxSetup(
     PowerTimes powerTimes,
     Optional<InstantSource> systemTime,
     ProgramsFolder programsFolder,
-    Connectors connectors) {
+    Connectors connectors,
+    Optional<CellStation> station) {
   /**
    * Where the arm stands when nothing else is said: forearm level, tool down, away from every
    * singularity, so that a program may begin with a linear move.
@@ -96,6 +99,7 @@ public record BoxSetup(
         PowerTimes.STANDARD,
         Optional.empty(),
         ProgramsFolder.NONE,
-        Connectors.NONE);
+        Connectors.NONE,
+        Optional.empty());
   }
 }

@@ -14,10 +14,18 @@ import org.pendant.models.json.Json;
  *
  * @param devices at most {@value CellDevices#MAX}, each with its own name
  * @param rules what happens by itself, in their order
+ * @param controllers what files call the controllers of the cell, whose first one it is for; none
+ *     where there is one alone
  */
-public record CellEquipment(List<DeviceSetup> devices, List<RuleSetup> rules) {
+public record CellEquipment(
+    List<DeviceSetup> devices, List<RuleSetup> rules, List<String> controllers) {
   /** Nothing. */
   public static final CellEquipment NONE = new CellEquipment(List.of(), List.of());
+
+  /** That of a controller that is alone. */
+  public CellEquipment(List<DeviceSetup> devices, List<RuleSetup> rules) {
+    this(devices, rules, List.of());
+  }
 
   /**
    * Checks count and names.
@@ -27,6 +35,7 @@ public record CellEquipment(List<DeviceSetup> devices, List<RuleSetup> rules) {
   public CellEquipment {
     devices = List.copyOf(devices);
     rules = List.copyOf(rules);
+    controllers = List.copyOf(controllers);
     if (devices.size() > CellDevices.MAX) {
       throw new IllegalArgumentException(
           "cell has " + devices.size() + " devices, must be at most " + CellDevices.MAX);
@@ -48,6 +57,7 @@ public record CellEquipment(List<DeviceSetup> devices, List<RuleSetup> rules) {
   public CellEquipment and(List<DeviceSetup> more) {
     return more.isEmpty()
         ? this
-        : new CellEquipment(Stream.concat(devices.stream(), more.stream()).toList(), rules);
+        : new CellEquipment(
+            Stream.concat(devices.stream(), more.stream()).toList(), rules, controllers);
   }
 }

@@ -1,13 +1,19 @@
 package org.pendant.controller.box;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.device.CellDevices;
+import org.pendant.controller.device.DeviceSurroundings;
+import org.pendant.controller.device.EncoderLines;
+import org.pendant.controller.device.ToolPlaces;
+import org.pendant.controller.io.DigitalIo;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.message.OperatorPrompts;
 import org.pendant.controller.safety.SafetySystem;
 import org.pendant.controller.safety.SpeedCaps;
+import org.pendant.controller.wire.SignalLines;
 import org.pendant.motion.MotionControl;
 import org.pendant.motion.toolpath.Toolpaths;
 import org.pendant.script.function.Host;
@@ -20,7 +26,7 @@ import org.pendant.script.function.ScriptPlace;
 public final class ControlBox implements Host {
   private final BoxClock clock;
   private final MessageLog log = new MessageLog();
-  private final Signals signals = new Signals();
+  private final Signals signals;
   private final RobotArm arm;
   private final SafetySystem safety;
   private final MotionControl motion;
@@ -36,6 +42,7 @@ public final class ControlBox implements Host {
 
   /** A box that was just switched on. */
   public ControlBox(BoxSetup setup) {
+    signals = setup.station().map(CellStation::signals).orElseGet(Signals::new);
     clock =
         new BoxClock(
             setup.systemTime(), new ExecutionTime(setup.readingNoise().measured(), setup.seed()));
@@ -71,15 +78,45 @@ public final class ControlBox implements Host {
             new CellDevices(
                 setup.equipment().devices(),
                 signals,
-                kinematics::actualTcpInBase,
-                arm.world(),
-                (encoder, ticksPerS) -> offsets.encoders().get(encoder).run(ticksPerS),
+                new DeviceSurroundings(arm.world(), tools(setup), encoders(setup), lines(setup)),
                 log),
             DeterminismGuard.of(setup.connectors(), clock.determinism()),
             signals,
             log);
     prompts = OperatorPrompts.none(setup.operator(), log);
     environment = new ProgramEnvironment(setup.programsFolder(), setup.seed());
+  }
+
+  /** Where tools are: its own, or those of all arms in the cell. */
+  private ToolPlaces tools(BoxSetup setup) {
+    ToolPlaces all = setup.station().map(CellStation::tools).orElseGet(ToolPlaces::new);
+    if (setup.station().isEmpty() || !setup.station().get().armless()) {
+      all.add(() -> arm.world().inCell(kinematics.actualTcpInBase()));
+    }
+    return all;
+  }
+
+  /**
+   * What devices may be wired to. One that is alone may have a file of several controllers: the
+   * signals of the others are there, and low.
+   */
+  private SignalLines lines(BoxSetup setup) {
+    if (setup.station().isPresent()) {
+      return setup.station().get().lines();
+    }
+    SignalLines lines = new SignalLines(signals.digital());
+    List<String> controllers = setup.equipment().controllers();
+    for (int i = 0; i < controllers.size(); i++) {
+      lines.add(controllers.get(i), i == 0 ? signals.digital() : new DigitalIo());
+    }
+    return lines;
+  }
+
+  /** What belts turn: its own encoders, or those of all controllers in the cell. */
+  private EncoderLines encoders(BoxSetup setup) {
+    EncoderLines all = setup.station().map(CellStation::encoders).orElseGet(EncoderLines::new);
+    all.add((encoder, ticksPerS) -> offsets.encoders().get(encoder).run(ticksPerS));
+    return all;
   }
 
   /** Begins the next frame. */

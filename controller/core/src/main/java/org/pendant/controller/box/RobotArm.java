@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.arm.ArmSupply;
 import org.pendant.controller.arm.DynamicArm;
@@ -22,7 +24,7 @@ public final class RobotArm {
   private final Scene scene;
   private final ArmModel model;
   private final ContactWorld world;
-  private final Optional<LinkCollisions> collisions;
+  private final List<LinkCollisions> collisions = new ArrayList<>();
 
   /** Made when it is asked for: most runs never do. */
   private Optional<ArmSurroundings> surroundings = Optional.empty();
@@ -37,12 +39,16 @@ public final class RobotArm {
     description = setup.arm();
     scene = setup.scene();
     model = new ArmModel(description);
-    world = new ContactWorld(scene, () -> LinkCapsules.of(description));
+    world =
+        setup
+            .station()
+            .map(CellStation::contacts)
+            .orElseGet(() -> new ContactWorld(scene, () -> LinkCapsules.of(description)));
     // an ideal arm touches nothing
-    collisions =
-        setup.armChoice() == ArmChoice.IDEAL
-            ? Optional.empty()
-            : LinkCollisions.of(description, scene);
+    if (setup.armChoice() != ArmChoice.IDEAL) {
+      LinkCollisions.of(description, scene).ifPresent(collisions::add);
+      setup.station().flatMap(CellStation::encounters).ifPresent(collisions::add);
+    }
     simulated = simulated(setup);
     supply = new ArmSupply(description);
     supplyMeter = new SupplyMeter(description, supply, setup.readingNoise(), setup.seed());
@@ -100,7 +106,7 @@ public final class RobotArm {
   }
 
   /** What its links get into; empty where they pass through everything. */
-  Optional<LinkCollisions> collisions() {
+  List<LinkCollisions> collisions() {
     return collisions;
   }
 

@@ -1,5 +1,6 @@
 package org.pendant.controller.box;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.arm.SimulatedArm;
@@ -29,7 +30,7 @@ public final class ToolFlange {
   private final Freedrive freedrive;
   private final ForceMode forceMode;
   private final ContactWatch contactWatch = new ContactWatch();
-  private final Optional<LinkCollisions> collisions;
+  private final List<LinkCollisions> collisions;
   private ToolCentre tool = ToolCentre.FLANGE;
   private boolean cogAtTool;
   private boolean loadKnown;
@@ -75,7 +76,7 @@ public final class ToolFlange {
   public void setTool(ToolCentre tool) {
     this.tool = tool;
     arm.setToolCentre(tool.inFlange());
-    collisions.ifPresent(links -> links.setTool(tool.inFlange()));
+    collisions.forEach(links -> links.setTool(tool.inFlange()));
     speedCaps.setTool(tool.inFlange());
     motion.setTool(tool.inFlange());
     freedrive.setTool(tool.inFlange());

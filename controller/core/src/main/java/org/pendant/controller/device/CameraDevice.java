@@ -20,16 +20,20 @@ final class CameraDevice implements CellDevice {
   private final MessageLog log;
   private final PartCamera camera;
   private final CameraProcedures procedures;
+  private final ContactWorld world;
 
   CameraDevice(DeviceSetup.Camera setup, ContactWorld world, MessageLog log) {
     this.setup = setup;
     this.log = log;
-    camera = new PartCamera(world::moved, this::inView, setup.atInBase(), setup.errors());
+    this.world = world;
+    camera =
+        new PartCamera(
+            world::moved, this::inView, setup.atInBase().map(world::inBase), setup.errors());
     procedures = new CameraProcedures(camera);
   }
 
   private boolean inView(MovedObject each) {
-    Pose middle = each.poseInBase();
+    Pose middle = world.inCell(each.poseInBase());
     return setup.area().holds(middle.x(), middle.y(), middle.z())
         && (setup.objects().isEmpty()
             || setup.objects().stream().anyMatch(name -> PartCamera.goesBy(each, name)));

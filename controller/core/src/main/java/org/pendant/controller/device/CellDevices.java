@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.pendant.controller.device.gripper.Fingers;
 import org.pendant.controller.external.Connectors;
@@ -18,7 +17,6 @@ import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.wire.SignalLines;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.json.Json;
-import org.pendant.models.pose.Pose;
 import org.pendant.script.value.ScriptError;
 
 /**
@@ -41,8 +39,7 @@ public final class CellDevices {
   private final Signals signals;
   private final SignalLines lines;
   private List<DeviceState> states = List.of();
-  private final Supplier<Pose> tcpInBase;
-  private Optional<Pose> tcpNow = Optional.empty();
+  private final ToolPlaces tools;
   private final ContactWorld world;
   private final EncoderTicks encoders;
   private final MessageLog log;
@@ -50,22 +47,16 @@ public final class CellDevices {
   /**
    * The devices of a cell, and a line in the log for each.
    *
-   * @param tcpInBase where the tool centre point is
-   * @param world what grippers grip in
-   * @param encoders what belts turn
+   * @param signals of their controller
+   * @param around what is around them
    */
   public CellDevices(
-      List<DeviceSetup> setups,
-      Signals signals,
-      Supplier<Pose> tcpInBase,
-      ContactWorld world,
-      EncoderTicks encoders,
-      MessageLog log) {
-    this.world = world;
-    this.encoders = encoders;
+      List<DeviceSetup> setups, Signals signals, DeviceSurroundings around, MessageLog log) {
+    world = around.world();
+    encoders = around.encoders();
+    tools = around.tools();
+    lines = around.lines();
     this.signals = signals;
-    lines = new SignalLines(signals.digital());
-    this.tcpInBase = tcpInBase;
     this.log = log;
     // others may be wired to their signals
     setups.stream().filter(CellDevices::hasSignals).forEach(this::add);
@@ -104,9 +95,9 @@ public final class CellDevices {
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
           case DeviceSetup.Lamp lamp -> new LampDevice(lamp, lines);
           case DeviceSetup.Switch pressed ->
-              new SwitchDevice(pressed, this::tcpInBase, pressed.area().watch(world), lines);
+              new SwitchDevice(pressed, tools, pressed.area().watch(world), lines);
           case DeviceSetup.Sensor sensor ->
-              new SensorDevice(sensor, this::tcpInBase, sensor.zone().watch(world), lines);
+              new SensorDevice(sensor, tools, sensor.zone().watch(world), lines);
         };
     setup
         .hand()
@@ -276,17 +267,9 @@ public final class CellDevices {
         device.port().orElse(0));
   }
 
-  /** Where the tool centre point is in this frame: reckoned once, however many sensors look. */
-  private Pose tcpInBase() {
-    if (tcpNow.isEmpty()) {
-      tcpNow = Optional.of(tcpInBase.get());
-    }
-    return tcpNow.get();
-  }
-
   /** Hears what programs have sent, answers, and moves everything through one frame. */
   public void step() {
-    tcpNow = Optional.empty();
+    tools.beginFrame();
     for (int i = sockets.size() - 1; i >= 0; i--) {
       if (!sockets.get(i).step()) {
         sockets.remove(i);

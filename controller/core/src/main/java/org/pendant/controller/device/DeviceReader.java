@@ -26,28 +26,33 @@ public final class DeviceReader {
 
   private final CellSignalNames signals;
 
-  private DeviceReader(PartReader parts, CellSignalNames signals) {
+  private final List<String> controllers;
+
+  private DeviceReader(PartReader parts, CellSignalNames signals, List<String> controllers) {
     this.parts = parts;
     this.signals = signals;
+    this.controllers = controllers;
   }
 
   /**
    * Reads the section {@code devices}.
    *
    * @param signals what wires may lead to; those of the devices come to it
+   * @param controllers of the cell, by their names; none where there is one alone
    * @throws JsonException for the first thing that is wrong, with its place
    */
-  public static List<DeviceSetup> read(JsonFields scene, CellSignalNames signals)
-      throws JsonException {
-    DeviceReader reader = new DeviceReader(PartReader.of(scene), signals);
+  public static List<OwnedDevice> read(
+      JsonFields scene, CellSignalNames signals, List<String> controllers) throws JsonException {
+    DeviceReader reader = new DeviceReader(PartReader.of(scene), signals, controllers);
     List<Json> all = scene.array("devices", CellDevices.MAX);
-    Map<Json, DeviceSetup> read = new IdentityHashMap<>();
+    Map<Json, OwnedDevice> read = new IdentityHashMap<>();
     // wires may lead to the signals of devices that come later
     for (boolean wired : List.of(false, true)) {
       for (Json each : all) {
         DeviceKind kind = kind(each);
         if (kind.wired() == wired) {
-          read.put(each, reader.device(kind, each));
+          int owner = DeviceOwner.of(new JsonFields(each, "a device"), kind, controllers);
+          read.put(each, new OwnedDevice(owner, reader.device(kind, each), each.place()));
         }
       }
     }
@@ -65,6 +70,10 @@ public final class DeviceReader {
       JsonFields fields = new JsonFields(value, "a device");
       Json.Text name = fields.text(fields.optional("name").isPresent() ? "name" : "type");
       try {
+        if (controllers.contains(device.name())) {
+          throw new IllegalArgumentException(
+              "is " + name.described() + ", must not be that of a controller: it has signals");
+        }
         signals.add(device.name(), device.signals());
       } catch (IllegalArgumentException e) {
         throw name.place().refusal("name " + e.getMessage());
@@ -75,7 +84,11 @@ public final class DeviceReader {
 
   private DeviceSetup setup(DeviceKind kind, Json value) throws JsonException {
     JsonFields all = new JsonFields(value, "a " + kind.type());
-    FieldReader fields = new FieldReader(kind.fields(), all, signals, "type", "name");
+    String[] others =
+        controllers.isEmpty()
+            ? new String[] {"type", "name"}
+            : new String[] {"type", "name", DeviceOwner.KEY};
+    FieldReader fields = new FieldReader(kind.fields(), all, signals, others);
     String name = name(all);
     return switch (kind.type()) {
       case "two-finger", "two-finger-tool" ->

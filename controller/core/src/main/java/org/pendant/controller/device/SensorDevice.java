@@ -1,27 +1,22 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import java.util.function.Supplier;
 import org.pendant.cell.BodyProbe;
 import org.pendant.controller.wire.SignalLines;
-import org.pendant.models.pose.Pose;
 
 /** Sensor device: tells by an input whether it sees the tool centre point or a body. */
 final class SensorDevice implements CellDevice {
   private final DeviceSetup.Sensor setup;
-  private final Supplier<Pose> tcpInBase;
+  private final ToolPlaces tools;
   private final Optional<BodyProbe> bodies;
   private final SensorLine line;
   private boolean sees;
 
   SensorDevice(
-      DeviceSetup.Sensor setup,
-      Supplier<Pose> tcpInBase,
-      Optional<BodyProbe> bodies,
-      SignalLines lines) {
+      DeviceSetup.Sensor setup, ToolPlaces tools, Optional<BodyProbe> bodies, SignalLines lines) {
     this.bodies = bodies;
     this.setup = setup;
-    this.tcpInBase = tcpInBase;
+    this.tools = tools;
     line = new SensorLine(lines, Optional.of(setup.signal()));
   }
 
@@ -52,10 +47,7 @@ final class SensorDevice implements CellDevice {
 
   @Override
   public void step() {
-    Pose tcp = tcpInBase.get();
-    sees =
-        setup.zone().holds(tcp.x(), tcp.y(), tcp.z())
-            || (bodies.isPresent() && bodies.get().sees());
+    sees = tools.anyIn(setup.zone()) || (bodies.isPresent() && bodies.get().sees());
     line.tell(sees != setup.inverted());
   }
 }

@@ -1,10 +1,8 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import java.util.function.Supplier;
 import org.pendant.cell.BodyProbe;
 import org.pendant.controller.wire.SignalLines;
-import org.pendant.models.pose.Pose;
 
 /**
  * Switch device: a limit switch or a button, pressed by the tool centre point, by a body, or by
@@ -12,19 +10,16 @@ import org.pendant.models.pose.Pose;
  */
 final class SwitchDevice implements CellDevice {
   private final DeviceSetup.Switch setup;
-  private final Supplier<Pose> tcpInBase;
+  private final ToolPlaces tools;
   private final Optional<BodyProbe> bodies;
   private final SensorLine line;
   private boolean byHand;
   private boolean pressed;
 
   SwitchDevice(
-      DeviceSetup.Switch setup,
-      Supplier<Pose> tcpInBase,
-      Optional<BodyProbe> bodies,
-      SignalLines lines) {
+      DeviceSetup.Switch setup, ToolPlaces tools, Optional<BodyProbe> bodies, SignalLines lines) {
     this.setup = setup;
-    this.tcpInBase = tcpInBase;
+    this.tools = tools;
     this.bodies = bodies;
     line = new SensorLine(lines, Optional.of(setup.signal()));
   }
@@ -67,11 +62,7 @@ final class SwitchDevice implements CellDevice {
 
   @Override
   public void step() {
-    Pose tcp = tcpInBase.get();
-    pressed =
-        byHand
-            || setup.area().holds(tcp.x(), tcp.y(), tcp.z())
-            || (bodies.isPresent() && bodies.get().sees());
+    pressed = byHand || tools.anyIn(setup.area()) || (bodies.isPresent() && bodies.get().sees());
     line.tell(pressed != setup.inverted());
   }
 }

@@ -91,7 +91,15 @@ public final class CellSignalNames {
    * @throws JsonException if it is none
    */
   public CellSignal digital(JsonFields fields, String key, boolean settable) throws JsonException {
-    Json.Text text = fields.text(key);
+    return digital(fields.text(key), key, settable);
+  }
+
+  /**
+   * As the other.
+   *
+   * @param key what the text is called in messages
+   */
+  public CellSignal digital(Json.Text text, String key, boolean settable) throws JsonException {
     CellSignal signal = required(text, key, settable);
     SignalGroup group = group(signal);
     if (!group.digital()) {

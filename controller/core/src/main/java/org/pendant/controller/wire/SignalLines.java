@@ -5,11 +5,25 @@ import java.util.Map;
 
 /** Signal lines of a cell: its signals at work, by their names. The frame loop owns them. */
 public final class SignalLines {
-  private final Map<String, SignalOwner> owners = new HashMap<>();
+  private final SignalOwner own;
+  private final Map<String, SignalOwner> owners;
 
   /** The signals of one owner, which need no name in front. */
   public SignalLines(SignalOwner own) {
-    owners.put("", own);
+    this(own, new HashMap<>());
+  }
+
+  private SignalLines(SignalOwner own, Map<String, SignalOwner> owners) {
+    this.own = own;
+    this.owners = owners;
+  }
+
+  /**
+   * The same signals as they are called where another owner needs no name in front; what comes to
+   * one comes to both.
+   */
+  public SignalLines of(SignalOwner another) {
+    return new SignalLines(another, owners);
   }
 
   /** From now on there are the signals of another owner. */
@@ -23,7 +37,7 @@ public final class SignalLines {
    * @throws IllegalArgumentException if its owner is not there, or has no such signal
    */
   public SignalLine line(CellSignal signal) {
-    SignalOwner owner = owners.get(signal.owner());
+    SignalOwner owner = signal.owner().isEmpty() ? own : owners.get(signal.owner());
     if (owner == null) {
       throw new IllegalArgumentException(
           "signal is " + signal + ", but there is no " + signal.owner() + " in the cell");

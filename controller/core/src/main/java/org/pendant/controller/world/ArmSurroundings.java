@@ -15,7 +15,7 @@ import org.pendant.models.pose.Pose;
  * that stand still. Tool points with a radius belong to the arm, as its tool: they can get into
  * links; what they do with objects is up to {@link ContactWorld}.
  */
-public final class ArmSurroundings {
+public final class ArmSurroundings implements LinkPairs {
   /** A tool that ends this near the flange is wrist 3 itself, m. */
   private static final double BARE_FLANGE_M = 0.02;
 
@@ -26,8 +26,19 @@ public final class ArmSurroundings {
 
   /** The links of an arm in a scene. */
   public ArmSurroundings(ArmDescription arm, Scene scene) {
+    List<Capsule> capsules = capsules(arm, scene.toolPoints());
+    List<SceneObject> still =
+        scene.objects().stream().filter(object -> object.massKg() == 0).toList();
+    toolPoints = scene.toolPoints();
+    names = still.stream().map(SceneObject::name).toList();
+    clearance =
+        new ArmClearance(arm, capsules, still.stream().map(ArmSurroundings::obstacle).toList());
+  }
+
+  /** What an arm is made of, with those tool points that have a radius. */
+  static List<Capsule> capsules(ArmDescription arm, List<ToolPoint> toolPoints) {
     List<Capsule> capsules = new ArrayList<>(LinkCapsules.of(arm));
-    for (ToolPoint point : capsules.isEmpty() ? List.<ToolPoint>of() : scene.toolPoints()) {
+    for (ToolPoint point : capsules.isEmpty() ? List.<ToolPoint>of() : toolPoints) {
       if (point.radiusM() > 0) {
         Vector3 at = point.pointInFlangeM();
         capsules.add(
@@ -42,12 +53,7 @@ public final class ArmSurroundings {
                 point.radiusM()));
       }
     }
-    List<SceneObject> still =
-        scene.objects().stream().filter(object -> object.massKg() == 0).toList();
-    toolPoints = scene.toolPoints();
-    names = still.stream().map(SceneObject::name).toList();
-    clearance =
-        new ArmClearance(arm, capsules, still.stream().map(ArmSurroundings::obstacle).toList());
+    return capsules;
   }
 
   /** How far they are from one another, pair by pair. */
@@ -60,6 +66,7 @@ public final class ArmSurroundings {
    *
    * @param tcpInFlange what the tool touches with, unless the scene says so
    */
+  @Override
   public boolean bareFlange(Pose tcpInFlange) {
     if (toolPoints.isEmpty()) {
       Vector3 tcp = new Vector3(tcpInFlange.x(), tcpInFlange.y(), tcpInFlange.z());
@@ -68,7 +75,28 @@ public final class ArmSurroundings {
     return toolPoints.stream().allMatch(each -> each.pointInFlangeM().length() < BARE_FLANGE_M);
   }
 
+  @Override
+  public int pairs() {
+    return clearance.pairs();
+  }
+
+  @Override
+  public void at(double[] positionRad) {
+    clearance.at(positionRad);
+  }
+
+  @Override
+  public double travelM(double[] positionRad) {
+    return clearance.travelM(positionRad);
+  }
+
+  @Override
+  public double distanceM(int pair, double farM) {
+    return clearance.distanceM(pair, farM);
+  }
+
   /** Whether a pair is that of wrist 3 and an object, which touch where the flange presses. */
+  @Override
   public boolean presses(int pair) {
     return clearance.body(pair) == LinkCapsules.WRIST_3 && clearance.obstacle(pair) >= 0;
   }
@@ -92,6 +120,7 @@ public final class ArmSurroundings {
   }
 
   /** The two of a pair, as one that overlaps by so much. */
+  @Override
   public LinkHit hit(int pair, double depthM) {
     int body = clearance.body(pair);
     int obstacle = clearance.obstacle(pair);
@@ -104,7 +133,7 @@ public final class ArmSurroundings {
         LinkCapsules.NAMES.get(outer), LinkCapsules.NAMES.get(body), false, jointOf(outer), depthM);
   }
 
-  private static int jointOf(int body) {
+  static int jointOf(int body) {
     return Math.min(body, LinkCapsules.WRIST_3) - 1;
   }
 

@@ -37,6 +37,14 @@ public final class ContactWorld {
   /** The objects that can move; null where there are none. */
   private final FreeBodies free;
 
+  /** What this arm has among them; null where there are none. */
+  private final ArmBodies own;
+
+  private final ArmPlace place;
+
+  /** Whether other arms share these objects: then the cell lets them move. */
+  private final boolean shared;
+
   private List<MovedObject> moved = List.of();
   private boolean moving;
   private long comings;
@@ -65,20 +73,44 @@ public final class ContactWorld {
    *     has them solid
    */
   public ContactWorld(Scene scene, Supplier<List<Capsule>> links) {
+    this(
+        scene,
+        FreeBodies.any(scene.objects())
+            ? new FreeBodies(
+                scene.objects(),
+                List.of(new ArmBodies.Setup(scene.toolPoints(), solid(scene, links), Pose.ZERO)))
+            : null);
+  }
+
+  private ContactWorld(Scene scene, FreeBodies free) {
+    this(scene, free, free == null ? null : free.arm(0), new ArmPlace(Pose.ZERO), false);
+  }
+
+  /**
+   * The forces of {@code scene} on one of several arms.
+   *
+   * @param scene as it is seen from the base of the arm
+   * @param free those that all arms push; null where nothing has a mass
+   * @param own what this arm has among them; null for a controller without an arm
+   * @param place where the arm stands
+   */
+  ContactWorld(Scene scene, FreeBodies free, ArmBodies own, ArmPlace place, boolean shared) {
     objects = scene.objects();
     toolPoints = scene.toolPoints();
+    this.free = free;
+    this.shared = shared;
+    this.own = own;
+    this.place = place;
     surfaces = new Surface[objects.size()];
     for (int i = 0; i < surfaces.length; i++) {
       surfaces[i] = Surface.of(objects.get(i));
     }
-    free =
-        FreeBodies.any(objects) ? new FreeBodies(objects, toolPoints, solid(scene, links)) : null;
     depthM = new double[surfaces.length];
     forceN = new double[3 * surfaces.length];
     apply(scene.pushAtTcpInBase());
   }
 
-  private static List<Capsule> solid(Scene scene, Supplier<List<Capsule>> links) {
+  static List<Capsule> solid(Scene scene, Supplier<List<Capsule>> links) {
     return scene.links() == LinkContact.STOP ? links.get() : List.of();
   }
 
@@ -104,8 +136,8 @@ public final class ContactWorld {
     double tcpY = tcpInFlange3[1];
     double tcpZ = tcpInFlange3[2];
     addApplied(flange12, tcpX, tcpY, tcpZ, wrench6);
-    if (free != null) {
-      free.addWrench(wrench6);
+    if (own != null) {
+      own.addWrench(wrench6);
     }
     if (toolPoints.isEmpty()) {
       touch(flange12, tcpX, tcpY, tcpZ, 0, flangeTwist6, wrench6);
@@ -132,14 +164,40 @@ public final class ContactWorld {
    */
   public void advance(
       double[] flange12, double[] tcpInFlange3, double[] flangeTwist6, double stepS) {
-    if (free != null) {
-      free.advance(flange12, tcpInFlange3, tcpInFlange, toolPoints.isEmpty(), flangeTwist6, stepS);
+    if (own != null && !shared) {
+      place(flange12, tcpInFlange3, flangeTwist6);
+      free.advance(stepS);
     }
+  }
+
+  /**
+   * Says where the tool will be before the objects of a cell of several arms move. The parameters
+   * are those of {@link #wrench}.
+   */
+  public void place(double[] flange12, double[] tcpInFlange3, double[] flangeTwist6) {
+    if (own != null) {
+      own.move(flange12, tcpInFlange3, tcpInFlange, toolPoints.isEmpty(), flangeTwist6);
+    }
+  }
+
+  /** Whether others let the objects move, after {@link #place} of all arms. */
+  public boolean shared() {
+    return shared;
   }
 
   /** Whether there are objects that links can push. */
   public boolean hasFreeBodies() {
-    return free != null;
+    return own != null;
+  }
+
+  /** A pose in the base frame of the arm as it is in the frame of the cell. */
+  public Pose inCell(Pose inBase) {
+    return place.inCell(inBase);
+  }
+
+  /** A pose in the frame of the cell as it is in the base frame of the arm. */
+  public Pose inBase(Pose inCell) {
+    return place.inBase(inCell);
   }
 
   /**
@@ -149,15 +207,15 @@ public final class ContactWorld {
    * @param qd joint speeds, rad/s
    */
   public void moveLinks(double[][] linkFrames, double[] qd) {
-    if (free != null) {
-      free.moveLinks(linkFrames, qd);
+    if (own != null) {
+      own.moveLinks(linkFrames, qd);
     }
   }
 
   /** Adds the torques that joints feel of the objects that links push, Nm. */
   public void addLinkTorques(double[] torqueNm) {
-    if (free != null) {
-      free.addTorques(torqueNm);
+    if (own != null) {
+      own.addTorques(torqueNm);
     }
   }
 
@@ -175,7 +233,7 @@ public final class ContactWorld {
     if (free == null) {
       throw new IllegalArgumentException("no object of the scene can move");
     }
-    free.grip().pull(object, pointInBaseM, placeInBaseM);
+    free.grip().pull(object, place.inCell(pointInBaseM), place.inCell(placeInBaseM));
   }
 
   /** Ends {@link #carry}. */
@@ -198,8 +256,8 @@ public final class ContactWorld {
    * @return empty where no object can move
    */
   public Optional<FingerHand> fingers(HandSetup setup, double strokeM) {
-    return free != null && setup.grip() instanceof HandSetup.Grip.Pads pads
-        ? Optional.of(free.fingers(setup, pads, strokeM, toolPoints.isEmpty()))
+    return own != null && setup.grip() instanceof HandSetup.Grip.Pads pads
+        ? Optional.of(own.take(new FingerHand(setup, pads, strokeM, own, free)))
         : Optional.empty();
   }
 
@@ -210,8 +268,8 @@ public final class ContactWorld {
    * @return empty where no object can move
    */
   public Optional<CupHand> cup(HandSetup setup) {
-    return free != null && setup.grip() instanceof HandSetup.Grip.Cup cup
-        ? Optional.of(free.cup(setup, cup))
+    return own != null && setup.grip() instanceof HandSetup.Grip.Cup cup
+        ? Optional.of(own.take(new CupHand(setup, cup, own, free)))
         : Optional.empty();
   }
 
@@ -259,7 +317,7 @@ public final class ContactWorld {
 
   /** Whether a gripper holds an object: its weight is on the flange besides the load. */
   public boolean holdsBody() {
-    return free != null && free.anyHeld();
+    return own != null && own.holds();
   }
 
   /** Says where the active tool centre point is, in the flange's frame. */
@@ -267,9 +325,12 @@ public final class ContactWorld {
     this.tcpInFlange = tcpInFlange;
   }
 
-  /** Sets what bodies fall with, m/s^2, along the axes of the base. */
+  /**
+   * Sets what bodies fall with, m/s^2, along the axes of the base. Those that several arms share
+   * fall along the cell's -z, however one of the arms is mounted.
+   */
   public void setGravity(double x, double y, double z) {
-    if (free != null) {
+    if (free != null && !shared) {
       free.setGravity(x, y, z);
     }
   }
@@ -287,6 +348,7 @@ public final class ContactWorld {
       return false;
     }
     free.pose(object, transform12);
+    place.takeToBase(transform12);
     return true;
   }
 
@@ -299,7 +361,7 @@ public final class ContactWorld {
       // once more after the last has come to rest
       moving = free.move();
       comings = free.comings();
-      moved = List.copyOf(free.moved());
+      moved = List.copyOf(free.moved(place));
     }
     return moved;
   }

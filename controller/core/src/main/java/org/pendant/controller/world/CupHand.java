@@ -19,8 +19,8 @@ public final class CupHand extends Hand {
 
   private final HandSetup.Grip.Cup cup;
 
-  CupHand(HandSetup setup, HandSetup.Grip.Cup cup, FreeBodies among) {
-    super(setup, among);
+  CupHand(HandSetup setup, HandSetup.Grip.Cup cup, ArmBodies arm, FreeBodies among) {
+    super(setup, arm, among);
     this.cup = cup;
   }
 
@@ -46,7 +46,7 @@ public final class CupHand extends Hand {
                   shearN,
                   TURNING * cup.radiusM() * shearN,
                   cup.radiusM() * forceN),
-              among.tools()));
+              arm.tools()));
     }
   }
 

@@ -55,13 +55,14 @@ public final class FingerHand extends Hand {
 
   private double heldToM;
 
-  FingerHand(HandSetup setup, HandSetup.Grip.Pads pads, double strokeM, FreeBodies among) {
-    super(setup, among);
+  FingerHand(
+      HandSetup setup, HandSetup.Grip.Pads pads, double strokeM, ArmBodies arm, FreeBodies among) {
+    super(setup, arm, among);
     this.pads = pads;
     openingM = strokeM;
     for (int i = 0; i < 2; i++) {
       pad[i] =
-          among.addTool(
+          arm.addTool(
               BodyDescription.kinematic(
                   "pad\n" + among.bodies().size(),
                   new BodyShape.Box(pads.widthM(), THICK_M, pads.lengthM()),
@@ -124,7 +125,7 @@ public final class FingerHand extends Hand {
           && fromM <= TOUCH_M - openingM / 2
           && toM >= openingM / 2 - TOUCH_M
           && !bodies.held(body)) {
-        holds.add(bodies.hold(body, frame12, limits(body, forceN), among.tools()));
+        holds.add(bodies.hold(body, frame12, limits(body, forceN), arm.tools()));
         reachHeld();
       }
     }

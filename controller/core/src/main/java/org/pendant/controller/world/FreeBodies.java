@@ -1,7 +1,6 @@
 package org.pendant.controller.world;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,31 +9,24 @@ import org.pendant.cell.BodyDescription;
 import org.pendant.cell.BodyShape;
 import org.pendant.cell.BodySurface;
 import org.pendant.cell.RigidBodyWorld;
-import org.pendant.models.collision.Capsule;
 import org.pendant.models.dynamics.ArmDynamics;
 import org.pendant.models.json.Json;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Free bodies: the objects of a scene that have a mass, as they move among the others. The tool
- * points are balls that push them, and feel them.
+ * Free bodies: the objects of a scene that have a mass, as they move among the others. {@link
+ * ArmBodies} push them.
  */
 final class FreeBodies {
-  /** A tool point without a radius is a ball of this one to them, m. */
-  private static final double MIN_POINT_M = 0.002;
-
   /** Most objects and tool points together. */
   private static final int MAX_BODIES = 200;
 
   private final RigidBodyWorld bodies;
   private final List<SceneObject> objects;
-  private final List<ToolPoint> points;
-  private final LinkBodies links;
-  private final int firstLink;
 
-  /** Force and torque on the flange's origin, along the base's axes, in the latest step. */
-  private final double[] felt6 = new double[6];
+  /** Those of the arms that stand among them, the first of which they were made with. */
+  private final List<ArmBodies> arms = new ArrayList<>();
 
   /** Numbers of the bodies that can move: objects with a mass, and copies of them. */
   private final List<Integer> movable = new ArrayList<>();
@@ -47,26 +39,16 @@ final class FreeBodies {
   /** Grows whenever one comes or goes. */
   private long comings;
 
-  private final List<Hand> hands = new ArrayList<>();
   private final BodyGrip grip = new BodyGrip(this);
-
-  /** Numbers of the bodies of the tool: its points, and the fingers of hands. */
-  private final List<Integer> tools = new ArrayList<>();
-
-  private final double[] ball12 = new double[Transforms.SIZE];
-  private final double[] ballTwist6 = new double[6];
-  private final double[] ballWrench6 = new double[6];
 
   /**
    * The bodies of a scene.
    *
-   * @param capsules of the links that push them
+   * @param setups of the arms that stand among them, at least one
    * @throws IllegalArgumentException if there are too many, or if they overlap
    */
-  FreeBodies(List<SceneObject> objects, List<ToolPoint> toolPoints, List<Capsule> capsules) {
+  FreeBodies(List<SceneObject> objects, List<ArmBodies.Setup> setups) {
     this.objects = objects;
-    links = new LinkBodies(capsules);
-    points = toolPoints.isEmpty() ? List.of(new ToolPoint(new Vector3(0, 0, 0), 0)) : toolPoints;
     List<BodyDescription> all = new ArrayList<>();
     for (SceneObject object : objects) {
       if (object.massKg() > 0) {
@@ -74,24 +56,35 @@ final class FreeBodies {
       }
       all.add(body(object, all.size()));
     }
-    for (int i = 0; i < points.size(); i++) {
-      double radiusM = Math.max(MIN_POINT_M, points.get(i).radiusM());
-      tools.add(all.size());
-      // a line break is in no object's name
-      all.add(
-          BodyDescription.kinematic(
-              "tool\n" + i,
-              new BodyShape.Sphere(radiusM),
-              Pose.ZERO,
-              new BodySurface(Material.DEFAULT.friction(), 0, Material.STIFFNESS.most())));
-    }
-    firstLink = all.size();
+    ArmBodies first = new ArmBodies(setups.getFirst());
+    int firstPoint = all.size();
+    all.addAll(first.pointDescriptions(0));
+    int firstLink = all.size();
     if (firstLink > MAX_BODIES) {
       throw new IllegalArgumentException(
           "bodies: are " + firstLink + ", may be at most " + MAX_BODIES);
     }
-    all.addAll(links.descriptions());
+    all.addAll(first.linkDescriptions(0));
     bodies = new RigidBodyWorld(all, 0, 0, -ArmDynamics.STANDARD_GRAVITY_M_PER_S2);
+    first.added(bodies, firstPoint, firstLink);
+    arms.add(first);
+    for (ArmBodies.Setup setup : setups.subList(1, setups.size())) {
+      add(new ArmBodies(setup));
+    }
+  }
+
+  private void add(ArmBodies arm) {
+    int firstPoint = bodies.size();
+    arm.pointDescriptions(arms.size()).forEach(bodies::add);
+    int firstLink = bodies.size();
+    arm.linkDescriptions(arms.size()).forEach(bodies::add);
+    arm.added(bodies, firstPoint, firstLink);
+    arms.add(arm);
+  }
+
+  /** What an arm has among them, by its number in the order of the setups. */
+  ArmBodies arm(int number) {
+    return arms.get(number);
   }
 
   /** Whether any object of a scene has a mass. */
@@ -105,7 +98,7 @@ final class FreeBodies {
    * @throws IllegalArgumentException if there are too many, or if they overlap
    */
   static void require(List<SceneObject> objects, List<ToolPoint> toolPoints) {
-    var _ = new FreeBodies(objects, toolPoints, List.of());
+    var _ = new FreeBodies(objects, List.of(new ArmBodies.Setup(toolPoints, List.of(), Pose.ZERO)));
   }
 
   /** Sets gravity, m/s², along the axes of the base. */
@@ -113,102 +106,13 @@ final class FreeBodies {
     bodies.setGravity(x, y, z);
   }
 
-  /**
-   * Says where the links of the arm are, and how they move.
-   *
-   * @param linkFrames Denavit-Hartenberg frames 1 to 6 in the base frame
-   * @param qd joint speeds, rad/s
-   */
-  void moveLinks(double[][] linkFrames, double[] qd) {
-    links.move(linkFrames, qd, bodies, firstLink);
-  }
-
-  /** Adds the torques that joints feel of what links push, Nm. */
-  void addTorques(double[] torqueNm) {
-    links.addTorques(torqueNm, bodies, firstLink);
-  }
-
-  /**
-   * Lets them move.
-   *
-   * @param onlyTcp whether the tool centre point is what touches
-   */
-  void advance(
-      double[] flange12,
-      double[] tcpInFlange3,
-      Pose tcpInFlange,
-      boolean onlyTcp,
-      double[] twist6,
-      double stepS) {
-    for (Hand hand : hands) {
-      hand.place(flange12, tcpInFlange, twist6);
-    }
+  /** Lets them move; arms have said before where they are. */
+  void advance(double stepS) {
     grip.step(stepS);
-    for (int i = 0; i < points.size(); i++) {
-      Vector3 at = points.get(i).pointInFlangeM();
-      double x = onlyTcp ? tcpInFlange3[0] : at.x();
-      double y = onlyTcp ? tcpInFlange3[1] : at.y();
-      double z = onlyTcp ? tcpInFlange3[2] : at.z();
-      System.arraycopy(flange12, 0, ball12, 0, 9);
-      for (int row = 0; row < 3; row++) {
-        double arm = flange12[3 * row] * x + flange12[3 * row + 1] * y + flange12[3 * row + 2] * z;
-        ballTwist6[row] = arm;
-        ball12[9 + row] = flange12[9 + row] + arm;
-      }
-      double armX = ballTwist6[0];
-      double armY = ballTwist6[1];
-      double armZ = ballTwist6[2];
-      ballTwist6[0] = twist6[0] + twist6[4] * armZ - twist6[5] * armY;
-      ballTwist6[1] = twist6[1] + twist6[5] * armX - twist6[3] * armZ;
-      ballTwist6[2] = twist6[2] + twist6[3] * armY - twist6[4] * armX;
-      System.arraycopy(twist6, 3, ballTwist6, 3, 3);
-      bodies.moveKinematic(objects.size() + i, ball12, ballTwist6);
-    }
     bodies.advance(stepS);
-    feel(flange12, tcpInFlange3, onlyTcp);
-  }
-
-  private void feel(double[] flange12, double[] tcpInFlange3, boolean onlyTcp) {
-    Arrays.fill(felt6, 0);
-    for (int i = 0; i < points.size(); i++) {
-      bodies.wrench(objects.size() + i, ballWrench6);
-      Vector3 at = points.get(i).pointInFlangeM();
-      double x = onlyTcp ? tcpInFlange3[0] : at.x();
-      double y = onlyTcp ? tcpInFlange3[1] : at.y();
-      double z = onlyTcp ? tcpInFlange3[2] : at.z();
-      double armX = flange12[0] * x + flange12[1] * y + flange12[2] * z;
-      double armY = flange12[3] * x + flange12[4] * y + flange12[5] * z;
-      double armZ = flange12[6] * x + flange12[7] * y + flange12[8] * z;
-      for (int k = 0; k < 6; k++) {
-        felt6[k] += ballWrench6[k];
-      }
-      felt6[3] += armY * ballWrench6[2] - armZ * ballWrench6[1];
-      felt6[4] += armZ * ballWrench6[0] - armX * ballWrench6[2];
-      felt6[5] += armX * ballWrench6[1] - armY * ballWrench6[0];
+    for (int i = 0; i < arms.size(); i++) {
+      arms.get(i).feel();
     }
-    for (int i = 0; i < hands.size(); i++) {
-      hands.get(i).addWrench(flange12, felt6);
-    }
-  }
-
-  /**
-   * Fingers among the bodies. The tool centre point, which lies between them, touches none of these
-   * any more where the scene names no tool points.
-   */
-  FingerHand fingers(HandSetup setup, HandSetup.Grip.Pads pads, double strokeM, boolean onlyTcp) {
-    FingerHand hand = new FingerHand(setup, pads, strokeM, this);
-    hands.add(hand);
-    if (onlyTcp) {
-      bodies.setPresent(objects.size(), false);
-    }
-    return hand;
-  }
-
-  /** A vacuum cup among the bodies. */
-  CupHand cup(HandSetup setup, HandSetup.Grip.Cup cup) {
-    CupHand hand = new CupHand(setup, cup, this);
-    hands.add(hand);
-    return hand;
   }
 
   /** The box of a name that stands still, as a belt; empty where there is none. */
@@ -284,8 +188,12 @@ final class FreeBodies {
     return comings;
   }
 
-  /** Where all that can move is; of copies only those that are there. */
-  List<MovedObject> moved() {
+  /**
+   * Where all that can move is; of copies only those that are there.
+   *
+   * @param place in whose base frame
+   */
+  List<MovedObject> moved(ArmPlace place) {
     List<MovedObject> now = new ArrayList<>();
     double[] transform12 = new double[Transforms.SIZE];
     for (int i : movable) {
@@ -293,7 +201,8 @@ final class FreeBodies {
       if (there || i < objects.size()) {
         pose(i, transform12);
         now.add(
-            new MovedObject(bodies.description(i).name(), Transforms.toPose(transform12), there));
+            new MovedObject(
+                bodies.description(i).name(), place.inBase(Transforms.toPose(transform12)), there));
       }
     }
     return now;
@@ -319,30 +228,8 @@ final class FreeBodies {
         "object is " + Json.quoted(name) + ", must be one with a mass that is in the cell");
   }
 
-  /** Whether a hand holds something. */
-  boolean anyHeld() {
-    for (int i = 0; i < hands.size(); i++) {
-      if (hands.get(i).holds()) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   RigidBodyWorld bodies() {
     return bodies;
-  }
-
-  /** Adds a body that is part of the tool; answers its number. */
-  int addTool(BodyDescription tool) {
-    int number = bodies.add(tool);
-    tools.add(number);
-    return number;
-  }
-
-  /** Numbers of all bodies that are part of the tool. */
-  int[] tools() {
-    return tools.stream().mapToInt(Integer::intValue).toArray();
   }
 
   /** Coefficient of friction of a body. */
@@ -377,20 +264,13 @@ final class FreeBodies {
     return first;
   }
 
-  /** Adds what the tool feels of them. */
-  void addWrench(double[] wrench6) {
-    for (int k = 0; k < 6; k++) {
-      wrench6[k] += felt6[k];
-    }
-  }
-
   /** Whether one of them moves or is touched. */
   boolean move() {
     if (grip.holds()) {
       return true;
     }
-    for (int i = 0; i < hands.size(); i++) {
-      if (hands.get(i).busy()) {
+    for (int i = 0; i < arms.size(); i++) {
+      if (arms.get(i).busy()) {
         return true;
       }
     }

@@ -17,6 +17,7 @@ public abstract sealed class Hand permits FingerHand, CupHand {
   private final HandSetup setup;
   final RigidBodyWorld bodies;
   final FreeBodies among;
+  final ArmBodies arm;
 
   /** Its frame and speed, in the base. */
   final double[] frame12 = new double[Transforms.SIZE];
@@ -27,8 +28,9 @@ public abstract sealed class Hand permits FingerHand, CupHand {
   private final double[] wrench6 = new double[6];
   private boolean placed;
 
-  Hand(HandSetup setup, FreeBodies among) {
+  Hand(HandSetup setup, ArmBodies arm, FreeBodies among) {
     this.setup = setup;
+    this.arm = arm;
     this.among = among;
     bodies = among.bodies();
   }

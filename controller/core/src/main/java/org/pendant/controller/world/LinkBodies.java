@@ -21,11 +21,12 @@ final class LinkBodies {
   private static final double MIN_LENGTH_M = 0.001;
 
   private final List<Capsule> capsules;
+  private final ArmPlace place;
 
   /** Pose of each capsule in the frame of its link, as {@link Transforms} has it. */
   private final double[][] inLink;
 
-  /** Where the axes of the joints are and how they point, in the base frame, three numbers each. */
+  /** Where the axes of the joints are and how they point, in the cell, three numbers each. */
   private final double[] axis = new double[3 * Joints.COUNT];
 
   private final double[] origin = new double[3 * Joints.COUNT];
@@ -33,25 +34,35 @@ final class LinkBodies {
   private final double[] twist6 = new double[6];
   private final double[] wrench6 = new double[6];
 
-  /** How each link moves: m/s of a point of it at the base's origin, and rad/s. */
+  /** How each link moves: m/s of a point of it at the cell's origin, and rad/s. */
   private final double[] motion = new double[6 * Joints.COUNT];
 
   /**
    * Links that push.
    *
    * @param links what they are made of; empty for an arm that passes through everything
+   * @param place of the arm; all frames here are in its cell
    */
-  LinkBodies(List<Capsule> links) {
+  LinkBodies(List<Capsule> links, ArmPlace place) {
     capsules = links.stream().filter(each -> each.body() < LinkCapsules.WRIST_3).toList();
     inLink = new double[capsules.size()][Transforms.SIZE];
     for (int i = 0; i < inLink.length; i++) {
       stand(capsules.get(i), inLink[i]);
     }
-    axis[2] = 1;
+    double[] base12 = place.baseInCell12();
+    for (int row = 0; row < 3; row++) {
+      axis[row] = base12[3 * row + 2];
+      origin[row] = base12[9 + row];
+    }
+    this.place = place;
   }
 
-  /** Bodies of these links, to be added to a world after its others. */
-  List<BodyDescription> descriptions() {
+  /**
+   * Bodies of these links, to be added to a world after its others.
+   *
+   * @param prefix that their names begin with
+   */
+  List<BodyDescription> descriptions(String prefix) {
     List<BodyDescription> all = new ArrayList<>();
     for (int i = 0; i < inLink.length; i++) {
       Capsule capsule = capsules.get(i);
@@ -60,12 +71,13 @@ final class LinkBodies {
           lengthM < MIN_LENGTH_M
               ? new BodyShape.Sphere(capsule.radiusM())
               : new BodyShape.Capsule(capsule.radiusM(), lengthM);
-      // a line break is in no object's name
       all.add(
           BodyDescription.kinematic(
-              "link\n" + i,
+              prefix + i,
               shape,
-              capsule.body() == LinkCapsules.BASE ? Transforms.toPose(inLink[i]) : Pose.ZERO,
+              capsule.body() == LinkCapsules.BASE
+                  ? place.inCell(Transforms.toPose(inLink[i]))
+                  : Pose.ZERO,
               new BodySurface(Material.DEFAULT.friction(), 0, Material.STIFFNESS.most())));
     }
     return all;
@@ -74,7 +86,7 @@ final class LinkBodies {
   /**
    * Moves the bodies.
    *
-   * @param linkFrames Denavit-Hartenberg frames 1 to 6 in the base frame
+   * @param linkFrames Denavit-Hartenberg frames 1 to 6 in the cell
    * @param qd joint speeds, rad/s
    * @param first the number of the first of the bodies
    */
@@ -112,7 +124,7 @@ final class LinkBodies {
     }
   }
 
-  /** A joint moves a point p by z x (p - o): by o x z at the base's origin, and z x p more. */
+  /** A joint moves a point p by z x (p - o): by o x z at the cell's origin, and z x p more. */
   private void addMotion(int joint, double speed) {
     int at = 6 * joint;
     int of = 3 * joint;

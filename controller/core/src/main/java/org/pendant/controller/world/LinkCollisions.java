@@ -3,12 +3,11 @@ package org.pendant.controller.world;
 import java.util.Arrays;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.collision.ArmClearance;
 import org.pendant.models.pose.Pose;
 
 /**
- * Link collisions: notices when a link of the arm gets into another one or into an object of the
- * scene.
+ * Link collisions: notices when a link of the arm gets into another one, into an object of the
+ * scene, or into a link of another arm.
  *
  * <p>What is in something at first may be so, until it has left it: an arm may be mounted in a hole
  * of a table. What has got in is told, and told again for each millimetre that it gets deeper; it
@@ -24,8 +23,7 @@ public final class LinkCollisions {
   /** What is in something is looked at again after so much travel, m. */
   private static final double LOOK_M = 5e-4;
 
-  private final ArmSurroundings surroundings;
-  private final ArmClearance clearance;
+  private final LinkPairs all;
 
   /** For each pair how deep it may be, m: 0 mostly, infinite until what was in has left. */
   private final double[] allowedM;
@@ -37,11 +35,10 @@ public final class LinkCollisions {
    */
   private boolean bareFlange;
 
-  private LinkCollisions(ArmSurroundings surroundings) {
-    this.surroundings = surroundings;
-    bareFlange = surroundings.bareFlange(Pose.ZERO);
-    clearance = surroundings.clearance();
-    allowedM = new double[clearance.pairs()];
+  LinkCollisions(LinkPairs all) {
+    this.all = all;
+    bareFlange = all.bareFlange(Pose.ZERO);
+    allowedM = new double[all.pairs()];
     restart();
   }
 
@@ -54,7 +51,7 @@ public final class LinkCollisions {
       return Optional.empty();
     }
     ArmSurroundings surroundings = new ArmSurroundings(arm, scene);
-    return surroundings.clearance().pairs() > 0
+    return surroundings.pairs() > 0
         ? Optional.of(new LinkCollisions(surroundings))
         : Optional.empty();
   }
@@ -67,7 +64,7 @@ public final class LinkCollisions {
 
   /** Says where the tool touches things, unless the scene does. */
   public void setTool(Pose tcpInFlange) {
-    boolean bare = surroundings.bareFlange(tcpInFlange);
+    boolean bare = all.bareFlange(tcpInFlange);
     if (bare != bareFlange) {
       bareFlange = bare;
       slackM = -1;
@@ -82,15 +79,15 @@ public final class LinkCollisions {
    * @return what it has got into, the deepest; empty in most frames
    */
   public Optional<LinkHit> look(double[] positionRad, boolean tolerated) {
-    if (clearance.travelM(positionRad) < slackM) {
+    if (all.travelM(positionRad) < slackM) {
       return Optional.empty();
     }
-    clearance.at(positionRad);
+    all.at(positionRad);
     slackM = Double.POSITIVE_INFINITY;
     int deepest = -1;
     double deepestM = 0;
     for (int pair = 0; pair < allowedM.length; pair++) {
-      if (bareFlange && surroundings.presses(pair)) {
+      if (bareFlange && all.presses(pair)) {
         allowedM[pair] = Double.POSITIVE_INFINITY;
         continue;
       }
@@ -105,13 +102,13 @@ public final class LinkCollisions {
         deepestM = depthM;
       }
     }
-    return deepest < 0 ? Optional.empty() : Optional.of(surroundings.hit(deepest, deepestM));
+    return deepest < 0 ? Optional.empty() : Optional.of(all.hit(deepest, deepestM));
   }
 
   /** How deep a pair is; takes back what it is allowed, and how far the arm may travel unseen. */
   private double depthM(int pair) {
     double allowed = allowedM[pair];
-    double distanceM = clearance.distanceM(pair, allowed > 0 ? MARGIN_M : slackM);
+    double distanceM = all.distanceM(pair, allowed > 0 ? MARGIN_M : slackM);
     if (distanceM >= MARGIN_M || allowed == 0) {
       allowedM[pair] = 0;
       slackM = Math.min(slackM, Math.max(0, distanceM));

@@ -11,7 +11,7 @@ import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
 
 /** Load reader: reads the load of a scene: what is truly mounted on the flange. */
-final class LoadReader {
+public final class LoadReader {
   /** Several times what the strongest arm carries. */
   private static final Range MASS = new Range(0, 100, "kg");
 
@@ -28,7 +28,7 @@ final class LoadReader {
 
   private LoadReader() {}
 
-  static Payload load(Json value) throws JsonException {
+  public static Payload load(Json value) throws JsonException {
     JsonFields fields = new JsonFields(value, "a load");
     fields.allow(Nearest::among, "mass", "cog", "inertia");
     double massKg = fields.number("mass", MASS);

@@ -45,19 +45,36 @@ public final class SceneReader {
    *     cannot be read or is too large
    */
   public static Scene read(String fileName, InputStream in, MeshFiles meshes) throws JsonException {
-    return new SceneReader(meshes).scene(JsonFile.read(fileName, in));
+    return read(JsonFile.read(fileName, in), meshes);
+  }
+
+  /**
+   * As the other, of a file that has been read.
+   *
+   * @throws JsonException for the first thing that is wrong, with its place
+   */
+  public static Scene read(Json file, MeshFiles meshes) throws JsonException {
+    return new SceneReader(meshes).scene(file);
   }
 
   private Scene scene(Json root) throws JsonException {
     JsonFields fields = new JsonFields(root, "a scene");
-    fields.allow(Nearest::among, "objects", "load", "tool", "push", "links", "devices", "rules");
+    fields.allow(
+        Nearest::among,
+        "objects",
+        "load",
+        "tool",
+        "push",
+        "links",
+        "devices",
+        "rules",
+        "arms",
+        "script",
+        "wires");
     for (Json each : fields.array("objects", Scene.MAX_OBJECTS)) {
       add(each);
     }
-    List<ToolPoint> toolPoints = new ArrayList<>();
-    for (Json each : fields.array("tool", Scene.MAX_TOOL_POINTS)) {
-      toolPoints.add(toolPoint(new JsonFields(each, "a tool point")));
-    }
+    List<ToolPoint> toolPoints = toolPoints(fields);
     Optional<Json> load = fields.optional("load");
     Optional<Payload> payload =
         load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty();
@@ -230,6 +247,19 @@ public final class SceneReader {
         fields.number("damping", Material.DAMPING, Material.DEFAULT.dampingSPerM()),
         fields.number("friction", Material.FRICTION, Material.DEFAULT.friction()),
         fields.number("restitution", Material.RESTITUTION, 0));
+  }
+
+  /**
+   * The tool points of a scene, or of an arm in it.
+   *
+   * @throws JsonException for the first thing that is wrong
+   */
+  public static List<ToolPoint> toolPoints(JsonFields fields) throws JsonException {
+    List<ToolPoint> toolPoints = new ArrayList<>();
+    for (Json each : fields.array("tool", Scene.MAX_TOOL_POINTS)) {
+      toolPoints.add(toolPoint(new JsonFields(each, "a tool point")));
+    }
+    return toolPoints;
   }
 
   private static ToolPoint toolPoint(JsonFields fields) throws JsonException {

@@ -140,7 +140,9 @@ final class MeshBodyTest {
   @Test
   void copiesOfAPartHaveItsFrameToo() throws JsonException {
     Scene scene = read(TABLE + mesh("0.4, 0, 0.0001, 0, 0, 0.5", "1"));
-    FreeBodies bodies = new FreeBodies(scene.objects(), List.of(), List.of());
+    FreeBodies bodies =
+        new FreeBodies(
+            scene.objects(), List.of(new ArmBodies.Setup(List.of(), List.of(), Pose.ZERO)));
     PartPool pool = bodies.pool("block", 2).orElseThrow();
 
     assertFalse(pool.put(), "the first one is in the way");
@@ -148,7 +150,7 @@ final class MeshBodyTest {
     assertTrue(pool.put());
     assertEquals(1, bodies.takeAway(new Vector3(0.3, -1, 0), new Vector3(0.5, 1, 1)));
     assertTrue(pool.put());
-    for (MovedObject each : bodies.moved()) {
+    for (MovedObject each : bodies.moved(new ArmPlace(Pose.ZERO))) {
       if (each.there()) {
         requirePose(new Pose(0.4, 0, 0.0001, 0, 0, 0.5), each.poseInBase(), 1e-12);
       }

@@ -136,7 +136,7 @@ final class SceneRefusalTest {
   void unknownKeys() {
     assertRefused(
         "scene.json:1:2: unknown key \"object\", did you mean objects? a scene may have objects,"
-            + " load, tool, push, links, devices, rules",
+            + " load, tool, push, links, devices, rules, arms, script, wires",
         "{\"object\": []}");
     assertRefused(
         "scene.json:2:1: unknown key \"center\", did you mean centre? a sphere may have type, name,"

@@ -3,6 +3,7 @@ package org.pendant.script.function;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,7 @@ public final class Builtins<H extends Host> implements Catalogue {
   private final Map<String, Builtin<H>> functions = new LinkedHashMap<>();
   private final Map<Type, Map<String, Builtin<H>>> methods = new EnumMap<>(Type.class);
   private final Map<Type, AnyMethodCode<H>> anyMethods = new EnumMap<>(Type.class);
+  private final Map<String, String> absent = new HashMap<>();
 
   /** Starts the declaration of function {@code name}; {@link Declaration#does} ends it. */
   public Declaration<H> declare(String name) {
@@ -54,6 +56,24 @@ public final class Builtins<H extends Host> implements Catalogue {
     replaced.methods.putAll(methods);
     replaced.anyMethods.putAll(anyMethods);
     return replaced;
+  }
+
+  /**
+   * The same catalogue without some functions.
+   *
+   * @param why there are none of them, by their names
+   */
+  public Builtins<H> without(Map<String, String> why) {
+    Builtins<H> fewer = replacing(Map.of());
+    fewer.functions.keySet().removeAll(why.keySet());
+    fewer.absent.putAll(absent);
+    fewer.absent.putAll(why);
+    return fewer;
+  }
+
+  @Override
+  public Optional<String> absence(String name) {
+    return Optional.ofNullable(absent.get(name));
   }
 
   void add(Builtin<H> builtin) {

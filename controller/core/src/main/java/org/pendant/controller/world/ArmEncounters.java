@@ -1,0 +1,94 @@
+package org.pendant.controller.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.models.collision.LinkCapsules;
+import org.pendant.models.collision.PlacedLinks;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Arm encounters: what the links of an arm can get into of the other arms in its cell. Each arm
+ * looks for itself; its base meets nothing, that of another one does.
+ */
+final class ArmEncounters implements LinkPairs {
+  /**
+   * An arm of the cell.
+   *
+   * @param name what messages call it by
+   */
+  record Neighbour(String name, PlacedLinks links) {}
+
+  /** A body of this arm and one of another. */
+  private record Encounter(int body, Neighbour other, int otherBody) {}
+
+  private final PlacedLinks own;
+  private final List<Neighbour> others;
+  private final List<Encounter> encounters = new ArrayList<>();
+  private double travelledM;
+
+  ArmEncounters(PlacedLinks own, List<Neighbour> others) {
+    this.own = own;
+    this.others = List.copyOf(others);
+    for (Neighbour other : others) {
+      for (int body = LinkCapsules.BASE + 1; body < LinkCapsules.NAMES.size(); body++) {
+        for (int of = 0; own.has(body) && of < LinkCapsules.NAMES.size(); of++) {
+          if (other.links().has(of)) {
+            encounters.add(new Encounter(body, other, of));
+          }
+        }
+      }
+    }
+  }
+
+  @Override
+  public int pairs() {
+    return encounters.size();
+  }
+
+  @Override
+  public void at(double[] positionRad) {
+    own.at(positionRad);
+    travelledM = travelledTogetherM();
+  }
+
+  @Override
+  public double travelM(double[] positionRad) {
+    own.at(positionRad);
+    return travelledTogetherM() - travelledM;
+  }
+
+  private double travelledTogetherM() {
+    double sumM = own.travelledM();
+    for (int i = 0; i < others.size(); i++) {
+      sumM += others.get(i).links().travelledM();
+    }
+    return sumM;
+  }
+
+  @Override
+  public double distanceM(int pair, double farM) {
+    Encounter of = encounters.get(pair);
+    return own.apartM(of.body(), of.other().links(), of.otherBody(), farM);
+  }
+
+  @Override
+  public boolean bareFlange(Pose tcpInFlange) {
+    return false;
+  }
+
+  @Override
+  public boolean presses(int pair) {
+    return false;
+  }
+
+  @Override
+  public LinkHit hit(int pair, double depthM) {
+    Encounter of = encounters.get(pair);
+    return new LinkHit(
+        LinkCapsules.NAMES.get(of.body()),
+        LinkCapsules.NAMES.get(of.otherBody()) + " of " + of.other().name(),
+        false,
+        ArmSurroundings.jointOf(of.body()),
+        depthM);
+  }
+}
