@@ -57,6 +57,7 @@ final class CellCheck {
     // all that is read is named before anything is said of what is written
     RunOptions run = RunOptions.of(arguments);
     if (cell.isPresent()) {
+      CellFile.refuse(cell.get(), arguments.files());
       var _ = options(run, cell.get(), arguments);
     }
     Optional<OutputFile> json = OutputFile.of(JSON, arguments);

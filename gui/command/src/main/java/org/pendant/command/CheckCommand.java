@@ -1,8 +1,11 @@
 package org.pendant.command;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.pendant.controller.builtin.ArmlessBuiltins;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
@@ -31,7 +34,7 @@ final class CheckCommand implements Subcommand {
 
   @Override
   public String summary() {
-    return "look for mistakes in programs, and for collisions in a scene";
+    return "look for mistakes in programs and scenes, and for collisions";
   }
 
   @Override
@@ -47,7 +50,15 @@ final class CheckCommand implements Subcommand {
     if (arguments.operands().isEmpty()) {
       throw new UsageException("no file given");
     }
-    List<RunnableFile> files = RunnableFile.read(arguments);
+    List<String> names = arguments.operands();
+    List<RunnableFile> files =
+        RunnableFile.read(arguments, names.stream().filter(each -> !isScene(each)).toList());
+    List<CellFile> scenes = new ArrayList<>();
+    for (String name : names) {
+      if (isScene(name)) {
+        scenes.add(CellFile.read(name, arguments.files()));
+      }
+    }
     Optional<CellCheck> cell = CellCheck.of(arguments);
     InstallationOption.tell(arguments, console);
     Builtins<?> builtins = StandardBuiltins.create();
@@ -69,6 +80,29 @@ final class CheckCommand implements Subcommand {
     }
     if (cell.isPresent()) {
       cell.get().write();
+    }
+    for (CellFile scene : scenes) {
+      code = code.or(programs(scene, arguments, builtins, console));
+    }
+    return code;
+  }
+
+  private static boolean isScene(String name) {
+    return name.toLowerCase(Locale.ROOT).endsWith(".json");
+  }
+
+  /** Checks the programs that a scene names: that of the cell may call less than others. */
+  private static ExitCode programs(
+      CellFile scene, Arguments arguments, Builtins<?> builtins, Console console)
+      throws UsageException {
+    ExitCode code = ExitCode.DONE;
+    for (RunnableFile file : scene.programs(arguments)) {
+      file.tell(console);
+      boolean ofCell = scene.script().filter(file.file()::equals).isPresent();
+      if (file.source().isEmpty()
+          || !compiles(file, ofCell ? ArmlessBuiltins.create() : builtins, console)) {
+        code = code.or(ExitCode.DOES_NOT_COMPILE);
+      }
     }
     return code;
   }

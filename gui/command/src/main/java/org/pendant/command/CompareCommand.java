@@ -94,6 +94,7 @@ final class CompareCommand implements Subcommand {
     for (int i = 0; i < operands.size(); i++) {
       arguments.files().path(i == 0 ? RECORDING : RunnableFile.PROGRAM, operands.get(i));
     }
+    CellFile.refuse(arguments);
     RunOptions.of(arguments);
     Optional<OutputFile> markdown = OutputFile.of(MARKDOWN, arguments);
     Optional<OutputFile> json = OutputFile.of(JSON, arguments);

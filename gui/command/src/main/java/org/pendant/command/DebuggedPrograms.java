@@ -22,6 +22,7 @@ final class DebuggedPrograms implements DebugTargets {
         throw new TargetRefusal(
             "args has " + arguments.operands().getFirst() + ", which is no option");
       }
+      CellFile.refuse(arguments);
       RunnableFile read = RunnableFile.read(arguments, List.of(program)).getFirst();
       RunOptions asked = RunOptions.of(arguments, read.installation(), read.robot());
       RunnableFile whole = read.asked(asked.drivers());

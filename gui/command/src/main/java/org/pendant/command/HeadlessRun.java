@@ -15,15 +15,8 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.io.InputWaveforms;
 import org.pendant.controller.io.IoCommand;
-import org.pendant.controller.message.LogEntry;
-import org.pendant.controller.message.Popup;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.controller.state.StopPlace;
-import org.pendant.language.source.ByteText;
-import org.pendant.language.source.Source;
-import org.pendant.motion.MotionFailure;
-import org.pendant.script.vm.Ending;
 import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
@@ -42,7 +35,7 @@ final class HeadlessRun {
   private static final int MAX_FRAMES_TO_REST = 5_000;
 
   private final RunnableFile file;
-  private final Source source;
+  private final ProgramReport report;
   private final Robot robot;
   private final Drive drive;
   private final RunOptions options;
@@ -52,14 +45,7 @@ final class HeadlessRun {
   private final FrameWatcher watcher;
   private Clock clock;
   private long flushedNs = System.nanoTime();
-  private boolean pendingOutput;
   private int framesSinceLook;
-  private Optional<SafetyStop> heldBy = Optional.empty();
-
-  /** What the log says of a safety stop that the program will end with, which tells it then. */
-  private Optional<LogEntry> stopEntry = Optional.empty();
-
-  private int lastLine;
   private long toldLostNs;
 
   HeadlessRun(
@@ -71,7 +57,7 @@ final class HeadlessRun {
       Console console,
       FrameWatcher watcher) {
     this.file = file;
-    source = file.source().orElseThrow();
+    report = new ProgramReport(file, controller, console, "");
     robot = controller;
     drive = controller;
     this.options = options;
@@ -83,8 +69,7 @@ final class HeadlessRun {
   }
 
   ExitCode run(Program program) {
-    // what the log says of switching on
-    robot.state().newEntries().forEach(this::print);
+    report.begin();
     Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(file.file()));
     if (program.secondary()) {
       return runSecondary(new ProgramCommand.RunSecondary(program, folder));
@@ -95,7 +80,7 @@ final class HeadlessRun {
     }
     Optional<String> refusal = ask(new ProgramCommand.StartProgram(program, folder)).complaint();
     if (refusal.isPresent()) {
-      console.complain(Report.error(source, refusal.get()));
+      report.error(refusal.get());
       return ExitCode.PROGRAM_FAILED;
     }
     Optional<String> timedOut = Optional.empty();
@@ -113,11 +98,7 @@ final class HeadlessRun {
       }
     }
     comeToRest();
-    Optional<String> told = timedOut.isPresent() ? Optional.empty() : stopReason();
-    stopEntry
-        .filter(entry -> !told.equals(Optional.of(entry.text())))
-        .ifPresent(entry -> console.complain(Report.logEntry(source, entry)));
-    return timedOut.isPresent() ? tellTimedOut(timedOut.get()) : ended();
+    return timedOut.isPresent() ? tellTimedOut(timedOut.get()) : report.ended();
   }
 
   /** Which time limit is over. */
@@ -134,7 +115,7 @@ final class HeadlessRun {
     Reply reply = ask(program);
     // why it failed is in the log, which is printed with everything else
     if (!(reply instanceof Reply.Failed)) {
-      reply.complaint().ifPresent(why -> console.complain(Report.error(source, why)));
+      reply.complaint().ifPresent(report::error);
     }
     return reply instanceof Reply.Done ? ExitCode.DONE : ExitCode.PROGRAM_FAILED;
   }
@@ -152,7 +133,7 @@ final class HeadlessRun {
       resume();
       return;
     }
-    heldBy = safetyStop();
+    report.stoppedBy(safetyStop().get());
     stop();
   }
 
@@ -161,9 +142,9 @@ final class HeadlessRun {
   }
 
   private void resume() {
-    console.complain(
+    report.complain(
         Report.note(
-            source,
+            report.source(),
             "paused in line "
                 + robot.state().program().line()
                 + "; continues at once, as nobody is here to resume it"));
@@ -189,61 +170,8 @@ final class HeadlessRun {
   }
 
   private ExitCode tellTimedOut(String limit) {
-    console.complain(Report.error(source, "stopped after " + limit));
+    report.error("stopped after " + limit);
     return ExitCode.TIMED_OUT;
-  }
-
-  private ExitCode ended() {
-    Ending ending = robot.state().program().ending().orElseThrow();
-    return switch (ending) {
-      case Ending.Finished finished -> ExitCode.DONE;
-      case Ending.Halted halted -> ExitCode.DONE;
-      case Ending.Failed failed -> {
-        Report.failure(source, failed.failure()).forEach(console::complainInLines);
-        file.nodeAt(failed.failure().line())
-            .ifPresent(
-                node -> console.complain(node + ByteText.decoded(failed.failure().message())));
-        if (failed.failure().code().equals("no-answer")) {
-          console.complain(Report.note(source, "--answer \"TEXT=VALUE\" prepares an answer"));
-        }
-        yield failed.failure().code().equals("internal-error")
-            ? ExitCode.INTERNAL_ERROR
-            : ExitCode.PROGRAM_FAILED;
-      }
-      case Ending.Stopped stopped -> {
-        Optional<String> why = stopReason();
-        int line = stoppedInLine();
-        why.ifPresent(
-            reason ->
-                console.complain(Report.error(source, "stopped in line " + line + ": " + reason)));
-        if (why.isPresent()) {
-          file.nodeAt(line).ifPresent(node -> console.complain(node + "stopped here"));
-        }
-        yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
-      }
-    };
-  }
-
-  /** What stopped a program that did not end by itself; empty if somebody wished it. */
-  private Optional<String> stopReason() {
-    if (!(robot.state().program().ending().orElseThrow() instanceof Ending.Stopped)) {
-      return Optional.empty();
-    }
-    return heldBy
-        .or(this::safetyStop)
-        .map(SafetyStop::message)
-        .or(() -> robot.state().arm().fault().map(MotionFailure::message));
-  }
-
-  /** The line of the program that a safety stop met, or the last one that it reached. */
-  private int stoppedInLine() {
-    return robot
-        .state()
-        .safety()
-        .stopPlace()
-        .map(StopPlace::line)
-        .filter(line -> line > 0)
-        .orElse(lastLine);
   }
 
   /** One frame, and what it brought to print and record. */
@@ -255,9 +183,7 @@ final class HeadlessRun {
     }
     tellLost();
     drive.advance();
-    if (drive.program().line() > 0) {
-      lastLine = drive.program().line();
-    }
+    report.passes(drive.program().line());
     if (drive.broughtMessages() || watcher.looks()) {
       show(robot.state());
     }
@@ -273,44 +199,15 @@ final class HeadlessRun {
 
   /** What a frame has brought. */
   private void show(ControllerState state) {
-    for (LogEntry entry : state.newEntries()) {
-      print(entry);
-    }
-    for (Popup popup : state.newPopups()) {
-      console.complain(Report.popup(popup));
-    }
+    report.show(state);
     if (watcher.looks()) {
       watcher.see(state);
     }
   }
 
-  private void print(LogEntry entry) {
-    switch (entry.origin()) {
-      case SCRIPT -> {
-        console.printBytes(entry.text());
-        pendingOutput = true;
-      }
-      case SAFETY -> {
-        if (stopEntry.isEmpty() && tellsOfStop(entry)) {
-          stopEntry = Optional.of(entry);
-        } else {
-          console.complain(Report.logEntry(source, entry));
-        }
-      }
-      case CONTROLLER, PROTOCOL -> console.complain(Report.logEntry(source, entry));
-      case ENDING -> {
-        // Said with its place and call stack when the program has ended.
-      }
-    }
-  }
-
-  private boolean tellsOfStop(LogEntry entry) {
-    return safetyStop().filter(stop -> stop.message().equals(entry.text())).isPresent();
-  }
-
   /** On the wall clock each line goes out at once; at full speed now and then. */
   private void flush() {
-    if (!pendingOutput) {
+    if (!report.pendingOutput()) {
       return;
     }
     boolean due = options.speedFactor().isPresent();
@@ -321,7 +218,7 @@ final class HeadlessRun {
     if (due) {
       console.flush();
       flushedNs = System.nanoTime();
-      pendingOutput = false;
+      report.flushed();
     }
   }
 }

@@ -59,7 +59,8 @@ final class InstallationOption {
     return read.remarks().stream().map(each -> name + ": note: " + each).toList();
   }
 
-  private static LoadedInstallation read(String name, SourceFiles files) throws UsageException {
+  /** Reads an installation, with what it says of other files as seen from here. */
+  static LoadedInstallation read(String name, SourceFiles files) throws UsageException {
     LoadedInstallation read = load(name, files);
     return new LoadedInstallation(placed(name, read.installation()), read.remarks());
   }

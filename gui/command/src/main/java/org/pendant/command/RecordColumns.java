@@ -26,6 +26,9 @@ record RecordColumns(List<VariablePath> variables) {
   private static final String PREFIX = "var:";
   private static final String OWNER = "record";
 
+  /** None besides those of every record. */
+  static final RecordColumns NONE = new RecordColumns(List.of());
+
   RecordColumns {
     variables = List.copyOf(variables);
   }

@@ -87,6 +87,7 @@ record RenderOptions(
   static RenderOptions of(
       Arguments arguments, Optional<Installation> ofProgram, Optional<String> armOfProgram)
       throws UsageException {
+    CellFile.refuse(arguments);
     RunOptions run = RunOptions.of(arguments, ofProgram, armOfProgram);
     Matcher size = size(arguments.text(SIZE));
     return new RenderOptions(

@@ -79,6 +79,7 @@ final class RpcCommand implements Subcommand {
   private static RobotSource.NewRobot robot(List<String> words) throws RpcFailure {
     try {
       Arguments arguments = Arguments.parse(RunOptions.OF_ROBOT, words);
+      CellFile.refuse(arguments);
       RunOptions options = RunOptions.of(arguments);
       return new RobotSource.NewRobot(
           options.controller(),

@@ -54,6 +54,10 @@ final class RunCommand implements Subcommand {
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
     RunOptions options = RunOptions.of(arguments);
     RecordColumns columns = RecordColumns.of(arguments, options.record());
+    Optional<CellFile> cell = CellFile.of(arguments);
+    if (cell.isPresent()) {
+      return new CellRunner(cell.get(), arguments, console).run();
+    }
     if (arguments.operands().isEmpty()) {
       throw new UsageException("no file given");
     }

@@ -250,7 +250,10 @@ record RunOptions(
     return controller(arguments, Optional.empty(), Optional.empty(), Optional.empty());
   }
 
-  private static ControllerOptions controller(
+  /**
+   * As {@link #controller(Arguments)}, with what {@link #of(Arguments, Optional, Optional)} has.
+   */
+  static ControllerOptions controller(
       Arguments arguments,
       Optional<Installation> ofProgram,
       Optional<String> armOfProgram,

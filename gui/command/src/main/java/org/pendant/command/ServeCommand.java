@@ -1,6 +1,7 @@
 package org.pendant.command;
 
 import java.util.List;
+import java.util.Optional;
 
 /** Command {@code pendant serve}: a controller with all its ports, until it is told to end. */
 final class ServeCommand implements Subcommand {
@@ -30,12 +31,29 @@ final class ServeCommand implements Subcommand {
     if (!arguments.operands().isEmpty()) {
       throw new UsageException("takes no file, it was given " + arguments.operands().getFirst());
     }
-    List<ServeOptions> robots = ServeOptions.of(arguments);
+    Optional<CellFile> file = CellFile.of(arguments);
+    List<CellFile.Member> members =
+        file.isPresent()
+            ? file.get()
+                .members(
+                    arguments,
+                    (installation, robot) ->
+                        RunOptions.controller(arguments, installation, robot, Optional.empty()),
+                    Optional.empty())
+            : List.of();
+    List<ServeOptions> robots =
+        file.isPresent()
+            ? ServeOptions.of(arguments, file.get(), members)
+            : ServeOptions.of(arguments);
+    Optional<ServedCell> cell =
+        file.isPresent()
+            ? Optional.of(new ServedCell(file.get(), members, robots, console))
+            : Optional.empty();
     InstallationOption.tell(arguments, console);
     Interruption interruption = Interruption.listen("the server");
     try (interruption) {
       interruption.hold();
-      ExitCode code = new Service(robots, interruption, console).run();
+      ExitCode code = new Service(robots, cell, interruption, console).run();
       // Before the interruption is closed: after that the process may be gone at any moment.
       console.flush();
       interruption.closeWith(code);

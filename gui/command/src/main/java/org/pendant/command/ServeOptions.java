@@ -1,18 +1,22 @@
 package org.pendant.command;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.layout.ArmEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.safety.PowerTimes;
 import org.pendant.protocols.egress.AllowedHosts;
@@ -126,6 +130,19 @@ record ServeOptions(
     if (count == 1) {
       return List.of(of(arguments, first, logs(arguments, first)));
     }
+    requireOne(arguments, count);
+    List<ServeOptions> robots = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      PortNumbers numbers = first.at(PortOptions.following(first.host(), i));
+      robots.add(of(arguments, numbers, ownLogs(arguments, numbers)));
+    }
+    return List.copyOf(robots);
+  }
+
+  private static void requireOne(Arguments arguments, int count) throws UsageException {
+    if (count == 1) {
+      return;
+    }
     if (ToolSerialOption.of(arguments).isPresent()) {
       throw new UsageException(
           ToolSerialOption.OPTION.name() + " is the device of one robot, there are " + count);
@@ -137,25 +154,67 @@ record ServeOptions(
       throw new UsageException(
           AttachPort.OPTION.name() + " is the port of one robot, there are " + count);
     }
+  }
+
+  private static Path ownLogs(Arguments arguments, PortNumbers numbers) throws UsageException {
+    Path logs = logs(arguments, numbers);
+    return arguments.value(LOGS).isPresent() ? made(logs.resolve(name(numbers))) : logs;
+  }
+
+  /**
+   * Those of the arms in a cell: each at the address that the file gives it, or else at that of
+   * {@code --host} and those that follow it.
+   *
+   * @param members of the cell, in their order
+   */
+  static List<ServeOptions> of(Arguments arguments, CellFile file, List<CellFile.Member> members)
+      throws UsageException {
+    PortNumbers first = PortOptions.numbers(arguments);
+    List<ArmEntry> arms = file.plan().arms();
+    if (arguments.has(ROBOTS)) {
+      throw new UsageException(
+          ROBOTS.name() + " is for robots that share no cell, " + file.name() + " has its own");
+    }
+    requireOne(arguments, arms.size());
     List<ServeOptions> robots = new ArrayList<>();
-    for (int i = 0; i < count; i++) {
-      PortNumbers numbers = first.at(PortOptions.following(first.host(), i));
-      Path logs = logs(arguments, numbers);
-      robots.add(
-          of(
-              arguments,
-              numbers,
-              arguments.value(LOGS).isPresent() ? made(logs.resolve(name(numbers))) : logs));
+    Set<InetAddress> taken = new HashSet<>();
+    for (int i = 0; i < arms.size(); i++) {
+      Optional<String> address =
+          arguments.has(PortOptions.HOST) ? Optional.empty() : arms.get(i).address();
+      InetAddress host =
+          address.isPresent()
+              ? InetAddress.ofLiteral(address.get())
+              : PortOptions.following(first.host(), i);
+      if (!taken.add(host)) {
+        throw new UsageException(
+            arms.get(i)
+                .place()
+                .refusal(
+                    arms.get(i).name()
+                        + " is at "
+                        + host.getHostAddress()
+                        + " as another arm, must have an address of its own")
+                .getMessage());
+      }
+      PortNumbers numbers = first.at(host);
+      Path logs = arms.size() > 1 ? ownLogs(arguments, numbers) : logs(arguments, numbers);
+      robots.add(of(members.get(i).options(), arguments, numbers, logs));
     }
     return List.copyOf(robots);
   }
 
   private static ServeOptions of(Arguments arguments, PortNumbers numbers, Path logs)
       throws UsageException {
+    return of(RunOptions.controller(arguments), arguments, numbers, logs);
+  }
+
+  private static ServeOptions of(
+      ControllerOptions options, Arguments arguments, PortNumbers numbers, Path logs)
+      throws UsageException {
     boolean ready = arguments.has(READY);
     Path programs = PortOptions.programs(arguments);
     ControllerOptions controller =
-        RunOptions.controller(arguments)
+        options
             .withMeasuredNoise(SimulationOptions.measuredNoise(arguments, true))
             .withOperator(Operator.present())
             .withPower(ready)

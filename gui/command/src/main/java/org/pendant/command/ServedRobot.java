@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.FrameLoop;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
@@ -48,8 +49,7 @@ final class ServedRobot implements AutoCloseable {
 
   private final ServeOptions options;
   private final Console console;
-  private final ToolSerialLine tool;
-  private final ScriptConnectors scriptConnectors;
+  private final Doors doors;
   private final Robot robot;
   private final Supplier<Optional<Source>> program;
   private final FrameLoop loop;
@@ -62,27 +62,56 @@ final class ServedRobot implements AutoCloseable {
   private Optional<AttachPort> attachPort = Optional.empty();
 
   /**
-   * Opens the ports and begins with the frames.
+   * What its programs reach of the world outside.
    *
+   * @param tool the serial line of its tool
+   */
+  record Doors(ToolSerialLine tool, ScriptConnectors connectors) {
+    static Doors of(ServeOptions options) {
+      return new Doors(
+          ToolSerialOption.line(options.toolDevice()), new ScriptConnectors(options.hosts()));
+    }
+
+    /** How a controller with these doors is switched on. */
+    ControllerOptions in(ControllerOptions options) {
+      return options.withOutside(connectors.connectors().withToolSerial(tool));
+    }
+  }
+
+  /** Switches a controller on that is alone, opens its ports and begins with the frames. */
+  static ServedRobot alone(ServeOptions options, Console console, String prefix) {
+    Doors doors = Doors.of(options);
+    Controller controller = new Controller(doors.in(options.controller()));
+    FrameLoop loop = FrameLoop.start(controller, new WallClock());
+    return new ServedRobot(options, doors, controller, loop, console, prefix);
+  }
+
+  /**
+   * Opens the ports.
+   *
+   * @param doors those that the controller was made with
+   * @param loop drives the controller, and perhaps others
    * @param prefix stands before each line that it prints
    */
-  ServedRobot(ServeOptions options, Console console, String prefix) {
+  ServedRobot(
+      ServeOptions options,
+      Doors doors,
+      Controller controller,
+      FrameLoop loop,
+      Console console,
+      String prefix) {
     this.options = options;
+    this.doors = doors;
+    this.loop = loop;
     this.console = console;
     this.prefix = prefix;
-    tool = ToolSerialOption.line(options.toolDevice());
-    scriptConnectors = new ScriptConnectors(options.hosts());
-    Controller controller =
-        new Controller(
-            options.controller().withOutside(scriptConnectors.connectors().withToolSerial(tool)));
     robot = controller;
     program = controller::programSource;
     PeerLog log = ServerLog.of(robot);
-    loop = FrameLoop.start(controller, new WallClock());
     frames = new StateBroadcaster(robot.feed(), log);
     ServerContext serverContext = new ServerContext(robot, frames, log, options.remote());
     remotePendant = new RemotePendant(robot, options.panel());
-    ports = BoxPorts.open(serverContext, numbers(), remotePendant, tool);
+    ports = BoxPorts.open(serverContext, numbers(), remotePendant, doors.tool());
   }
 
   /** Says which ports cannot be had; answers whether it is worth while to serve without them. */
@@ -144,7 +173,7 @@ final class ServedRobot implements AutoCloseable {
                 why -> console.complain("pendant serve: warning: the trace ends, " + why));
         trace = Optional.of(begun);
         ports.tap(Optional.of(begun));
-        scriptConnectors.tap(Optional.of(begun));
+        doors.connectors().tap(Optional.of(begun));
       } catch (IOException e) {
         throw new UsageException(file.name() + ": cannot be written, " + FileTrouble.reason(e));
       }
@@ -237,8 +266,8 @@ final class ServedRobot implements AutoCloseable {
   @Override
   public void close() {
     // tool and doors last: what a program has sent before its end still goes out
-    try (tool;
-        scriptConnectors;
+    try (ToolSerialLine _ = doors.tool();
+        ScriptConnectors _ = doors.connectors();
         loop;
         frames;
         ports) {

@@ -20,13 +20,22 @@ final class Service {
   private final List<ServeOptions> options;
   private final Interruption interruption;
   private final Console console;
+  private final Optional<ServedCell> cell;
   private final List<ServedRobot> robots = new ArrayList<>();
 
   /**
+   * A service.
+   *
    * @param options of each robot
+   * @param cell what the robots share; empty for robots that know nothing of one another
    */
-  Service(List<ServeOptions> options, Interruption interruption, Console console) {
+  Service(
+      List<ServeOptions> options,
+      Optional<ServedCell> cell,
+      Interruption interruption,
+      Console console) {
     this.options = options;
+    this.cell = cell;
     this.interruption = interruption;
     this.console = console;
   }
@@ -41,13 +50,16 @@ final class Service {
       return serve();
     } finally {
       robots.forEach(ServedRobot::close);
+      cell.ifPresent(ServedCell::close);
     }
   }
 
   private ExitCode serve() throws UsageException {
-    for (ServeOptions one : options) {
-      String prefix = options.size() > 1 ? one.numbers().host().getHostAddress() + ": " : "";
-      ServedRobot robot = new ServedRobot(one, console, prefix);
+    if (cell.isPresent() && !cell.get().begin()) {
+      return ExitCode.DOES_NOT_COMPILE;
+    }
+    for (int i = 0; i < options.size(); i++) {
+      ServedRobot robot = cell.isPresent() ? cell.get().robot(i) : alone(options.get(i));
       robots.add(robot);
       if (!robot.complete()) {
         return ExitCode.UNAVAILABLE;
@@ -60,9 +72,15 @@ final class Service {
     console.print("ready");
     console.flush();
     robots.forEach(ServedRobot::printLog);
+    cell.ifPresent(ServedCell::printLog);
     awaitEnd();
     comeToRest();
     return failures().findFirst().map(this::failed).orElse(ExitCode.DONE);
+  }
+
+  private ServedRobot alone(ServeOptions one) {
+    String prefix = options.size() > 1 ? one.numbers().host().getHostAddress() + ": " : "";
+    return ServedRobot.alone(one, console, prefix);
   }
 
   /** Until it is told to, all are shut down or one has failed. */

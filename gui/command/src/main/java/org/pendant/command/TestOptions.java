@@ -78,6 +78,7 @@ record TestOptions(
           .toList();
 
   static TestOptions of(Arguments arguments) throws UsageException {
+    CellFile.refuse(arguments);
     long seed = seed(arguments);
     OptionalInt jobs = arguments.whole(JOBS);
     OptionalDouble timeoutS = arguments.number(TIMEOUT);

@@ -1,0 +1,148 @@
+package org.pendant.command;
+
+import java.util.Optional;
+import org.pendant.controller.Robot;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.Popup;
+import org.pendant.controller.safety.SafetyStop;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.controller.state.StopPlace;
+import org.pendant.language.source.ByteText;
+import org.pendant.language.source.Source;
+import org.pendant.motion.MotionFailure;
+import org.pendant.script.vm.Ending;
+
+/** Program report: what a program says while nobody looks at its robot, and how it ended. */
+final class ProgramReport {
+  private final RunnableFile file;
+  private final Source source;
+  private final Robot robot;
+  private final Console console;
+  private final String prefix;
+  private Optional<SafetyStop> heldBy = Optional.empty();
+  private int lastLine;
+  private boolean pendingOutput;
+
+  /**
+   * Of a program that has a text.
+   *
+   * @param prefix stands before each line
+   */
+  ProgramReport(RunnableFile file, Robot robot, Console console, String prefix) {
+    this.file = file;
+    source = file.source().orElseThrow();
+    this.robot = robot;
+    this.console = console;
+    this.prefix = prefix;
+  }
+
+  /** The text of the program. */
+  Source source() {
+    return source;
+  }
+
+  /** What the log says of switching on. */
+  void begin() {
+    robot.state().newEntries().forEach(this::print);
+  }
+
+  /** The program is in that line; 0 for none. */
+  void passes(int line) {
+    if (line > 0) {
+      lastLine = line;
+    }
+  }
+
+  /** What a frame has brought. */
+  void show(ControllerState state) {
+    for (LogEntry entry : state.newEntries()) {
+      print(entry);
+    }
+    for (Popup popup : state.newPopups()) {
+      complain(Report.popup(popup));
+    }
+  }
+
+  /** Whether something has been printed that {@link Console#flush} would hand over. */
+  boolean pendingOutput() {
+    return pendingOutput;
+  }
+
+  /** It has been handed over. */
+  void flushed() {
+    pendingOutput = false;
+  }
+
+  private void print(LogEntry entry) {
+    switch (entry.origin()) {
+      case SCRIPT -> {
+        console.printBytes(prefix + entry.text());
+        pendingOutput = true;
+      }
+      case CONTROLLER, SAFETY, PROTOCOL -> complain(Report.logEntry(source, entry));
+      case ENDING -> {
+        // Said with its place and call stack when the program has ended.
+      }
+    }
+  }
+
+  /** A line about it on standard error. */
+  void complain(String text) {
+    console.complain(prefix + text);
+  }
+
+  /** A complaint about all of the program. */
+  void error(String message) {
+    complain(Report.error(source, message));
+  }
+
+  /** It is stopped because of a safety stop. */
+  void stoppedBy(SafetyStop stop) {
+    heldBy = Optional.of(stop);
+  }
+
+  /** Says how it ended. */
+  ExitCode ended() {
+    Ending ending = robot.state().program().ending().orElseThrow();
+    return switch (ending) {
+      case Ending.Finished finished -> ExitCode.DONE;
+      case Ending.Halted halted -> ExitCode.DONE;
+      case Ending.Failed failed -> {
+        Report.failure(source, failed.failure())
+            .forEach(each -> console.complainInLines(prefix + each));
+        file.nodeAt(failed.failure().line())
+            .ifPresent(node -> complain(node + ByteText.decoded(failed.failure().message())));
+        if (failed.failure().code().equals("no-answer")) {
+          complain(Report.note(source, "--answer \"TEXT=VALUE\" prepares an answer"));
+        }
+        yield failed.failure().code().equals("internal-error")
+            ? ExitCode.INTERNAL_ERROR
+            : ExitCode.PROGRAM_FAILED;
+      }
+      case Ending.Stopped stopped -> {
+        Optional<String> why =
+            heldBy
+                .or(() -> robot.state().safety().stop())
+                .map(SafetyStop::message)
+                .or(() -> robot.state().arm().fault().map(MotionFailure::message));
+        int line = stoppedInLine();
+        why.ifPresent(reason -> error("stopped in line " + line + ": " + reason));
+        if (why.isPresent()) {
+          file.nodeAt(line).ifPresent(node -> complain(node + "stopped here"));
+        }
+        yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
+      }
+    };
+  }
+
+  /** The line of the program that a safety stop met, or the last one that it reached. */
+  private int stoppedInLine() {
+    return robot
+        .state()
+        .safety()
+        .stopPlace()
+        .map(StopPlace::line)
+        .filter(line -> line > 0)
+        .orElse(lastLine);
+  }
+}
