@@ -41,6 +41,9 @@ public final class DebuggedTest {
    * @throws NotDebugged if the debugger cannot see what it runs
    */
   static DebuggedTest of(Chosen chosen, TestRun run) throws NotDebugged {
+    if (chosen.test().scene().filter(scene -> !scene.alone()).isPresent()) {
+      throw new NotDebugged("its scene has several controllers; only tests of one can be debugged");
+    }
     if (!chosen.test().watches()) {
       return new DebuggedTest(chosen, run, chosen.file().program());
     }

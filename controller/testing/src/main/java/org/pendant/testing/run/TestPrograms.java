@@ -11,10 +11,14 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.bench.TestedPrograms;
 import org.pendant.controller.box.ControlBox;
+import org.pendant.controller.builtin.ArmlessBuiltins;
 import org.pendant.controller.file.ProgramsFolder;
+import org.pendant.controller.layout.ArmEntry;
+import org.pendant.controller.layout.NamedFile;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
 import org.pendant.language.source.Source;
+import org.pendant.project.installation.file.InstallationFile;
 import org.pendant.project.installation.file.InstallationTrouble;
 import org.pendant.project.program.file.BrokenTree;
 import org.pendant.project.program.file.TreeFile;
@@ -103,6 +107,51 @@ final class TestPrograms implements TestedPrograms {
         .flatMap(each -> each.controller().stream())
         .findFirst()
         .orElse(controller);
+  }
+
+  /**
+   * How the controller of an arm is switched on.
+   *
+   * @param scene the file that has the arm
+   * @param base what it is without
+   * @throws IOException if it cannot be set up so; the message says why, for people
+   */
+  ControllerOptions setUp(ArmEntry arm, String scene, ControllerOptions base) throws IOException {
+    ControllerOptions own = arm.robot().map(base::withRobot).orElse(base);
+    if (arm.installation().isEmpty()) {
+      return own;
+    }
+    String name = TestSources.beside(scene, arm.installation().get().name());
+    try {
+      return files.setUp(
+          own,
+          InstallationFile.read(name, files.read(name), Optional.empty()).installation(),
+          arm.robot());
+    } catch (InstallationTrouble e) {
+      throw new IOException(e.getMessage(), e);
+    }
+  }
+
+  /**
+   * The program of an arm that a scene names.
+   *
+   * @throws IOException if it is none; the message says why, for people
+   */
+  Program ofArm(String scene, NamedFile program) throws IOException {
+    Loaded one = loaded.computeIfAbsent(TestSources.beside(scene, program.name()), this::read);
+    return one.program().orElseThrow(() -> new IOException(one.refusal()));
+  }
+
+  /**
+   * The script of the cell that a scene names.
+   *
+   * @throws IOException if it is none; the message says why, for people
+   */
+  Program ofCell(String scene, NamedFile script) throws IOException {
+    String name = TestSources.beside(scene, script.name());
+    Source source = Source.of(name, files.read(name));
+    LoadResult result = ProgramLoader.load(source, ArmlessBuiltins.create());
+    return result.program().orElseThrow(() -> new IOException(refusal(source, result)));
   }
 
   /** Whether a program that was loaded here is what a tree generates. */
@@ -199,16 +248,7 @@ final class TestPrograms implements TestedPrograms {
             ? ProgramLoader.loadCovered(source, ofPrograms)
             : ProgramLoader.load(source, ofPrograms);
     if (plain.program().isEmpty()) {
-      Diagnostic first =
-          plain.diagnostics().stream().filter(Diagnostic::isError).findFirst().orElseThrow();
-      return refused(
-          source.name()
-              + ":"
-              + source.line(first.range().start())
-              + ":"
-              + source.column(first.range().start())
-              + ": "
-              + first.message());
+      return refused(refusal(source, plain));
     }
     MockedFunctions mocked = new MockedFunctions(file.mocked());
     LoadResult result =
@@ -216,6 +256,18 @@ final class TestPrograms implements TestedPrograms {
             ? plain
             : ProgramLoader.load(source, mocked::into, mocked.builtins(ofTests), covered);
     return new Loaded(result.program(), "", mocked.found(), tree, own);
+  }
+
+  private static String refusal(Source source, LoadResult result) {
+    Diagnostic first =
+        result.diagnostics().stream().filter(Diagnostic::isError).findFirst().orElseThrow();
+    return source.name()
+        + ":"
+        + source.line(first.range().start())
+        + ":"
+        + source.column(first.range().start())
+        + ": "
+        + first.message();
   }
 
   private static Loaded refused(String why) {

@@ -1,5 +1,6 @@
 package org.pendant.testing.run;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -28,6 +29,7 @@ import org.pendant.testing.TestResult;
 import org.pendant.testing.coverage.CoverageCollector;
 import org.pendant.testing.source.TestCase;
 import org.pendant.testing.source.TestFile;
+import org.pendant.testing.source.TestScene;
 
 /**
  * Test run: one test in a controller of its own, in virtual time, from power-on to its end.
@@ -49,6 +51,7 @@ final class TestRun {
   private final BooleanSupplier stopped;
   private final ControllerOptions options;
   private final Controller controller;
+  private final Optional<TestCell> cell;
   private final Verdict verdict;
   private final long mostFrames;
   private final TestBench bench;
@@ -57,6 +60,10 @@ final class TestRun {
   private final TestOutput output = new TestOutput();
   private final List<CompletableFuture<Reply>> replies = new ArrayList<>();
   private Optional<String> loss = Optional.empty();
+
+  /** Why the cell cannot be as its file says. */
+  private Optional<String> broken = Optional.empty();
+
   private Function<Command, CompletableFuture<Reply>> submit;
 
   TestRun(
@@ -85,13 +92,23 @@ final class TestRun {
             .withSeed(settings.controller().seed())
             .withOperator(Operator.present())
             .withOutside(new Connectors(bench.peers(), bench.rpc(), bench.devices()));
-    controller = new Controller(options, builtins);
+    cell = test.scene().filter(scene -> !scene.alone()).flatMap(scene -> cell(scene, builtins));
+    controller = cell.map(TestCell::tested).orElseGet(() -> new Controller(options, builtins));
     controller.attach(bench);
     submit = controller::submit;
     verdict = new Verdict(file, test, programs, bench);
     mostFrames = FrameTime.framesFor(test.timeoutS().orElse(settings.timeoutS()));
     operator = new TestOperator(bench.answers(), test.watches());
     wires = new Wires(bench.followers());
+  }
+
+  private Optional<TestCell> cell(TestScene scene, Builtins<ControlBox> builtins) {
+    try {
+      return Optional.of(TestCell.of(scene, programs, options, builtins));
+    } catch (IOException e) {
+      broken = Optional.of(String.valueOf(e.getMessage()));
+      return Optional.empty();
+    }
   }
 
   private SortedMap<String, Value> globals() {
@@ -109,7 +126,7 @@ final class TestRun {
         return result(TestOutcome.STOPPED, controller.state(), beganNs);
       }
       prepare();
-      controller.advance();
+      advance();
       state = controller.state();
       see(state);
       Optional<TestOutcome> outcome = outcome(state);
@@ -123,6 +140,14 @@ final class TestRun {
             "took longer than " + settings.wallTimeout().toMillis() / 1e3 + " s on this computer"),
         state,
         beganNs);
+  }
+
+  private void advance() {
+    if (cell.isPresent()) {
+      cell.get().advance();
+    } else {
+      controller.advance();
+    }
   }
 
   /** The line that the program is at: the test itself, or what it watches. */
@@ -149,6 +174,7 @@ final class TestRun {
   void begin() {
     observer.begins(controller);
     Program program = file.program();
+    cell.ifPresent(others -> others.begin(programs));
     if (test.watches()) {
       controller.startCompanion(program);
     } else {
@@ -215,6 +241,10 @@ final class TestRun {
   Optional<TestOutcome> outcome(ControllerState state) {
     if (loss.isPresent()) {
       return Optional.of(verdict.error("no-answer", loss.get(), place(state)));
+    }
+    Optional<String> others = broken.or(() -> cell.flatMap(TestCell::trouble));
+    if (others.isPresent()) {
+      return Optional.of(verdict.error("cell", others.get(), place(state)));
     }
     Optional<String> refusal = refusal();
     if (refusal.isPresent()) {
