@@ -55,6 +55,10 @@ public record Example(String file, Topic topic, List<String> companions) {
         new Example("sort_parts.script", Topic.CELL, List.of("sort_parts.scene.json")),
         new Example("peg_in_hole.script", Topic.CELL, List.of("peg_in_hole.scene.json")),
         new Example("tend_machine.script", Topic.CELL, List.of("tend_machine.scene.json")),
+        new Example(
+            "handover_left.script",
+            Topic.CELL,
+            List.of("handover.scene.json", "handover_right.script", "handover_cell.script")),
         new Example("hello.script", Topic.LANGUAGE, List.of()),
         new Example("watch_input.script", Topic.LANGUAGE, List.of()),
         new Example("shared_counter.script", Topic.LANGUAGE, List.of()),

@@ -79,7 +79,8 @@ public final class Overlay {
     open = true;
     focusBefore =
         Optional.ofNullable(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner());
-    // again for each opening, as the scale may have changed
+    // The look may have changed since it was open.
+    SwingUtilities.updateComponentTreeUI(card);
     card.setBorder(
         BorderFactory.createEmptyBorder(
             UIScale.scale(16), UIScale.scale(16), UIScale.scale(16), UIScale.scale(16)));
