@@ -18,6 +18,9 @@ final class MeshContacts {
   /** Cylinders that lean less than this, as a sine, stand on four places of their rim. */
   private static final double STANDING = 0.05;
 
+  /** An edge of a hull is long from this share of its reach on. */
+  private static final double LONG_EDGE = 0.5;
+
   private final MeshDistance distance;
   private final MeshPoints points;
   private final double[] mesh;
@@ -89,14 +92,21 @@ final class MeshContacts {
     }
   }
 
-  /** Corners of a hull, and the middles of its edges: those of a mesh may cross them. */
+  /** Corners of a hull, and the middles of its long edges: those of a mesh may cross them. */
   private void addCorners(ConvexHull hull) {
+    double longM = LONG_EDGE * body.reachM();
     for (int i = 0; i < hull.points(); i++) {
       add(hull.coordinate(i, 0), hull.coordinate(i, 1), hull.coordinate(i, 2), 0);
     }
     for (int edge = 0; edge < hull.edges(); edge++) {
       int from = hull.edge(edge, 0);
       int to = hull.edge(edge, 1);
+      double x = hull.coordinate(to, 0) - hull.coordinate(from, 0);
+      double y = hull.coordinate(to, 1) - hull.coordinate(from, 1);
+      double z = hull.coordinate(to, 2) - hull.coordinate(from, 2);
+      if (x * x + y * y + z * z < longM * longM) {
+        continue;
+      }
       add(
           (hull.coordinate(from, 0) + hull.coordinate(to, 0)) / 2,
           (hull.coordinate(from, 1) + hull.coordinate(to, 1)) / 2,

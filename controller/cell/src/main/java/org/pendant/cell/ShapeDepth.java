@@ -48,6 +48,9 @@ final class ShapeDepth {
       if (depth < least) {
         least = depth;
         set(out3, nx, ny, nz);
+        if (depth <= 0) {
+          return depth;
+        }
       }
     }
     return least;
