@@ -6,11 +6,12 @@ import java.awt.Dimension;
 import java.awt.Insets;
 import java.awt.LayoutManager;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Cards in as many columns as fit, each at least as wide as the first card; a card that needs more
  * spans several. Each goes where it comes highest, so that the order is kept as far as the heights
- * allow.
+ * allow. Hidden cards count for nothing.
  */
 public final class CardColumns implements LayoutManager {
   private final int gap;
@@ -37,8 +38,13 @@ public final class CardColumns implements LayoutManager {
     return Math.max(1, Math.ceilDiv(card + gap, column + gap));
   }
 
+  private static List<Component> cards(Container parent) {
+    return Arrays.stream(parent.getComponents()).filter(Component::isVisible).toList();
+  }
+
   private static int columnWidth(Container parent) {
-    return parent.getComponentCount() == 0 ? 0 : parent.getComponent(0).getPreferredSize().width;
+    List<Component> cards = cards(parent);
+    return cards.isEmpty() ? 0 : cards.getFirst().getPreferredSize().width;
   }
 
   @Override
@@ -66,7 +72,7 @@ public final class CardColumns implements LayoutManager {
     int column = Math.min((inner - gap) / count - gap, Math.max(widestColumn, least));
     int[] bottoms = new int[count];
     Arrays.fill(bottoms, insets.top + gap);
-    for (Component card : parent.getComponents()) {
+    for (Component card : cards(parent)) {
       Dimension wanted = card.getPreferredSize();
       int span = Math.min(count, span(wanted.width, column, gap));
       int at = highest(bottoms, span);

@@ -36,6 +36,17 @@ final class CardColumnsTest {
   }
 
   @Test
+  void aHiddenCardTakesNoPlaceAndSetsNoWidth() {
+    card(300, 70).setVisible(false);
+    JPanel first = card(100, 50);
+    JPanel second = card(100, 80);
+    layOut(230);
+    assertEquals(new Rectangle(10, 10, 100, 50), first.getBounds());
+    assertEquals(new Rectangle(120, 10, 100, 80), second.getBounds());
+    assertEquals(100, sheet.getPreferredSize().height);
+  }
+
+  @Test
   void oneColumnIsAlwaysThere() {
     JPanel only = card(100, 50);
     layOut(60);
