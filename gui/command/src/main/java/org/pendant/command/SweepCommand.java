@@ -8,6 +8,7 @@ import org.pendant.controller.disk.FileTrouble;
 import org.pendant.sweep.engine.Engine;
 import org.pendant.sweep.engine.EngineException;
 import org.pendant.sweep.engine.LocalEngine;
+import org.pendant.sweep.engine.ResultSink;
 import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.folder.ResultReader;
 import org.pendant.sweep.folder.SweepFolder;
@@ -84,6 +85,7 @@ final class SweepCommand implements Subcommand {
     ResultTable table = ResultTable.of(job.plan());
     List<RowCondition> conditions = options.conditions(table);
     Optional<KeptRuns> kept = options.kept(table);
+    SearchLoop.check(job.plan(), table);
     try (Interruption interruption = Interruption.listen("the sweep")) {
       if (options.force()) {
         SweepFolder.clear(options.out());
@@ -98,16 +100,17 @@ final class SweepCommand implements Subcommand {
         console.complain(size + " runs, " + engine.description());
         interruption.hold();
         SweepProgress progress = new SweepProgress(console, folder.next(), size, System.nanoTime());
+        ResultSink sink =
+            result -> {
+              folder.add(folder.table().row(result));
+              progress.at(result.variant().number() + 1, System.nanoTime());
+            };
         done =
-            engine.run(
-                job.plan()::variant,
-                folder.next(),
-                size,
-                result -> {
-                  folder.add(folder.table().row(result));
-                  progress.at(result.variant().number() + 1, System.nanoTime());
-                },
-                interruption::requested);
+            job.plan().search().isPresent()
+                ? new SearchLoop(job.plan(), folder, engine)
+                    .run(options.out(), sink, interruption::requested)
+                : engine.run(
+                    job.plan()::variant, folder.next(), size, sink, interruption::requested);
         progress.end(done, System.nanoTime());
       }
       SweepFolder.writeParquet(options.out(), table);
@@ -118,8 +121,11 @@ final class SweepCommand implements Subcommand {
       if (kept.isPresent() && !interruption.requested()) {
         SweepResults.keep(options.out(), job, kept.get()).forEach(console::print);
       }
-      if (done < size) {
+      if (interruption.requested()) {
         console.complain("pendant sweep: ended early; --resume goes on");
+      }
+      if (job.plan().search().isPresent()) {
+        SweepResults.best(options.out(), job.plan(), table).forEach(console::print);
       }
       summary.broken().forEach(each -> console.complain("pendant sweep: " + each));
       // Before the interruption is closed: after that the process may be gone at any moment.

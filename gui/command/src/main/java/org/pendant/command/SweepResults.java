@@ -21,8 +21,12 @@ import org.pendant.sweep.folder.ResultReader;
 import org.pendant.sweep.folder.SweepFolder;
 import org.pendant.sweep.folder.SweepFolderException;
 import org.pendant.sweep.plan.PlanException;
+import org.pendant.sweep.plan.SweepPlan;
+import org.pendant.sweep.plan.SweepVariant;
 import org.pendant.sweep.report.SweepReport;
 import org.pendant.sweep.run.SweepJob;
+import org.pendant.sweep.search.SweepSearch;
+import org.pendant.sweep.table.ResultTable;
 
 /** Sweep results: what {@code pendant sweep} does with a folder of them. */
 final class SweepResults {
@@ -121,20 +125,23 @@ final class SweepResults {
 
   private static List<Path> record(Path folder, SweepJob job, SortedSet<Long> runs)
       throws IOException, SweepFolderException {
-    SortedMap<Long, String> digests = digests(folder, runs);
+    SortedMap<Long, Row> rows = rows(folder, job.plan(), runs);
     List<Path> files = new ArrayList<>();
     for (long run : runs) {
-      if (!digests.containsKey(run)) {
+      if (!rows.containsKey(run)) {
         throw new SweepFolderException(folder + " has no row of run " + run);
       }
-      files.add(KeptRuns.record(folder, job, job.plan().variant(run), digests.get(run)));
+      files.add(KeptRuns.record(folder, job, rows.get(run).variant(), rows.get(run).digest()));
     }
     return files;
   }
 
-  private static SortedMap<Long, String> digests(Path folder, SortedSet<Long> runs)
+  /** What a row tells of its run. */
+  private record Row(SweepVariant variant, String digest) {}
+
+  private static SortedMap<Long, Row> rows(Path folder, SweepPlan plan, SortedSet<Long> runs)
       throws IOException, SweepFolderException {
-    SortedMap<Long, String> digests = new TreeMap<>();
+    SortedMap<Long, Row> found = new TreeMap<>();
     try (ResultReader rows = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
       int column =
           rows.column("digest")
@@ -142,28 +149,63 @@ final class SweepResults {
       Optional<List<String>> row = rows.next();
       while (row.isPresent()) {
         if (runs.contains(rows.rows() - 1)) {
-          digests.put(rows.rows() - 1, row.get().get(column));
+          List<String> values = row.get().subList(1, 1 + plan.parameters().size());
+          found.put(
+              rows.rows() - 1,
+              new Row(plan.variantOfRow(rows.rows() - 1, values), row.get().get(column)));
         }
         row = rows.next();
       }
     }
-    return digests;
+    return found;
+  }
+
+  /** The best run of a search, for people. */
+  static List<String> best(Path folder, SweepPlan plan, ResultTable table)
+      throws IOException, SweepFolderException {
+    SweepSearch search = new SweepSearch(plan, table);
+    List<String> best = List.of();
+    try (ResultReader rows = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
+      Optional<List<String>> row = rows.next();
+      while (row.isPresent()) {
+        search.take(row.get());
+        best = search.best() == rows.rows() - 1 ? row.get() : best;
+        row = rows.next();
+      }
+      if (best.isEmpty()) {
+        return List.of();
+      }
+      String column = plan.search().orElseThrow().column();
+      List<String> values = new ArrayList<>();
+      for (int i = 0; i < plan.parameters().size(); i++) {
+        values.add(plan.parameters().get(i).name() + " = " + best.get(1 + i));
+      }
+      return List.of(
+          (search.bestKeepsLimits() ? "best: run " : "no run keeps the limits, the nearest is run ")
+              + search.best()
+              + ", "
+              + column
+              + " "
+              + best.get(rows.column(column).orElseThrow())
+              + ", with "
+              + String.join(", ", values));
+    }
   }
 
   /** Writes the recordings that are wanted, and tells how each is opened. */
   static List<String> keep(Path folder, SweepJob job, KeptRuns kept)
       throws IOException, SweepFolderException {
     SortedSet<Long> chosen;
-    try (ResultReader rows = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
-      chosen = kept.choose(rows);
+    try (ResultReader reader = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
+      chosen = kept.choose(reader);
     }
-    SortedMap<Long, String> digests = digests(folder, chosen);
+    SortedMap<Long, Row> rows = rows(folder, job.plan(), chosen);
     List<String> told = new ArrayList<>();
     for (long run : chosen) {
       try {
         told.add(
             "pendant open "
-                + KeptRuns.record(folder, job, job.plan().variant(run), digests.get(run)));
+                + KeptRuns.record(folder, job, rows.get(run).variant(), rows.get(run).digest()));
       } catch (SweepFolderException e) {
         // one that was refused has nothing to look at; the others are kept all the same
         told.add("not kept: " + e.getMessage());

@@ -149,4 +149,34 @@ final class SweepCommandTest {
     assertEquals(ExitCode.WRONG_USAGE, sweep("--keep", "fialed=1", "--force", plan()));
     assertTrue(errors.toString(UTF_8).contains("did you mean failed?"), errors.toString(UTF_8));
   }
+
+  @Test
+  void searchFindsTheBestAndItsRunsAreRecorded() throws IOException {
+    Files.writeString(
+        plan(),
+        """
+        program = "wait.script"
+        arm = "ideal"
+        [search]
+        minimize = "duration"
+        limits = ["duration >= 0.1"]
+        runs = 40
+        [[parameter]]
+        name = "T"
+        set = "variable T"
+        from = 0
+        to = 0.19
+        """);
+    assertEquals(ExitCode.DONE, sweep(plan()), errors.toString(UTF_8));
+    String last = output.toString(UTF_8).lines().toList().getLast();
+    assertTrue(
+        last.matches(
+            "best: run \\d+, duration 0\\.10\\d*, with T = 0\\.09\\d+|best: run .*0\\.1.*"),
+        last);
+    byte[] whole = Files.readAllBytes(results());
+    Files.write(results(), Arrays.copyOf(whole, whole.length / 2));
+    assertEquals(ExitCode.DONE, sweep("--resume", "--workers", "1", plan()));
+    assertArrayEquals(whole, Files.readAllBytes(results()));
+    assertEquals(ExitCode.DONE, sweep("record", folder.resolve("wait.sweep"), 23));
+  }
 }

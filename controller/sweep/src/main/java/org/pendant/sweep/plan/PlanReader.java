@@ -18,6 +18,9 @@ public final class PlanReader {
 
   private static final int MAX_PARAMETERS = 200;
   private static final int MAX_NAMES = 1000;
+  private static final long MAX_SEARCH = 1_000_000;
+  private static final long STANDARD_SEARCH = 400;
+  private static final int STANDARD_STALL = 15;
 
   private final List<String> mistakes = new ArrayList<>();
   private final TomlFields fields;
@@ -65,6 +68,7 @@ public final class PlanReader {
         "fixed",
         "inputs",
         "sampling",
+        "search",
         "parameter");
     Optional<String> program = fields.text("program", "the file with the program");
     if (program.isEmpty() && !fields.has("program")) {
@@ -82,7 +86,8 @@ public final class PlanReader {
     Optional<String> robot = fields.text("robot", "the name of an arm, or its file");
     Optional<String> installation = fields.text("installation", "the file of an installation");
     Optional<String> scene = fields.text("scene", "the file of a scene");
-    Optional<Sampling> sampling = sampling(parameters);
+    Optional<SearchGoal> search = fields.fields("search").flatMap(each -> search(each, parameters));
+    Optional<Sampling> sampling = fields.has("search") ? searched(search) : sampling(parameters);
     return mistakes.isEmpty() && program.isPresent() && sampling.isPresent()
         ? Optional.of(
             new SweepPlan(
@@ -93,7 +98,8 @@ public final class PlanReader {
                 scene,
                 settings,
                 sampling.get(),
-                parameters))
+                parameters,
+                search))
         : Optional.empty();
   }
 
@@ -156,7 +162,8 @@ public final class PlanReader {
               + String.join(", ", SamplingMethod.words()));
       return Optional.empty();
     }
-    long runs = given.whole("runs", 1, Sampling.MAX_RUNS).orElse(0);
+    long most = method.get() == SamplingMethod.SOBOL ? Integer.MAX_VALUE : Sampling.MAX_RUNS;
+    long runs = given.whole("runs", 1, Math.min(most, Sampling.MAX_RUNS)).orElse(0);
     if (method.get().counted() && runs == 0) {
       given.wrong("runs", "runs is missing, must say how many runs there are for " + word);
       return Optional.empty();
@@ -166,6 +173,43 @@ public final class PlanReader {
     }
     long seed = given.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE).orElse(0);
     return sized(new Sampling(method.get(), runs, seed), parameters, given);
+  }
+
+  private static Optional<SearchGoal> search(TomlFields given, List<SweepParameter> parameters) {
+    given.allow("minimize", "maximize", "limits", "runs", "population", "stall", "seed");
+    Optional<String> least = given.text("minimize", "a column of the results");
+    Optional<String> most = given.text("maximize", "a column of the results");
+    if (least.isPresent() == most.isPresent()) {
+      given.wrong("minimize", "must have one of minimize and maximize, a column of the results");
+      return Optional.empty();
+    }
+    for (SweepParameter each : parameters) {
+      if (!(each.range() instanceof ParameterRange.Between)) {
+        given.wrong("minimize", each.name() + " has values, must have from and to for a search");
+        return Optional.empty();
+      }
+    }
+    int standard = 4 + (int) (3 * Math.log(Math.max(1, parameters.size())));
+    return Optional.of(
+        new SearchGoal(
+            least.or(() -> most).orElseThrow(),
+            most.isPresent(),
+            given.texts("limits", MAX_NAMES, "texts like \"torque_share <= 0.8\""),
+            (int) given.whole("population", 4, 10_000).orElse(Math.max(8, standard)),
+            (int) given.whole("stall", 1, 100_000).orElse(STANDARD_STALL)));
+  }
+
+  private Optional<Sampling> searched(Optional<SearchGoal> goal) {
+    if (fields.has("sampling")) {
+      fields.wrong("sampling", "[sampling] does not go with [search], which says all");
+    }
+    TomlFields given = fields.fields("search").orElse(null);
+    if (given == null || goal.isEmpty()) {
+      return Optional.empty();
+    }
+    long runs = given.whole("runs", 1, MAX_SEARCH).orElse(STANDARD_SEARCH);
+    long seed = given.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE).orElse(0);
+    return Optional.of(new Sampling(SamplingMethod.SEARCH, runs, seed));
   }
 
   private static Optional<Sampling> sized(

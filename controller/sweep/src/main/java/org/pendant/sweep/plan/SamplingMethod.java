@@ -14,7 +14,11 @@ public enum SamplingMethod {
   /** Each value at random, from the seed. */
   RANDOM,
   /** At random, but every parameter has one value in each of as many slices as there are runs. */
-  LATIN_HYPERCUBE;
+  LATIN_HYPERCUBE,
+  /** Points of a Sobol sequence, which fill the space evenly however many there are. */
+  SOBOL,
+  /** Those that a search asks for. */
+  SEARCH;
 
   /** As plans write it. */
   public String word() {
@@ -27,10 +31,15 @@ public enum SamplingMethod {
   }
 
   static Optional<SamplingMethod> of(String word) {
-    return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
+    return Arrays.stream(values())
+        .filter(each -> each != SEARCH && each.word().equals(word))
+        .findFirst();
   }
 
   static List<String> words() {
-    return Arrays.stream(values()).map(SamplingMethod::word).toList();
+    return Arrays.stream(values())
+        .filter(each -> each != SEARCH)
+        .map(SamplingMethod::word)
+        .toList();
   }
 }

@@ -16,6 +16,7 @@ import java.util.Optional;
  * @param settings what is the same for all variants
  * @param sampling which variants there are
  * @param parameters by what they differ, in the order of their columns
+ * @param search what their values are searched for; empty where they are sampled
  */
 public record SweepPlan(
     String name,
@@ -25,13 +26,14 @@ public record SweepPlan(
     Optional<String> scene,
     RunSettings settings,
     Sampling sampling,
-    List<SweepParameter> parameters) {
+    List<SweepParameter> parameters,
+    Optional<SearchGoal> search) {
   /** Copies the list. */
   public SweepPlan {
     parameters = List.copyOf(parameters);
   }
 
-  /** How many variants there are. */
+  /** How many variants there are; of a search how many at most. */
   public long size() {
     return sampling.runs();
   }
@@ -40,9 +42,14 @@ public record SweepPlan(
    * A variant.
    *
    * @param number 0 to the size, excluded
+   * @throws IllegalStateException for a search, whose variants follow from results
    */
   public SweepVariant variant(long number) {
     List<ParameterValue> values = new ArrayList<>();
+    double[] sobol =
+        sampling.method() == SamplingMethod.SOBOL
+            ? SobolPoints.point(parameters.size(), number, sampling.seed())
+            : new double[0];
     long rest = number;
     long below = size();
     for (int i = 0; i < parameters.size(); i++) {
@@ -56,7 +63,28 @@ public record SweepPlan(
         case LIST -> values.add(each.gridValue((int) number));
         case RANDOM -> values.add(each.at(UnitNumbers.at(sampling.seed(), number, i)));
         case LATIN_HYPERCUBE -> values.add(each.at(latin(number, i)));
+        case SOBOL -> values.add(each.at(sobol[i]));
+        case SEARCH ->
+            throw new IllegalStateException("the variants of a search follow from its results");
       }
+    }
+    return new SweepVariant(number, values);
+  }
+
+  /**
+   * The variant of a row, by the values in it.
+   *
+   * @param number of the row
+   * @param cells of the parameters, as tables write them
+   */
+  public SweepVariant variantOfRow(long number, List<String> cells) {
+    if (search.isEmpty()) {
+      return variant(number);
+    }
+    List<ParameterValue> values = new ArrayList<>();
+    for (int i = 0; i < parameters.size(); i++) {
+      values.add(
+          ParameterValue.of(Double.parseDouble(cells.get(i)), parameters.get(i).target().whole()));
     }
     return new SweepVariant(number, values);
   }

@@ -67,6 +67,24 @@ public record RowCondition(String text, String column, String relation, String b
   }
 
   /**
+   * By how much a cell misses it: 0 where it holds; a share of the bound for numbers, 1 for another
+   * word, 10 where there is no number.
+   */
+  public double missedBy(String cell) {
+    if (holds(cell)) {
+      return 0;
+    }
+    double value = number(cell);
+    double limit = number(bound);
+    if (Double.isNaN(limit)) {
+      return 1;
+    }
+    return Double.isNaN(value)
+        ? 10
+        : Math.max(1e-9, Math.min(10, Math.abs(value - limit) / (Math.abs(limit) + 1e-9)));
+  }
+
+  /**
    * Whether a cell keeps it. One that is empty, or no number where one is compared, does not.
    *
    * @param cell as tables write it

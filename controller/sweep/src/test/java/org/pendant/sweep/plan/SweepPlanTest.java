@@ -103,6 +103,31 @@ final class SweepPlanTest {
   }
 
   @Test
+  void sobolPointsHaveOneOfEachSliceForEveryPowerOfTwo() throws PlanException {
+    SweepPlan plan =
+        plan(
+            "method = \"sobol\"\nruns = 64\n",
+            """
+            [[parameter]]
+            set = "speed"
+            from = 0
+            to = 1
+            [[parameter]]
+            set = "acceleration"
+            from = 0
+            to = 1
+            """);
+    for (int parameter = 0; parameter < 2; parameter++) {
+      Set<Long> slices = new TreeSet<>();
+      for (long i = 0; i < 64; i++) {
+        slices.add((long) (plan.variant(i).values().get(parameter).number() * 64));
+      }
+      assertEquals(64, slices.size());
+    }
+    assertEquals(plan.variant(17), plan.variant(17));
+  }
+
+  @Test
   void shuffleIsAnotherOrderOfTheSameNumbers() {
     for (long size : new long[] {1, 2, 3, 5, 100, 4097}) {
       Set<Long> places = new TreeSet<>();

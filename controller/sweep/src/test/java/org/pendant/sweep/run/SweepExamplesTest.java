@@ -7,6 +7,9 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.sweep.plan.PlanException;
+import org.pendant.sweep.plan.SweepVariant;
+import org.pendant.sweep.search.SweepSearch;
+import org.pendant.sweep.table.ResultTable;
 
 /** The plans in examples/sweeps, a few variants of each. */
 @Tag("slow")
@@ -31,6 +34,15 @@ final class SweepExamplesTest {
     assertEquals(RunOutcome.FINISHED, one.outcome());
     assertEquals("4", one.variables().getFirst());
     assertTrue(one.durationS() > other.durationS());
+  }
+
+  @Test
+  void searchBeginsInTheMiddleOfItsRanges() throws PlanException {
+    SweepJob job = job("search_speeds.toml");
+    SweepSearch search = new SweepSearch(job.plan(), ResultTable.of(job.plan()));
+    SweepVariant first = search.next().getFirst();
+    assertEquals(0.875, first.values().getFirst().number());
+    assertEquals(RunOutcome.FINISHED, job.run(first).outcome());
   }
 
   @Test
