@@ -14,14 +14,12 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.Camera;
-
 import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.Quality;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
-
 import org.pendant.models.pose.Pose;
 
 /**
@@ -82,7 +80,8 @@ final class BodiesPictureCost {
     double sway = Math.sin(0.03 * number);
     List<SceneObject> objects = new ArrayList<>();
     for (int i = 0; i < bodies; i++) {
-      Pose pose = new Pose(0.3 + 0.1 * (i % 10), -0.5 + 0.1 * (i / 10), 0.1 + 0.05 * sway, 0, 0, sway);
+      Pose pose =
+          new Pose(0.3 + 0.1 * (i % 10), -0.5 + 0.1 * (i / 10), 0.1 + 0.05 * sway, 0, 0, sway);
       objects.add(
           new SceneObject.Box("part #" + i, pose, new Vector3(0.06, 0.04, 0.05), Material.DEFAULT));
     }

@@ -37,6 +37,9 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   /** Where a camera is at first that tells poses in its own frame: it looks down. */
   private static final Pose FIRST_CAMERA = new Pose(0.4, 0, 1, Math.PI, 0, 0);
 
+  /** Where a lamp is at first that is to be seen. */
+  private static final Pose FIRST_LAMP = new Pose(0.5, -0.5, 0.5, 0, 0, 0);
+
   private static final Range PORT = new Range(1024, 65_535, "");
 
   /** All kinds, as documentation lists them. */
@@ -101,7 +104,16 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
               "lamp",
               "Lamp",
               "an output",
-              List.of(new DeviceField.Wire("signal", "Signal", "that it shows", false, true))),
+              List.of(
+                  new DeviceField.Wire("signal", "Signal", "that it shows", false, true),
+                  new DeviceField.Spot(
+                      "at",
+                      "At",
+                      "where it is in the base, to be seen",
+                      "Not seen in 3D",
+                      FIRST_LAMP,
+                      POSITION,
+                      ROTATION))),
           new DeviceKind(
               "belt",
               "Belt",

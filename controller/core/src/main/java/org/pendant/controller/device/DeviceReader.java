@@ -132,7 +132,7 @@ public final class DeviceReader {
               fields.signal("signal"),
               fields.area("min", "max"),
               fields.flag("inverted"));
-      case "lamp" -> new DeviceSetup.Lamp(name, fields.signal("signal"));
+      case "lamp" -> new DeviceSetup.Lamp(name, fields.signal("signal"), fields.spot("at"));
       case "camera" -> cameras.camera(name, fields, parts);
       case "sink" -> new DeviceSetup.Sink(name, fields.area("min", "max"));
       default ->

@@ -291,8 +291,9 @@ public sealed interface DeviceSetup {
    * Lamp.
    *
    * @param signal that it shows
+   * @param atInBase where it is to be seen, if it is
    */
-  record Lamp(String name, CellSignal signal) implements DeviceSetup {
+  record Lamp(String name, CellSignal signal, Optional<Pose> atInBase) implements DeviceSetup {
     @Override
     public boolean holdsParts() {
       return false;

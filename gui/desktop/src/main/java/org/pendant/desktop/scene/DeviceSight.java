@@ -19,12 +19,17 @@ import org.pendant.models.pose.Pose;
  * @param sensors where they see something, and where parts are taken away
  * @param doors which have no place: they are told beside the picture
  * @param belts which carry what lies on them
+ * @param lamps that have a place
  */
 public record DeviceSight(
-    List<Gripper> grippers, List<Sensor> sensors, List<Door> doors, List<Belt> belts) {
+    List<Gripper> grippers,
+    List<Sensor> sensors,
+    List<Door> doors,
+    List<Belt> belts,
+    List<Lamp> lamps) {
   /** None. */
   public static final DeviceSight NONE =
-      new DeviceSight(List.of(), List.of(), List.of(), List.of());
+      new DeviceSight(List.of(), List.of(), List.of(), List.of(), List.of());
 
   /** Copies the lists. */
   public DeviceSight {
@@ -32,6 +37,7 @@ public record DeviceSight(
     sensors = List.copyOf(sensors);
     doors = List.copyOf(doors);
     belts = List.copyOf(belts);
+    lamps = List.copyOf(lamps);
   }
 
   /**
@@ -64,6 +70,16 @@ public record DeviceSight(
    */
   public record Belt(String name, String object, boolean backwards, double travelM) {}
 
+  /**
+   * A lamp.
+   *
+   * @param inBase where it is
+   */
+  public record Lamp(String name, Pose inBase, boolean lit) {
+    /** How large it is drawn, m. */
+    public static final double RADIUS_M = 0.025;
+  }
+
   /** The same with belts that have gone so far, by their names, m. */
   public DeviceSight withTravel(Map<String, Double> travelM) {
     return new DeviceSight(
@@ -78,7 +94,8 @@ public record DeviceSight(
                         each.object(),
                         each.backwards(),
                         travelM.getOrDefault(each.name(), 0.0)))
-            .toList());
+            .toList(),
+        lamps);
   }
 
   /**
@@ -112,6 +129,7 @@ public record DeviceSight(
     List<Sensor> sensors = new ArrayList<>();
     List<Door> doors = new ArrayList<>();
     List<Belt> belts = new ArrayList<>();
+    List<Lamp> lamps = new ArrayList<>();
     for (DeviceSetup setup : setups) {
       Optional<DeviceState> state =
           states.stream().filter(each -> each.name().equals(setup.name())).findFirst();
@@ -126,6 +144,9 @@ public record DeviceSight(
       } else if (setup instanceof DeviceSetup.Camera camera) {
         sensors.add(
             new Sensor(camera.name(), camera.area(), state.map(DeviceState::on).orElse(false)));
+      } else if (setup instanceof DeviceSetup.Lamp lamp) {
+        boolean lit = state.map(DeviceState::on).orElse(false);
+        lamp.atInBase().ifPresent(at -> lamps.add(new Lamp(lamp.name(), at, lit)));
       } else if (setup instanceof DeviceSetup.Belt belt) {
         belts.add(new Belt(belt.name(), belt.object(), belt.speedMPerS() < 0, 0));
       } else if (setup.hand().isPresent()) {
@@ -134,7 +155,7 @@ public record DeviceSight(
         doors.add(new Door(door.name(), share(state, begins)));
       }
     }
-    return new DeviceSight(grippers, sensors, doors, belts);
+    return new DeviceSight(grippers, sensors, doors, belts, lamps);
   }
 
   private static Gripper gripper(DeviceSetup setup, Optional<DeviceState> state, boolean begins) {

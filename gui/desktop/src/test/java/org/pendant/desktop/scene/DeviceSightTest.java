@@ -165,4 +165,17 @@ final class DeviceSightTest {
         1e-12,
         "it stands still");
   }
+
+  @Test
+  void aLampThatHasAPlaceIsSeenLit() {
+    CellSignal signal = new CellSignal("", "digital_out", 1);
+    Pose at = new Pose(0.5, 0, 0.5, 0, 0, 0);
+    List<DeviceSetup> lamps =
+        List.of(
+            new DeviceSetup.Lamp("busy", signal, Optional.of(at)),
+            new DeviceSetup.Lamp("nowhere", signal, Optional.empty()));
+    DeviceSight sight = DeviceSight.of(lamps, List.of(state("busy", 0, 0, true)), false);
+    assertEquals(List.of(new DeviceSight.Lamp("busy", at, true)), sight.lamps());
+    assertFalse(DeviceSight.of(lamps, List.of(), true).lamps().getFirst().lit());
+  }
 }

@@ -14,6 +14,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.Ball;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.GripperPlaces;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.LinkPlaces;
@@ -36,6 +37,8 @@ import org.pendant.models.pose.Pose;
 final class SceneRenderer implements AutoCloseable {
   private static final Vector3f TO_SUN = new Vector3f(0.42f, -0.62f, 1.05f).normalize();
   private static final Vector3f NO_TINT = new Vector3f();
+  private static final int LIT_RGB = 0xFFC400;
+  private static final int UNLIT_RGB = 0x6B6352;
   private static final int GHOST_RGB = 0x3B82D9;
   private static final float GHOST_OPACITY = 0.38f;
 
@@ -249,6 +252,7 @@ final class SceneRenderer implements AutoCloseable {
       drawRod(sight, solid, new Matrix4f(sight.places.of(Link.WRIST_3)), tcp);
     }
     model.payload().ifPresent(ball -> drawBall(sight, solid, ball));
+    drawLamps(sight, solid);
   }
 
   private static void drawGrippers(Sight sight, ShaderProgram program) {
@@ -293,6 +297,17 @@ final class SceneRenderer implements AutoCloseable {
     Matrix4f place = new Matrix4f().translation(vector(ball.centreM()));
     solid.set("places", 0, place.scale((float) ball.radiusM()));
     sight.bodies.ball().draw();
+  }
+
+  /** A lamp that is lit has a colour that light does not change. */
+  private static void drawLamps(Sight sight, ShaderProgram solid) {
+    for (DeviceSight.Lamp lamp : sight.model.devices().lamps()) {
+      solid.set("tint", Paints.linear(lamp.lit() ? LIT_RGB : UNLIT_RGB), lamp.lit() ? 1 : 0.7f);
+      Pose at = lamp.inBase();
+      Vector3 centreM = new Vector3(at.x(), at.y(), at.z());
+      drawBall(sight, solid, new Ball(centreM, DeviceSight.Lamp.RADIUS_M));
+      solid.set("tint", NO_TINT, 0);
+    }
   }
 
   /** From the flange to the tool centre point, so that it is clear what carries it. */

@@ -168,6 +168,7 @@ final class SceneOverlay {
     }
     addSafety(labels, shown);
     addSensors(labels, shown);
+    addLamps(labels, shown);
     List<LabelPlaces.Placed> placed =
         LabelPlaces.of(
             labels,
@@ -232,6 +233,15 @@ final class SceneOverlay {
       Vector3 place = DeviceOutlines.namePlace(each.zone());
       if (inSight(shown, place)) {
         add(labels, shown, each.name(), place, -1, each.sees());
+      }
+    }
+  }
+
+  private void addLamps(List<LabelPlaces.Label> labels, PictureRequest shown) {
+    for (DeviceSight.Lamp each : shown.model().devices().lamps()) {
+      Vector3 place = place(each.inBase());
+      if (inSight(shown, place)) {
+        add(labels, shown, each.name(), place, -1, each.lit());
       }
     }
   }
