@@ -109,6 +109,14 @@ public final class ControlBox implements Host {
     for (int i = 0; i < controllers.size(); i++) {
       lines.add(controllers.get(i), i == 0 ? signals.digital() : new DigitalIo());
     }
+    if (controllers.size() > 1) {
+      log.warning(
+          "the scene has the controllers "
+              + String.join(", ", controllers)
+              + ": "
+              + controllers.getFirst()
+              + " works alone here, at the origin; pendant run and pendant serve have all of them");
+    }
     return lines;
   }
 

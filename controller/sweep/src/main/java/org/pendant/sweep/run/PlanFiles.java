@@ -248,7 +248,12 @@ final class PlanFiles {
     }
     String name = plan.scene().get();
     try {
-      return EquipmentReader.read(name, new ByteArrayInputStream(bytes("scene", name)));
+      CellEquipment equipment =
+          EquipmentReader.read(name, new ByteArrayInputStream(bytes("scene", name)));
+      if (equipment.controllers().size() > 1) {
+        throw new PlanException(name + " has several controllers; a sweep works with one");
+      }
+      return equipment;
     } catch (JsonException e) {
       throw new PlanException(e.getMessage());
     }

@@ -148,11 +148,15 @@ public record SceneFile(
   /** What is in it, in words. */
   public String words() {
     int devices = equipment.devices().size();
+    List<String> controllers = equipment.controllers();
     return name
         + ", "
         + count(scene.objects().size(), "object")
         + (devices > 0 ? ", " + count(devices, "device") : "")
-        + (scene.load().isPresent() ? " and a load" : "");
+        + (scene.load().isPresent() ? " and a load" : "")
+        + (controllers.size() > 1
+            ? "; of " + String.join(", ", controllers) + " this shows " + controllers.getFirst()
+            : "");
   }
 
   private static String count(int count, String what) {
