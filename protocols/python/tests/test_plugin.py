@@ -49,6 +49,11 @@ def test_cell_is_a_robot_among_what_a_file_says(pytester, plugin_arguments):
     (pytester.path / "grip.scene.json").write_text(
         '{"devices": [{"type": "two-finger", "name": "hand", "part": 0.03}]}', encoding="utf-8"
     )
+    (pytester.path / "plc.scene.json").write_text(
+        '{"devices": [{"type": "modbus", "name": "plc", "address": "192.168.0.20",'
+        ' "values": {"register[3]": 17}}]}',
+        encoding="utf-8",
+    )
     pytester.makepyfile(
         """
         import pytest
@@ -63,8 +68,16 @@ def test_cell_is_a_robot_among_what_a_file_says(pytester, plugin_arguments):
 
         def test_needs_a_file(cell):
             pass
+
+        @pytest.mark.cell("plc.scene.json")
+        @pytest.mark.robot(arm="ideal")
+        def test_sets_signals(cell):
+            assert cell.devices["plc"].signals["register[3]"] == 17
+            cell.set_signal("plc.coil[0]", True)
+            cell.advance(frames=1)
+            assert cell.devices["plc"].signals["coil[0]"] == 1
         """
     )
     result = pytester.runpytest_inprocess("--strict-markers", *plugin_arguments)
-    result.assert_outcomes(passed=1, errors=1)
+    result.assert_outcomes(passed=2, errors=1)
     result.stdout.fnmatch_lines(["*the fixture cell needs the marker cell, with a file*"])

@@ -256,6 +256,10 @@ class Robot:
         """Puts a part of this width between the fingers of a gripper; 0 takes it away."""
         await self.call(calls.do("device.put_part", device=device, width=width_m))
 
+    async def set_signal(self, signal: str, value: int) -> None:
+        """Sets a signal of the cell, such as ``plc.register[3]`` or ``digital_in[0]``."""
+        await self.call(calls.do("device.set_signal", signal=signal, value=int(value)))
+
     async def read(self, name: str) -> Any:
         """A quantity: ``actual_q``, ``actual_tcp_z``, ``digital_out[0]``, ..."""
         return (await self.call(calls.read([name])))[name]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, List, Mapping, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 Numbers = Tuple[float, ...]
 
@@ -40,6 +40,8 @@ class Device:
     on: bool
     #: How wide the part is that is there for it to hold, m; 0 for none.
     part_m: float
+    #: Its signals that the cell is wired to, by their names, such as ``coil[0]``.
+    signals: Dict[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -239,4 +241,5 @@ def device_of(raw: Mapping[str, Any]) -> Device:
         raw["force_n"],
         raw["on"],
         raw["part_m"],
+        raw["signals"],
     )

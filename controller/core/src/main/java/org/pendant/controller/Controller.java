@@ -229,7 +229,7 @@ public final class Controller implements Robot, Drive {
 
   @Override
   public boolean waitsForOutside() {
-    return machine.waitsForOutside() || box.links().modbus().active();
+    return machine.waitsForOutside() || box.links().modbus().reachOutside();
   }
 
   @Override

@@ -43,6 +43,8 @@ final class WorldCommandHandler implements CommandHandler<WorldCommand> {
           box.offsets().encoders().get(index).run(ticksPerS);
       case WorldCommand.PutPart(String gripper, double widthM) ->
           box.links().devices().putPart(gripper, widthM);
+      case WorldCommand.SetSignal(String signal, int value) ->
+          box.links().devices().set(signal, value);
       case WorldCommand.TellDevice(int port, long connection, String bytes) -> {
         return new Reply.Told(box.links().devices().hear(port, connection, bytes));
       }

@@ -2,10 +2,24 @@ package org.pendant.recording;
 
 import java.util.List;
 import org.pendant.controller.device.DeviceState;
+import org.pendant.controller.wire.SignalGroupState;
 import org.pendant.controller.world.MovedObject;
 
 /** Forms of what stands in the cell. */
 final class CellForms {
+  private static final Form<List<Integer>> VALUES =
+      new Form<Integer>() {
+        @Override
+        void write(Integer value, ByteSink out) {
+          out.whole(value);
+        }
+
+        @Override
+        Integer read(ByteSource in) throws MalformedBytes {
+          return in.integer();
+        }
+      }.list();
+
   static final Form<List<MovedObject>> MOVED =
       new Form<MovedObject>() {
         @Override
@@ -18,6 +32,24 @@ final class CellForms {
         @Override
         MovedObject read(ByteSource in) throws MalformedBytes {
           return new MovedObject(in.text(), ArmForms.POSE.read(in), in.bool());
+        }
+      }.list();
+
+  private static final Form<List<SignalGroupState>> SIGNALS =
+      new Form<SignalGroupState>() {
+        @Override
+        void write(SignalGroupState value, ByteSink out) {
+          out.text(value.name());
+          out.whole(value.first());
+          out.bool(value.digital());
+          out.bool(value.settable());
+          VALUES.write(value.values(), out);
+        }
+
+        @Override
+        SignalGroupState read(ByteSource in) throws MalformedBytes {
+          return new SignalGroupState(
+              in.text(), in.integer(), in.bool(), in.bool(), VALUES.read(in));
         }
       }.list();
 
@@ -34,6 +66,7 @@ final class CellForms {
           out.number(value.mostM());
           out.number(value.partM());
           out.whole(value.port());
+          SIGNALS.write(value.signals(), out);
         }
 
         @Override
@@ -47,7 +80,8 @@ final class CellForms {
               in.bool(),
               in.number(),
               in.number(),
-              in.integer());
+              in.integer(),
+              SIGNALS.read(in));
         }
       }.list();
 

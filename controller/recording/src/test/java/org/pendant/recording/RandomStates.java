@@ -58,6 +58,7 @@ import org.pendant.controller.state.RuntimeState;
 import org.pendant.controller.state.SafetyStatus;
 import org.pendant.controller.state.StopPlace;
 import org.pendant.controller.state.SupplyVoltages;
+import org.pendant.controller.wire.SignalGroupState;
 import org.pendant.controller.world.MovedObject;
 import org.pendant.language.signature.Type;
 import org.pendant.language.source.SourceRange;
@@ -485,7 +486,12 @@ final class RandomStates {
         random.nextBoolean(),
         number(),
         number(),
-        random.nextInt(65536));
+        random.nextInt(65536),
+        frame % 2 == 0
+            ? List.of()
+            : List.of(
+                new SignalGroupState("coil", 0, true, true, List.of((int) (frame & 1), 1)),
+                new SignalGroupState("register", 7, false, false, List.of((int) frame, -1))));
   }
 
   private MovedObject body() {

@@ -45,8 +45,9 @@ public final class BoxLinks {
       MessageLog log) {
     this.devices = devices;
     rules = new Rules(equipment.rules(), devices.lines(), new DeviceHand(devices));
-    outside = new ExternalConnections(devices.before(connectors));
-    modbus = new ModbusSignals(connectors.modbus(), log);
+    Connectors all = devices.before(connectors);
+    outside = new ExternalConnections(all);
+    modbus = new ModbusSignals(all.modbus(), log);
     signals.runState().lead(modbus::follow);
     toolLine = new ToolSerialInterface(connectors.toolSerial(), signals, log);
   }

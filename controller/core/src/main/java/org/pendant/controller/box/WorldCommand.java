@@ -79,6 +79,14 @@ public sealed interface WorldCommand extends Command {
   record PutPart(String gripper, double widthM) implements WorldCommand {}
 
   /**
+   * Sets a signal of the cell.
+   *
+   * @param signal its name, such as {@code plc.register[3]}
+   * @param value 0 or 1 where it is digital
+   */
+  record SetSignal(String signal, int value) implements WorldCommand {}
+
+  /**
    * Says something to a device of the cell by a connection from outside, and is answered by {@link
    * org.pendant.controller.command.Reply.Told}.
    *

@@ -19,6 +19,6 @@ record ModbusResetWait(ModbusSignals signals, String host, Optional<Integer> por
 
   @Override
   public boolean outside() {
-    return true;
+    return signals.reachOutside(host, port);
   }
 }

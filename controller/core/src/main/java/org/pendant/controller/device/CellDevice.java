@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.device.gripper.Fingers;
 import org.pendant.controller.external.DeviceTalk;
+import org.pendant.controller.wire.SignalGroupState;
 import org.pendant.controller.wire.SignalOwner;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
@@ -38,6 +39,11 @@ interface CellDevice {
     return OptionalInt.empty();
   }
 
+  /** Whether programs reach it by a socket there. */
+  default boolean isAt(String host, int port) {
+    return OwnAddress.isHost(host) && port().orElse(0) == port;
+  }
+
   /** Begins to talk at a new connection to {@link #port}. */
   default DeviceTalk connect() {
     throw new IllegalStateException(name() + " has no port");
@@ -60,6 +66,11 @@ interface CellDevice {
   /** The signals that others are wired to, where it has some. */
   default Optional<SignalOwner> signals() {
     return Optional.empty();
+  }
+
+  /** The values of its signals; the same list until one changes. */
+  default List<SignalGroupState> signalStates() {
+    return List.of();
   }
 
   /** Its fingers, where it has some. */

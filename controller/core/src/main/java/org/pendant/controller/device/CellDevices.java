@@ -12,8 +12,12 @@ import org.pendant.controller.external.DeviceSocket;
 import org.pendant.controller.external.DeviceTalk;
 import org.pendant.controller.external.ExternalSocket;
 import org.pendant.controller.external.RpcLink;
+import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.message.MessageLog;
+import org.pendant.controller.wire.CellSignal;
+import org.pendant.controller.wire.CellSignalNames;
+import org.pendant.controller.wire.SignalGroup;
 import org.pendant.controller.wire.SignalLines;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.json.Json;
@@ -38,6 +42,7 @@ public final class CellDevices {
   private final Map<Caller, DeviceTalk> callers = new HashMap<>();
   private final Signals signals;
   private final SignalLines lines;
+  private final CellSignalNames names = new CellSignalNames(SignalBank.groups());
   private List<DeviceState> states = List.of();
   private final ToolPlaces tools;
   private final ContactWorld world;
@@ -93,6 +98,7 @@ public final class CellDevices {
               new SourceDevice(source, world.pool(source.object(), source.count()), lines, log);
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
+          case DeviceSetup.Modbus modbus -> new ModbusDevice(modbus);
           case DeviceSetup.Lamp lamp -> new LampDevice(lamp, lines);
           case DeviceSetup.Switch pressed ->
               new SwitchDevice(pressed, tools, pressed.area().watch(world), lines);
@@ -104,6 +110,9 @@ public final class CellDevices {
         .flatMap(hand -> world.fingers(hand, setup.strokeM()))
         .ifPresent(hand -> device.fingers().orElseThrow().among(new BodiesBetween(hand)));
     devices.add(device);
+    if (hasSignals(setup)) {
+      names.add(setup.name(), setup.signals());
+    }
     device.signals().ifPresent(each -> lines.add(device.name(), each));
     log.info(device.name() + ": " + device.described());
   }
@@ -113,18 +122,17 @@ public final class CellDevices {
     return new Connectors(
         (host, port) -> open(host, port, others),
         url -> openServer(url, others),
-        others.modbus(),
+        new CellModbus(devices, others.modbus()),
         others.toolSerial());
   }
 
   private ExternalSocket open(String host, int port, Connectors others) throws ScriptError {
-    if (OwnAddress.isHost(host)) {
-      Optional<CellDevice> device = at(port);
-      if (device.isPresent()) {
-        DeviceSocket socket = new DeviceSocket(device.get().connect());
-        sockets.add(socket);
-        return socket;
-      }
+    Optional<CellDevice> device =
+        devices.stream().filter(each -> each.isAt(host, port)).findFirst();
+    if (device.isPresent()) {
+      DeviceSocket socket = new DeviceSocket(device.get().connect());
+      sockets.add(socket);
+      return socket;
     }
     return others.sockets().open(host, port);
   }
@@ -169,6 +177,40 @@ public final class CellDevices {
               + names());
     }
     var _ = device.putPart(pressed ? 1 : 0);
+  }
+
+  /**
+   * Sets a signal of the cell.
+   *
+   * @param name such as {@code plc.register[3]}
+   * @throws IllegalArgumentException if there is none, or it cannot be set to that
+   */
+  public void set(String name, int value) {
+    CellSignal signal = signal(name);
+    SignalGroup group = names.group(signal);
+    if (!group.settable()) {
+      throw new IllegalArgumentException("signal is " + signal + ", must be one that can be set");
+    }
+    group.range().require(signal.toString(), value);
+    lines.line(signal).set(value);
+  }
+
+  /**
+   * The value of a signal of the cell; 0 or 1 for digital ones.
+   *
+   * @throws IllegalArgumentException if there is none
+   */
+  public int value(String name) {
+    return lines.line(signal(name)).value();
+  }
+
+  private CellSignal signal(String name) {
+    try {
+      return names.signal(name);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          "signal is " + Json.quoted(name) + ", " + e.getMessage(), e);
+    }
   }
 
   /** Signals of the cell at work, those of devices included. */
@@ -247,6 +289,7 @@ public final class CellDevices {
   private static boolean isAt(CellDevice device, DeviceState state) {
     Optional<Fingers> fingers = device.fingers();
     return device.on() == state.on()
+        && device.signalStates() == state.signals()
         && device.partM() == state.partM()
         && (fingers.isEmpty()
             || (fingers.get().openingM() == state.openingM()
@@ -264,7 +307,8 @@ public final class CellDevices {
         device.on(),
         device.mostM(),
         device.partM(),
-        device.port().orElse(0));
+        device.port().orElse(0),
+        device.signalStates());
   }
 
   /** Hears what programs have sent, answers, and moves everything through one frame. */

@@ -75,6 +75,22 @@ public sealed interface DeviceField {
       implements DeviceField {}
 
   /**
+   * A text.
+   *
+   * @param example one that people begin with
+   */
+  record Words(String key, String title, String help, String example, boolean required)
+      implements DeviceField {}
+
+  /** Numbers by names, such as {@code register[3]}. */
+  record Values(String key, String title, String help) implements DeviceField {
+    @Override
+    public boolean required() {
+      return false;
+    }
+  }
+
+  /**
    * A place in the base frame, three numbers.
    *
    * @param range of each

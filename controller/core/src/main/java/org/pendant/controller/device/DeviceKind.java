@@ -40,6 +40,9 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   /** Where a lamp is at first that is to be seen. */
   private static final Pose FIRST_LAMP = new Pose(0.5, -0.5, 0.5, 0, 0, 0);
 
+  private static final String COUNTED = "how many there are";
+  private static final Range COUNT = new Range(0, 1000, "");
+  private static final double FIRST_COUNT = 16;
   private static final Range PORT = new Range(1024, 65_535, "");
 
   /** All kinds, as documentation lists them. */
@@ -165,7 +168,8 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
               List.of(
                   place("min", "Least", "the corner with the least numbers"),
                   place("max", "Greatest", "the corner with the greatest numbers"))),
-          camera());
+          camera(),
+          modbus());
 
   /** Copies the list. */
   public DeviceKind {
@@ -234,6 +238,35 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 new Range(0, 0.5, "rad"),
                 0),
             whole("seed", "Seed", "of the noise", new Range(0, 1_000_000, ""), 0)));
+  }
+
+  private static DeviceKind modbus() {
+    return new DeviceKind(
+        "modbus",
+        "PLC by Modbus",
+        "Modbus signals at its address",
+        List.of(
+            new DeviceField.Words(
+                "address",
+                "Address",
+                "host, or host:port, by which programs reach it",
+                "192.168.0.20",
+                true),
+            optional(
+                "unit",
+                "Unit",
+                "that it answers to, all of them without",
+                new Range(0, 255, ""),
+                true),
+            whole("coils", "Coils", COUNTED, COUNT, FIRST_COUNT),
+            whole("inputs", "Inputs", COUNTED, COUNT, FIRST_COUNT),
+            whole("registers", "Registers", COUNTED, COUNT, FIRST_COUNT),
+            whole("input_registers", "Input registers", COUNTED, COUNT, FIRST_COUNT),
+            whole("first", "First address", "of each of these", new Range(0, 65_535, ""), 0),
+            new DeviceField.Values(
+                "values", "Values", "what is not 0 at first, such as register[3] = 17"),
+            optional(
+                "port", "Port", "of this controller where other computers reach it", PORT, true)));
   }
 
   private static DeviceKind pressed(String type, String title) {

@@ -12,7 +12,7 @@ import org.pendant.script.value.Value;
 record DeviceProcedures(List<CellDevice> devices) implements RpcLink {
   @Override
   public Pending connect() {
-    return new Answered(NoneValue.NONE);
+    return new AnsweredNow(NoneValue.NONE);
   }
 
   @Override
@@ -20,7 +20,7 @@ record DeviceProcedures(List<CellDevice> devices) implements RpcLink {
     for (CellDevice each : devices) {
       Optional<Value> answer = each.call(method, arguments);
       if (answer.isPresent()) {
-        return new Answered(answer.get());
+        return new AnsweredNow(answer.get());
       }
     }
     throw new ScriptError(
@@ -34,20 +34,4 @@ record DeviceProcedures(List<CellDevice> devices) implements RpcLink {
 
   @Override
   public void close() {}
-
-  /** An answer that is there. */
-  private record Answered(Value result) implements Pending {
-    @Override
-    public boolean over() {
-      return true;
-    }
-
-    @Override
-    public boolean inRobotTime() {
-      return true;
-    }
-
-    @Override
-    public void cancel() {}
-  }
 }

@@ -20,7 +20,11 @@ public final class DeviceReader {
 
   private final Map<String, FilePosition> places = new HashMap<>();
 
-  private final CameraReader cameras = new CameraReader();
+  private final DevicePorts ports = new DevicePorts();
+
+  private final CameraReader cameras = new CameraReader(ports);
+
+  private final PlcReader plcs = new PlcReader(ports);
 
   private final PartReader parts;
 
@@ -133,6 +137,7 @@ public final class DeviceReader {
               fields.area("min", "max"),
               fields.flag("inverted"));
       case "lamp" -> new DeviceSetup.Lamp(name, fields.signal("signal"), fields.spot("at"));
+      case "modbus" -> plcs.modbus(name, fields);
       case "camera" -> cameras.camera(name, fields, parts);
       case "sink" -> new DeviceSetup.Sink(name, fields.area("min", "max"));
       default ->

@@ -1,8 +1,15 @@
 package org.pendant.controller.device;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.pendant.controller.device.camera.PartCamera;
+import org.pendant.controller.device.plc.ModbusMemory;
+import org.pendant.controller.device.plc.ModbusTable;
+import org.pendant.controller.device.plc.ModbusUnit;
+import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.SignalGroup;
 import org.pendant.controller.world.HandSetup;
@@ -248,6 +255,49 @@ public sealed interface DeviceSetup {
     /** Copies the list. */
     public Camera {
       objects = List.copyOf(objects);
+    }
+
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * Device that is reached by Modbus TCP.
+   *
+   * @param address by which programs reach it, without a connection to the outside
+   * @param unit the number that it answers to; empty for all
+   * @param port of this controller at which other computers reach it; empty for none
+   * @param first address of the first coil, input, register and input register
+   * @param counts how many there are of each
+   * @param values what is not 0 at first
+   */
+  record Modbus(
+      String name,
+      ModbusAddress address,
+      OptionalInt unit,
+      OptionalInt port,
+      int first,
+      Map<ModbusTable, Integer> counts,
+      Map<CellSignal, Integer> values)
+      implements DeviceSetup {
+    /** Copies the maps. */
+    public Modbus {
+      counts = Map.copyOf(counts);
+      values = Map.copyOf(values);
+    }
+
+    @Override
+    public List<SignalGroup> signals() {
+      List<SignalGroup> groups = new ArrayList<>(ModbusMemory.groups(first, counts));
+      groups.add(ModbusUnit.ONLINE);
+      return groups;
     }
 
     @Override

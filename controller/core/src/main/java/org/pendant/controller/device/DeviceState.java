@@ -1,5 +1,8 @@
 package org.pendant.controller.device;
 
+import java.util.List;
+import org.pendant.controller.wire.SignalGroupState;
+
 /**
  * State of a device of the cell at one moment.
  *
@@ -12,6 +15,7 @@ package org.pendant.controller.device;
  * @param mostM how wide a part may be that is put into it; 0 where it holds none
  * @param partM how wide the part is that is there for it to hold; 0 for none
  * @param port at which programs reach it by a socket; 0 for none
+ * @param signals that others are wired to; none for most devices
  */
 public record DeviceState(
     String name,
@@ -22,4 +26,24 @@ public record DeviceState(
     boolean on,
     double mostM,
     double partM,
-    int port) {}
+    int port,
+    List<SignalGroupState> signals) {
+  /** Copies the list. */
+  public DeviceState {
+    signals = List.copyOf(signals);
+  }
+
+  /** A device without signals. */
+  public DeviceState(
+      String name,
+      String kind,
+      double strokeM,
+      double openingM,
+      double forceN,
+      boolean on,
+      double mostM,
+      double partM,
+      int port) {
+    this(name, kind, strokeM, openingM, forceN, on, mostM, partM, port, List.of());
+  }
+}

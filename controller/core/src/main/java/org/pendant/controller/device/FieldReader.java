@@ -1,9 +1,11 @@
 package org.pendant.controller.device;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.language.check.Nearest;
@@ -82,6 +84,30 @@ final class FieldReader {
           .refusal(key + " is " + Range.number(number) + ", must be a whole number");
     }
     return number;
+  }
+
+  /** A text that must be there. */
+  Json.Text words(String key) throws JsonException {
+    return fields.text(declared(key, DeviceField.Words.class).key());
+  }
+
+  /** Numbers by their names, each with its place; none where there are none. */
+  Map<String, Json> values(String key) throws JsonException {
+    Json value = fields.optional(declared(key, DeviceField.Values.class).key()).orElse(null);
+    if (value == null) {
+      return Map.of();
+    }
+    if (!(value instanceof Json.Members members)) {
+      throw JsonFields.wrong(key, value, "an object of numbers");
+    }
+    Map<String, Json> values = new LinkedHashMap<>();
+    members.byKey().forEach((name, member) -> values.put(name, member.value()));
+    return values;
+  }
+
+  /** A whole number that may be left out. */
+  OptionalInt whole(String key) throws JsonException {
+    return has(key) ? OptionalInt.of((int) number(key)) : OptionalInt.empty();
   }
 
   /** A signal that must be there. */

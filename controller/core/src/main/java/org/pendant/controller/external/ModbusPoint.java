@@ -32,6 +32,11 @@ public interface ModbusPoint {
   /** Has the connection to the device closed and made again, with all signals that share it. */
   void reconnect();
 
+  /** Whether who answers lives in robot time, so that no clock has to wait for it. */
+  default boolean inRobotTime() {
+    return false;
+  }
+
   /** Ends it. */
   void end();
 }

@@ -131,9 +131,19 @@ public final class ModbusSignals {
     return there;
   }
 
-  /** Whether devices are being spoken to. */
-  public boolean active() {
-    return !signals.isEmpty();
+  /** Whether devices are being spoken to that do not live in robot time. */
+  public boolean reachOutside() {
+    for (int i = 0; i < signals.size(); i++) {
+      if (!signals.get(i).point().inRobotTime()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether signals of a device wait for who does not live in robot time. */
+  public boolean reachOutside(String host, Optional<Integer> port) {
+    return at(host, port).stream().anyMatch(each -> !each.point().inRobotTime());
   }
 
   /** A frame begins: takes what has come since the last one. */

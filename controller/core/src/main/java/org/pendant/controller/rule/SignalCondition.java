@@ -27,7 +27,7 @@ public record SignalCondition(List<Requirement> tests) {
 
   private static final Pattern REQUIREMENT =
       Pattern.compile(
-          "(\\S+\\[\\d{1,5}\\])(?: +(?:(rises|falls|is on|is off)|(is|is not|is above|is below)"
+          "(\\S+)(?: +(?:(rises|falls|is on|is off)|(is|is not|is above|is below)"
               + " +(-?\\d{1,10})))?");
 
   /** Most tests of a condition. */

@@ -16,7 +16,7 @@ public final class CellSignalNames {
   /** A name in front of signals: it stands before a point, and a space ends it in rules. */
   private static final Pattern OWNER = Pattern.compile("[A-Za-z_][A-Za-z0-9_-]*");
 
-  private static final Pattern NAME = Pattern.compile("(?:([^.]+)\\.)?(\\w+)\\[(\\d{1,5})\\]");
+  private static final Pattern NAME = Pattern.compile("(?:([^.]+)\\.)?(\\w+)(?:\\[(\\d{1,5})\\])?");
 
   private final Map<String, List<SignalGroup>> owners = new LinkedHashMap<>();
 
@@ -64,15 +64,21 @@ public final class CellSignalNames {
     if (groups == null) {
       throw new IllegalArgumentException("must be " + such(settable));
     }
-    CellSignal signal = new CellSignal(owner, parts.group(2), Integer.parseInt(parts.group(3)));
-    Optional<SignalGroup> group = find(groups, signal.group());
-    if (group.isEmpty()) {
-      throw new IllegalArgumentException("must be one of " + spans(owner, groups));
+    Optional<SignalGroup> found = find(groups, parts.group(2));
+    if (found.isEmpty()) {
+      throw new IllegalArgumentException(
+          parts.group(3) == null
+              ? "must be " + such(settable)
+              : "must be one of " + spans(owner, groups));
     }
-    if (!group.get().holds(signal.index())) {
-      throw new IllegalArgumentException("must be " + span(owner, group.get()));
+    SignalGroup group = found.get();
+    boolean single = group.count() == 1 && parts.group(3) == null;
+    int index =
+        single ? group.first() : parts.group(3) == null ? -1 : Integer.parseInt(parts.group(3));
+    if (!group.holds(index)) {
+      throw new IllegalArgumentException("must be " + span(owner, group));
     }
-    return signal;
+    return new CellSignal(owner, group.name(), index);
   }
 
   /** The group that a signal is in. */
@@ -156,6 +162,7 @@ public final class CellSignalNames {
   }
 
   private static String span(String owner, SignalGroup group) {
-    return new CellSignal(owner, group.name(), group.first()) + " to [" + group.last() + "]";
+    return new CellSignal(owner, group.name(), group.first())
+        + (group.count() == 1 ? "" : " to [" + group.last() + "]");
   }
 }

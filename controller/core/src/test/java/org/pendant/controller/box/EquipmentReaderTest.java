@@ -67,6 +67,27 @@ class EquipmentReaderTest {
             + " \"two-finger\" as in line 1, must be another for each device",
         "{'devices': [{'type': 'gripper', 'close': 'digital_out[8]'}]} | 1:43: close is"
             + " \"digital_out[8]\", must be digital_out[0] to [7]",
+        "{'devices': [{'type': 'modbus', 'address': '192.168.0.9', 'values': {'register[16]': 1}}]}"
+            + " | 1:86: \"register[16]\": must be register[0] to [15]",
+        "{'devices': [{'type': 'modbus', 'address': '192.168.0.9', 'values': {'coil[0]': 2}}]} |"
+            + " 1:81: coil[0] is 2, must be 0 to 1",
+        "{'devices': [{'type': 'modbus', 'address': '127.0.0.1'}]} | 1:44: address is"
+            + " \"127.0.0.1\", which is the controller itself, must be another",
+        "{'devices': [{'type': 'modbus', 'name': 'a', 'address': 'plc:502'}, {'type': 'modbus',"
+            + " 'name': 'b', 'address': 'plc'}]} | 1:112: address is \"plc\", which a has, must be"
+            + " another",
+        "{'devices': [{'type': 'modbus', 'address': 'plc:0'}]} | 1:44: address is \"plc:0\", must"
+            + " have a port of 1 to 65535",
+        "{'devices': [{'type': 'modbus', 'address': 'plc', 'name': 'the plc'}]} | 1:59: name is"
+            + " \"the plc\", must have letters",
+        "{'devices': [{'type': 'modbus', 'address': 'plc', 'first': 65530}]} | 1:60: first is"
+            + " 65530",
+        "{'devices': [{'type': 'lamp', 'signal': 'plc.coil[16]'}, {'type': 'modbus', 'name': 'plc',"
+            + " 'address': '192.168.0.9'}]} | 1:41: signal is \"plc.coil[16]\", must be"
+            + " plc.coil[0] to [15]",
+        "{'devices': [{'type': 'door', 'close': 'plc.register[0]'}, {'type': 'modbus', 'name':"
+            + " 'plc', 'address': '192.168.0.9'}]} | 1:40: close is \"plc.register[0]\", must be a"
+            + " digital signal, not a number",
         "{'devices': [{'type': 'gripper', 'close': 'plc.coil[0]'}]} | 1:43: close is"
             + " \"plc.coil[0]\", must be a signal, such as digital_out[0]",
         "{'devices': [{'type': 'proximity', 'signal': 'digital_out[0]', 'at': [0,0,0], 'range':"

@@ -117,7 +117,8 @@ final class CellShift {
           DeviceSetup.Vacuum _,
           DeviceSetup.Belt _,
           DeviceSetup.Source _,
-          DeviceSetup.Lamp _ ->
+          DeviceSetup.Lamp _,
+          DeviceSetup.Modbus _ ->
           false;
     };
   }

@@ -14,11 +14,13 @@ import org.pendant.script.function.Outcome;
 import org.pendant.script.value.PoseValue;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
+import org.pendant.script.value.ValueKind;
 
 /** Devices of the cell that answer programs, and the parts in their fingers. */
 final class CellBuiltins {
   private static final String SECTION = "Devices of the cell";
   private static final String NO_DEVICE = "no-such-device";
+  private static final String NO_SIGNAL = "no-such-signal";
 
   private CellBuiltins() {}
 
@@ -57,6 +59,7 @@ final class CellBuiltins {
               }
               return call.answer();
             });
+    declareSignalsIn(builtins);
     TestBuiltins.declare(builtins, "finger_opening", SECTION)
         .doc("How far the fingers of a gripper are open.")
         .needs("device", Type.STRING)
@@ -70,6 +73,43 @@ final class CellBuiltins {
         .effect(Effect.SENSES)
         .does(call -> call.answer(fingers(call).pressN()));
     declareObjectsIn(builtins);
+  }
+
+  private static void declareSignalsIn(Builtins<ControlBox> builtins) {
+    TestBuiltins.declare(builtins, "cell_signal", SECTION)
+        .doc(
+            "The value of a signal of the cell, such as \"plc.register[3]\" or \"digital_out[0]\";"
+                + " 0 or 1 where it is digital.")
+        .needs("signal", Type.STRING)
+        .returns(Type.INT)
+        .effect(Effect.SENSES)
+        .does(
+            call -> {
+              try {
+                return call.answer(call.host().links().devices().value(call.text(0)));
+              } catch (IllegalArgumentException e) {
+                throw call.failure(NO_SIGNAL, e.getMessage());
+              }
+            });
+    TestBuiltins.declare(builtins, "set_cell_signal", SECTION)
+        .doc(
+            "Sets a signal of the cell, such as \"plc.register[3]\" or \"digital_in[0]\": to an"
+                + " int, or a bool where it is digital.")
+        .needs("signal", Type.STRING)
+        .needs("value", Type.ANY)
+        .does(
+            call -> {
+              int value =
+                  call.kind(1) == ValueKind.BOOL
+                      ? call.bool(1) ? 1 : 0
+                      : call.integer(1, Integer.MIN_VALUE, Integer.MAX_VALUE);
+              try {
+                call.host().links().devices().set(call.text(0), value);
+              } catch (IllegalArgumentException e) {
+                throw call.failure(NO_SIGNAL, e.getMessage());
+              }
+              return call.answer();
+            });
   }
 
   private static void declareObjectsIn(Builtins<ControlBox> builtins) {

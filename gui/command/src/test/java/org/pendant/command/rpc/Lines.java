@@ -83,7 +83,13 @@ final class Lines implements RpcServer.Output {
       return EquipmentReader.read(
           "cell",
           new ByteArrayInputStream(
-              "{\"devices\": [{\"type\": \"two-finger\"}]}".getBytes(StandardCharsets.UTF_8)));
+              """
+              {"devices": [
+                {"type": "two-finger"},
+                {"type": "modbus", "name": "plc", "address": "192.168.0.20"}
+              ]}
+              """
+                  .getBytes(StandardCharsets.UTF_8)));
     } catch (JsonException e) {
       throw RpcFailure.params(e.getMessage());
     }

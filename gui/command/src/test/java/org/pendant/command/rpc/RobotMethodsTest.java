@@ -149,6 +149,19 @@ final class RobotMethodsTest {
   }
 
   @Test
+  void signalsOfTheCellAreSet() {
+    List<String> answers =
+        Lines.answers(
+            Lines.request(Lines.CREATE, "'device':'two-finger'"),
+            Lines.request("device.set_signal", "'signal':'plc.register[3]'", "'value':17"),
+            Lines.request("advance", "'frames':1"),
+            Lines.request("devices"),
+            Lines.request("device.set_signal", "'signal':'plc.register[3]'", "'value':70000"));
+    assertTrue(answers.get(3).contains("\"register[3]\":17"), answers.get(3));
+    assertTrue(answers.get(4).contains("must be 0 to 65535"), answers.get(4));
+  }
+
+  @Test
   void refusalOfTheControllerHasItsCode() {
     String refused = Lines.last(CREATE, Lines.load(WAIT), START, START);
     assertTrue(

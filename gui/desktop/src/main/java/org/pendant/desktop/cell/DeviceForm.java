@@ -171,6 +171,17 @@ final class DeviceForm {
       case DeviceField.Amount amount -> addAmount(amount, part);
       case DeviceField.Wire wire -> addWire(wire, part);
       case DeviceField.Place place -> addPlace(place, part);
+      case DeviceField.Words words ->
+          form.text(
+              words.title(),
+              device -> part.get.apply(device).text(words.key()),
+              (device, typed) ->
+                  part.change(device, text -> text.withText(words.key(), typed.strip())));
+      case DeviceField.Values values ->
+          form.text(
+              values.title(),
+              device -> part.get.apply(device).values(values.key()),
+              (device, typed) -> part.change(device, text -> text.withValues(values.key(), typed)));
       case DeviceField.Subject subject ->
           form.choice(
               subject.title(),
@@ -360,7 +371,9 @@ final class DeviceForm {
                   device.withText(
                       subject.key(),
                       subjects(subject, scene).stream().findFirst().orElse(NO_SUBJECT));
+              case DeviceField.Words words -> device.withText(words.key(), words.example());
               case DeviceField.Flag _,
+                  DeviceField.Values _,
                   DeviceField.Subjects _,
                   DeviceField.Spot _,
                   DeviceField.Group _ ->

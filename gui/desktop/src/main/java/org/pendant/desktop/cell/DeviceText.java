@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.pendant.controller.device.DeviceKind;
 import org.pendant.controller.world.Vector3;
@@ -27,6 +29,7 @@ record DeviceText(Map<String, String> members) {
   private static final String TYPE = "type";
   private static final String NAME = "name";
   private static final int AXES = 3;
+  private static final Pattern NAMED_NUMBER = Pattern.compile("(\\w+\\[\\d+\\]) *= *(-?\\d{1,9})");
 
   /** Copies the members. */
   DeviceText {
@@ -139,6 +142,41 @@ record DeviceText(Map<String, String> members) {
         ? without(key)
         : with(
             key, texts.stream().map(JsonValues::text).collect(Collectors.joining(", ", "[", "]")));
+  }
+
+  /** Numbers by their names, as people type them: {@code register[3] = 17, coil[0] = 1}. */
+  String values(String key) {
+    String json = members.get(key);
+    return json != null && parsed(json) instanceof Json.Members object
+        ? object.byKey().entrySet().stream()
+            .map(each -> each.getKey() + " = " + JsonValues.of(each.getValue().value()))
+            .collect(Collectors.joining(", "))
+        : "";
+  }
+
+  /**
+   * With other numbers by their names; nothing where there are none.
+   *
+   * @throws IllegalArgumentException if that is not what {@link #values} makes
+   */
+  DeviceText withValues(String key, String typed) {
+    if (typed.isBlank()) {
+      return without(key);
+    }
+    Map<String, String> values = new LinkedHashMap<>();
+    for (String each : typed.split(",", -1)) {
+      Matcher parts = NAMED_NUMBER.matcher(each.strip());
+      if (!parts.matches()) {
+        throw new IllegalArgumentException(
+            "is " + each.strip() + ", must be as in register[3] = 17, with commas between");
+      }
+      values.put(parts.group(1), parts.group(2));
+    }
+    return with(
+        key,
+        values.entrySet().stream()
+            .map(each -> JsonValues.text(each.getKey()) + ": " + each.getValue())
+            .collect(Collectors.joining(", ", "{", "}")));
   }
 
   OptionalDouble number(String key) {

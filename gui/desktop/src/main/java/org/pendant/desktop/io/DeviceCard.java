@@ -10,6 +10,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
@@ -38,6 +39,11 @@ final class DeviceCard {
     private final JLabel name = new JLabel();
     private final JLabel doing = new JLabel();
     private final JCheckBox part = new JCheckBox("Part");
+    private final DeviceSignals signals;
+
+    private Line(DeviceSignals signals) {
+      this.signals = signals;
+    }
   }
 
   /**
@@ -67,6 +73,7 @@ final class DeviceCard {
       }
       for (int i = 0; i < lines.size(); i++) {
         show(lines.get(i), DeviceRow.of(shown.get(i)));
+        lines.get(i).signals.show(shown.get(i));
       }
     }
     for (Line line : lines) {
@@ -83,7 +90,7 @@ final class DeviceCard {
     lines.clear();
     table.removeAll();
     for (DeviceState device : shown) {
-      Line line = new Line();
+      Line line = new Line(new DeviceSignals(this::set, tell));
       DeviceRow row = DeviceRow.of(device);
       line.name.setText(row.name());
       line.name.setToolTipText(row.kind());
@@ -93,26 +100,46 @@ final class DeviceCard {
       TitledCard.named(
           line.part,
           "device-" + row.name() + "-part",
-          row.pressable()
-              ? "Press " + row.name() + " by hand"
-              : "Put a part where " + row.name() + " grips");
-      line.part.setText(row.pressable() ? "Press" : "Part");
-      line.part.setVisible(row.takesPart());
+          switch (row.box()) {
+            case PRESS -> "Press " + row.name() + " by hand";
+            case ONLINE -> "Have " + row.name() + " on the network";
+            case PART, NONE -> "Put a part where " + row.name() + " grips";
+          });
+      line.part.setText(row.box().text());
+      line.part.setVisible(row.box() != DeviceRow.Box.NONE);
       line.part.addActionListener(
-          event -> put(device.name(), line.part.isSelected() ? PART * device.mostM() : 0));
+          event -> {
+            boolean on = line.part.isSelected();
+            if (row.box() == DeviceRow.Box.ONLINE) {
+              set(device.name() + "." + DeviceSignals.ONLINE, on ? 1 : 0);
+            } else {
+              submit(new WorldCommand.PutPart(device.name(), on ? PART * device.mostM() : 0));
+            }
+          });
       table.add(line.name, "wmin 0");
       table.add(line.part);
       table.add(line.doing, "span 2, growx, w 0:100:, gapbottom 4");
+      if (!device.signals().isEmpty()) {
+        line.signals.show(device);
+        table.add(
+            new JScrollPane(
+                new DeviceSignalTable("device-" + row.name() + "-signals", line.signals)),
+            "span 2, growx, w 0:100:, gapbottom 4");
+      }
       lines.add(line);
     }
     card.revalidate();
     card.repaint();
   }
 
-  private void put(String device, double widthM) {
+  private void set(String signal, int value) {
+    submit(new WorldCommand.SetSignal(signal, value));
+  }
+
+  private void submit(Command command) {
     var _ =
         submit
-            .apply(new WorldCommand.PutPart(device, widthM))
+            .apply(command)
             .thenAccept(
                 reply ->
                     reply
@@ -121,7 +148,7 @@ final class DeviceCard {
   }
 
   private static void show(Line line, DeviceRow row) {
-    line.part.setSelected(row.hasPart());
+    line.part.setSelected(row.boxOn());
     if (!row.doing().equals(line.doing.getText())) {
       line.doing.setText(row.doing());
       line.doing.setToolTipText(row.name() + ": " + row.doing());

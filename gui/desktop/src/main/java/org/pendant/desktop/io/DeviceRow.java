@@ -9,11 +9,10 @@ import org.pendant.controller.device.DeviceState;
  * @param name what it is called
  * @param kind what it is
  * @param doing what it is at
- * @param takesPart whether people can put a part into it
- * @param hasPart whether there is one
+ * @param box what its box does
+ * @param boxOn whether that is so
  */
-public record DeviceRow(
-    String name, String kind, String doing, boolean takesPart, boolean hasPart) {
+public record DeviceRow(String name, String kind, String doing, Box box, boolean boxOn) {
   private static final double MM = 1e-3;
   private static final String DOOR = "door";
   private static final String LIMIT_SWITCH = "limit switch";
@@ -21,16 +20,50 @@ public record DeviceRow(
 
   /** A device as it is now. */
   public static DeviceRow of(DeviceState device) {
+    Box box = box(device);
     return new DeviceRow(
-        device.name(), device.kind(), doing(device), device.mostM() > 0, device.partM() > 0);
+        device.name(),
+        device.kind(),
+        doing(device),
+        box,
+        box == Box.ONLINE ? device.on() : device.partM() > 0);
   }
 
-  /** Whether people press it, and put no part into it. */
-  boolean pressable() {
-    return kind.equals(LIMIT_SWITCH) || kind.equals(BUTTON);
+  /** What people can do to a device. */
+  public enum Box {
+    NONE(""),
+    PART("Part"),
+    PRESS("Press"),
+    ONLINE("Online");
+
+    private final String text;
+
+    Box(String text) {
+      this.text = text;
+    }
+
+    /** What is beside it. */
+    public String text() {
+      return text;
+    }
+  }
+
+  private static Box box(DeviceState device) {
+    if (!DeviceSignals.online(device).isEmpty()) {
+      return Box.ONLINE;
+    }
+    if (device.mostM() == 0) {
+      return Box.NONE;
+    }
+    return device.kind().equals(LIMIT_SWITCH) || device.kind().equals(BUTTON)
+        ? Box.PRESS
+        : Box.PART;
   }
 
   private static String doing(DeviceState device) {
+    if (box(device) == Box.ONLINE) {
+      return device.on() ? "On the network" : "Off the network";
+    }
     if (device.strokeM() == 0) {
       return switch (device.kind()) {
         case "camera" -> device.on() ? "Sees a part" : "Sees nothing";

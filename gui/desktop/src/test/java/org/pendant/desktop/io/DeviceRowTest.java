@@ -44,7 +44,8 @@ final class DeviceRowTest {
   void switchesTellWhetherTheyArePressedAndLampsWhetherTheyAreLit() {
     DeviceState button = new DeviceState("b", "button", 0, 0, 0, true, 1, 1, 0);
     assertEquals("Pressed", doing(button));
-    assertTrue(DeviceRow.of(button).pressable());
+    assertEquals(DeviceRow.Box.PRESS, DeviceRow.of(button).box());
+    assertTrue(DeviceRow.of(button).boxOn());
     assertEquals(
         "Not pressed", doing(new DeviceState("l", "limit switch", 0, 0, 0, false, 1, 0, 0)));
     assertEquals("Lit", doing(new DeviceState("r", "lamp", 0, 0, 0, true, 0, 0, 0)));
