@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.protocols.dashboard.DashboardServer;
 import org.pendant.protocols.device.DeviceServer;
+import org.pendant.protocols.device.ProcedureServer;
 import org.pendant.protocols.eip.EipServer;
 import org.pendant.protocols.interpreter.InterpreterServer;
 import org.pendant.protocols.modbus.ModbusServer;
@@ -69,6 +70,9 @@ public final class BoxPorts implements AutoCloseable {
     }
     for (DeviceState device : DeviceServer.wanted(serverContext)) {
       ports.open(device.port(), () -> DeviceServer.open(serverContext, numbers, device));
+    }
+    for (int port : ProcedureServer.wanted(serverContext)) {
+      ports.open(port, () -> ProcedureServer.open(serverContext, numbers, port));
     }
     ports.needFramesOf(serverContext.frames());
     return ports;

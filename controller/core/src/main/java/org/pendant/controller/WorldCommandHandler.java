@@ -1,5 +1,6 @@
 package org.pendant.controller;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.WorldCommand;
@@ -8,6 +9,7 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.value.Value;
 
 /** Handler of what is done to the simulated world. */
 final class WorldCommandHandler implements CommandHandler<WorldCommand> {
@@ -47,6 +49,9 @@ final class WorldCommandHandler implements CommandHandler<WorldCommand> {
           box.links().devices().set(signal, value);
       case WorldCommand.TellDevice(int port, long connection, String bytes) -> {
         return new Reply.Told(box.links().devices().hear(port, connection, bytes));
+      }
+      case WorldCommand.CallDevice(int port, String method, List<Value> arguments) -> {
+        return new Reply.Returned(box.links().devices().call(port, method, arguments));
       }
       case WorldCommand.LeaveDevice(int port, long connection) ->
           box.links().devices().leave(port, connection);

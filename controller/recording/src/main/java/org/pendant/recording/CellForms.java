@@ -66,6 +66,7 @@ final class CellForms {
           out.number(value.mostM());
           out.number(value.partM());
           out.whole(value.port());
+          out.whole(value.procedurePort());
           SIGNALS.write(value.signals(), out);
         }
 
@@ -80,6 +81,7 @@ final class CellForms {
               in.bool(),
               in.number(),
               in.number(),
+              in.integer(),
               in.integer(),
               SIGNALS.read(in));
         }

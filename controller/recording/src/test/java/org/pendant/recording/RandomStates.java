@@ -487,6 +487,7 @@ final class RandomStates {
         number(),
         number(),
         random.nextInt(65536),
+        (int) frame,
         frame % 2 == 0
             ? List.of()
             : List.of(

@@ -38,20 +38,10 @@ public final class DeviceServer implements Server {
       ServerContext serverContext, PortNumbers numbers, DeviceState device) throws IOException {
     String kind = device.kind();
     Listening listening =
-        numbers.listening(
-            kind.substring(0, 1).toUpperCase(Locale.ROOT) + kind.substring(1), device.port());
-    if (listening.port() > MAX_PORT) {
-      throw new IOException(
-          "the "
-              + kind
-              + " would listen at port "
-              + listening.port()
-              + ", must be at most "
-              + MAX_PORT
-              + ": an offset of "
-              + (MAX_PORT - device.port())
-              + " leaves room");
-    }
+        listening(
+            numbers,
+            kind.substring(0, 1).toUpperCase(Locale.ROOT) + kind.substring(1),
+            device.port());
     AtomicLong connections = new AtomicLong();
     return new DeviceServer(
         TcpPort.open(
@@ -63,6 +53,28 @@ public final class DeviceServer implements Server {
                     device.port(),
                     connections.incrementAndGet()),
             serverContext.log()));
+  }
+
+  /**
+   * How a device listens.
+   *
+   * @param name of the port
+   * @throws IOException if the offset of ports leaves no room for it
+   */
+  static Listening listening(PortNumbers numbers, String name, int port) throws IOException {
+    Listening listening = numbers.listening(name, port);
+    if (listening.port() > MAX_PORT) {
+      throw new IOException(
+          name
+              + " would listen at port "
+              + listening.port()
+              + ", must be at most "
+              + MAX_PORT
+              + ": an offset of "
+              + (MAX_PORT - port)
+              + " leaves room");
+    }
+    return listening;
   }
 
   @Override

@@ -117,7 +117,7 @@ final class InterpreterSession implements Session {
           discard(discarded.reason(), line);
       case Reply.Refused _, Reply.Failed _, Reply.Busy _ ->
           discard(reply.complaint().orElseThrow(), line);
-      case Reply.Done _, Reply.InterpreterState _, Reply.Told _ ->
+      case Reply.Done _, Reply.InterpreterState _, Reply.Told _, Reply.Returned _ ->
           throw new IllegalStateException("not an answer to a line: " + reply);
     };
   }

@@ -40,7 +40,7 @@ class DeviceServerTest {
           assertThrows(IOException.class, () -> DeviceServer.open(context, numbers, TWO_FINGER))
               .getMessage();
       assertEquals(
-          "the two-finger gripper would listen at port 67352, must be at most 65535: an offset of"
+          "Two-finger gripper would listen at port 67352, must be at most 65535: an offset of"
               + " 2183 leaves room",
           why);
     }

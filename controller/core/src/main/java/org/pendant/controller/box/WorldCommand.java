@@ -1,11 +1,13 @@
 package org.pendant.controller.box;
 
+import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.world.HandGrip;
 import org.pendant.controller.world.Vector3;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.pose.Wrench;
+import org.pendant.script.value.Value;
 
 /** Command to the simulated world around the arm: what pushes it, is mounted on it or passes by. */
 public sealed interface WorldCommand extends Command {
@@ -95,6 +97,19 @@ public sealed interface WorldCommand extends Command {
    * @param bytes one {@code char} a byte; empty where nothing has followed what was said before
    */
   record TellDevice(int port, long connection, String bytes) implements WorldCommand {}
+
+  /**
+   * Calls a procedure of a device of the cell from outside, and is answered by {@link
+   * org.pendant.controller.command.Reply.Returned}.
+   *
+   * @param port at which programs reach its procedures
+   */
+  record CallDevice(int port, String method, List<Value> arguments) implements WorldCommand {
+    /** Copies the list. */
+    public CallDevice {
+      arguments = List.copyOf(arguments);
+    }
+  }
 
   /** A connection of {@link TellDevice} has ended. */
   record LeaveDevice(int port, long connection) implements WorldCommand {}

@@ -1,6 +1,7 @@
 package org.pendant.controller.command;
 
 import java.util.Optional;
+import org.pendant.script.value.Value;
 import org.pendant.script.vm.Interpreter;
 import org.pendant.script.vm.InterpreterStatus;
 import org.pendant.script.vm.ScriptFailure;
@@ -45,6 +46,9 @@ public sealed interface Reply {
    */
   record Told(String bytes) implements Reply {}
 
+  /** What a procedure of a device of the cell returns. */
+  record Returned(Value value) implements Reply {}
+
   /** Carried out. */
   static Reply done() {
     return new Done();
@@ -61,7 +65,7 @@ public sealed interface Reply {
       case Refused refused -> Optional.of(refused.refusal().text());
       case Failed failed -> Optional.of(failed.failure().message());
       case Busy busy -> Optional.of(busy.text());
-      case Done _, InterpreterState _, Interpreted _, Told _ -> Optional.empty();
+      case Done _, InterpreterState _, Interpreted _, Told _, Returned _ -> Optional.empty();
     };
   }
 }

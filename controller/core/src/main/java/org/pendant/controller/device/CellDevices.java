@@ -22,6 +22,7 @@ import org.pendant.controller.wire.SignalLines;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.models.json.Json;
 import org.pendant.script.value.ScriptError;
+import org.pendant.script.value.Value;
 
 /**
  * Devices of the cell: what programs reach at the controller's own address, and what answers its
@@ -139,9 +140,25 @@ public final class CellDevices {
 
   private RpcLink openServer(String url, Connectors others) throws ScriptError {
     int port = OwnAddress.portOf(url);
-    List<CellDevice> servers =
-        devices.stream().filter(each -> each.procedurePort().orElse(-1) == port).toList();
+    List<CellDevice> servers = servers(port);
     return servers.isEmpty() ? others.rpc().open(url) : new DeviceProcedures(servers);
+  }
+
+  private List<CellDevice> servers(int port) {
+    return devices.stream().filter(each -> each.procedurePort().orElse(-1) == port).toList();
+  }
+
+  /**
+   * Calls a procedure of the devices that serve a port.
+   *
+   * @throws IllegalArgumentException if there is none of this name, or it is called wrongly
+   */
+  public Value call(int port, String method, List<Value> arguments) {
+    try {
+      return DeviceProcedures.call(servers(port), method, arguments);
+    } catch (ScriptError e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
   }
 
   /**
@@ -289,7 +306,7 @@ public final class CellDevices {
   private static boolean isAt(CellDevice device, DeviceState state) {
     Optional<Fingers> fingers = device.fingers();
     return device.on() == state.on()
-        && device.signalStates() == state.signals()
+        && device.signalStates().equals(state.signals())
         && device.partM() == state.partM()
         && (fingers.isEmpty()
             || (fingers.get().openingM() == state.openingM()
@@ -308,6 +325,7 @@ public final class CellDevices {
         device.mostM(),
         device.partM(),
         device.port().orElse(0),
+        device.procedurePort().orElse(0),
         device.signalStates());
   }
 

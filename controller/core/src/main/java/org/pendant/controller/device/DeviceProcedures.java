@@ -17,10 +17,16 @@ record DeviceProcedures(List<CellDevice> devices) implements RpcLink {
 
   @Override
   public Pending call(String method, List<Value> arguments) throws ScriptError {
+    return new AnsweredNow(call(devices, method, arguments));
+  }
+
+  /** What the first device answers that has such a procedure. */
+  static Value call(List<CellDevice> devices, String method, List<Value> arguments)
+      throws ScriptError {
     for (CellDevice each : devices) {
       Optional<Value> answer = each.call(method, arguments);
       if (answer.isPresent()) {
-        return new AnsweredNow(answer.get());
+        return answer.get();
       }
     }
     throw new ScriptError(

@@ -15,6 +15,7 @@ import org.pendant.controller.wire.SignalGroupState;
  * @param mostM how wide a part may be that is put into it; 0 where it holds none
  * @param partM how wide the part is that is there for it to hold; 0 for none
  * @param port at which programs reach it by a socket; 0 for none
+ * @param procedurePort at which they call its procedures; 0 for none
  * @param signals that others are wired to; none for most devices
  */
 public record DeviceState(
@@ -27,13 +28,14 @@ public record DeviceState(
     double mostM,
     double partM,
     int port,
+    int procedurePort,
     List<SignalGroupState> signals) {
   /** Copies the list. */
   public DeviceState {
     signals = List.copyOf(signals);
   }
 
-  /** A device without signals. */
+  /** A device without procedures and signals. */
   public DeviceState(
       String name,
       String kind,
@@ -44,6 +46,6 @@ public record DeviceState(
       double mostM,
       double partM,
       int port) {
-    this(name, kind, strokeM, openingM, forceN, on, mostM, partM, port, List.of());
+    this(name, kind, strokeM, openingM, forceN, on, mostM, partM, port, 0, List.of());
   }
 }

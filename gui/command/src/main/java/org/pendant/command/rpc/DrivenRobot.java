@@ -135,7 +135,11 @@ final class DrivenRobot implements AutoCloseable {
               failed.failure().message(),
               StateRecord.place(failed.failure(), startedFile));
       case Reply.Busy busy -> throw new RpcFailure(RpcFailure.REFUSED, busy.text());
-      case Reply.Done _, Reply.InterpreterState _, Reply.Interpreted _, Reply.Told _ -> {}
+      case Reply.Done _,
+          Reply.InterpreterState _,
+          Reply.Interpreted _,
+          Reply.Told _,
+          Reply.Returned _ -> {}
     }
   }
 

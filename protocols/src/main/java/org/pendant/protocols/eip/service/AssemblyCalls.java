@@ -9,6 +9,7 @@ import org.pendant.protocols.http.HttpCall;
 import org.pendant.protocols.http.HttpReply;
 import org.pendant.protocols.http.HttpService;
 import org.pendant.protocols.http.HttpStatus;
+import org.pendant.protocols.xmlrpc.CallAnswer;
 import org.pendant.protocols.xmlrpc.CallReader;
 
 /** Assembly calls: what can be called (manual 21.1.1, 21.1.2). */
@@ -39,10 +40,11 @@ final class AssemblyCalls implements HttpService {
         case "add_configuration" -> bool(add(read.parameters()));
         case "is_instance_connected" -> connected(read.parameters());
         default ->
-            fault(UNKNOWN_METHOD, "must be called as add_configuration or is_instance_connected");
+            CallAnswer.fault(
+                UNKNOWN_METHOD, "must be called as add_configuration or is_instance_connected");
       };
     } catch (XmlRpcException e) {
-      return fault(NOT_XML_RPC, "the call is not XML-RPC");
+      return CallAnswer.fault(NOT_XML_RPC, "the call is not XML-RPC");
     }
   }
 
@@ -70,21 +72,13 @@ final class AssemblyCalls implements HttpService {
   private String connected(List<Object> parameters) {
     return parameters.size() == 1 && parameters.getFirst() instanceof Integer instance
         ? bool(configuration.connected(instance))
-        : fault(WRONG_PARAMETERS, "is_instance_connected takes one int, a PLC to robot instance");
+        : CallAnswer.fault(
+            WRONG_PARAMETERS, "is_instance_connected takes one int, a PLC to robot instance");
   }
 
   private static String bool(boolean value) {
     return "<?xml version=\"1.0\"?><methodResponse><params><param><value><boolean>"
         + (value ? 1 : 0)
         + "</boolean></value></param></params></methodResponse>";
-  }
-
-  private static String fault(int code, String text) {
-    return "<?xml version=\"1.0\"?><methodResponse><fault><value><struct>"
-        + "<member><name>faultCode</name><value><int>"
-        + code
-        + "</int></value></member><member><name>faultString</name><value><string>"
-        + text
-        + "</string></value></member></struct></value></fault></methodResponse>";
   }
 }

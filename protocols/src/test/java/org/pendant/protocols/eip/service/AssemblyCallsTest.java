@@ -90,30 +90,30 @@ class AssemblyCallsTest {
   void tellsWhetherAScannerIsConnected() throws InterruptedException {
     assertBool(true, call("is_instance_connected", number(111)));
     assertBool(false, call("is_instance_connected", number(112)));
-    assertTrue(call("is_instance_connected").contains("<int>3</int>"));
+    assertTrue(call("is_instance_connected").contains("<i4>3</i4>"));
   }
 
   @Test
   void otherMethodsAndWhatIsNoCallAreFaults() throws InterruptedException {
-    assertTrue(call("system.exec").contains("<int>2</int>"));
-    assertTrue(answer("").contains("<int>1</int>"));
-    assertTrue(answer("<a>").contains("<int>1</int>"));
-    assertTrue(answer("<methodCall></methodCall>").contains("<int>1</int>"));
+    assertTrue(call("system.exec").contains("<i4>2</i4>"));
+    assertTrue(answer("").contains("<i4>1</i4>"));
+    assertTrue(answer("<a>").contains("<i4>1</i4>"));
+    assertTrue(answer("<methodCall></methodCall>").contains("<i4>1</i4>"));
     assertTrue(
         answer("<!DOCTYPE a [<!ENTITY b SYSTEM 'file:///etc/hostname'>]><methodCall/>")
-            .contains("<int>1</int>"));
+            .contains("<i4>1</i4>"));
     assertTrue(
         answer(
                 "<methodCall><methodName>a</methodName><params><param><value>"
                     + "<array><data><value>".repeat(100))
-            .contains("<int>1</int>"));
+            .contains("<i4>1</i4>"));
   }
 
   @Test
   void anyChangeOfACallIsAnswered() throws InterruptedException {
     String right =
         "<?xml version='1.0'?><methodCall><methodName>add_configuration</methodName><params>"
-            + "<param><value><int>1</int></value></param><param><value>x</value></param><param>"
+            + "<param><value><i4>1</i4></value></param><param><value>x</value></param><param>"
             + "<value><double>1.5</double></value></param><param><value><struct><member><name>a"
             + "</name><value><array><data><value><boolean>1</boolean></value></data></array>"
             + "</value></member></struct></value></param></params></methodCall>";

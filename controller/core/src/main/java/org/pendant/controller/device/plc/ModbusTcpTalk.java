@@ -46,7 +46,7 @@ final class ModbusTcpTalk implements DeviceTalk {
       if (!answer.isEmpty()) {
         answers
             .append(received, 0, HEAD - 2)
-            .append((char) (answer.length() + 1 >> Byte.SIZE))
+            .append((char) ((answer.length() + 1) >> Byte.SIZE))
             .append((char) (answer.length() + 1 & 0xFF))
             .append(received.charAt(HEAD))
             .append(answer);

@@ -70,7 +70,7 @@ public final class ModbusUnit {
 
   /** All its signals; the same list until one changes. */
   public List<SignalGroupState> state() {
-    if (memory.state() != memoryState || online != onlineTold) {
+    if (!memory.state().equals(memoryState) || online != onlineTold) {
       memoryState = memory.state();
       onlineTold = online;
       List<SignalGroupState> all = new ArrayList<>(memoryState);
