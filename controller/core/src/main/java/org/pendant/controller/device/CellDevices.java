@@ -99,7 +99,7 @@ public final class CellDevices {
               new SourceDevice(source, world.pool(source.object(), source.count()), lines, log);
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
-          case DeviceSetup.Modbus modbus -> new ModbusDevice(modbus);
+          case DeviceSetup.Modbus modbus -> new PlcDevice(modbus);
           case DeviceSetup.Lamp lamp -> new LampDevice(lamp, lines);
           case DeviceSetup.Switch pressed ->
               new SwitchDevice(pressed, tools, pressed.area().watch(world), lines);

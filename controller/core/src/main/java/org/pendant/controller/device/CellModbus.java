@@ -38,8 +38,8 @@ record CellModbus(List<CellDevice> devices, ModbusConnector others) implements M
 
   private Optional<ModbusUnit> unit(ModbusAddress address) {
     return devices.stream()
-        .filter(ModbusDevice.class::isInstance)
-        .map(ModbusDevice.class::cast)
+        .filter(PlcDevice.class::isInstance)
+        .map(PlcDevice.class::cast)
         .flatMap(each -> each.unit(address).stream())
         .findFirst();
   }

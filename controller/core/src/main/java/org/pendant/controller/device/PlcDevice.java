@@ -11,11 +11,11 @@ import org.pendant.controller.wire.SignalGroupState;
 import org.pendant.controller.wire.SignalOwner;
 
 /** Modbus device: a PLC, or something else that signals of programs reach by Modbus TCP. */
-final class ModbusDevice implements CellDevice {
+final class PlcDevice implements CellDevice {
   private final DeviceSetup.Modbus setup;
   private final ModbusUnit unit;
 
-  ModbusDevice(DeviceSetup.Modbus setup) {
+  PlcDevice(DeviceSetup.Modbus setup) {
     this.setup = setup;
     ModbusMemory memory = new ModbusMemory(setup.first(), setup.counts());
     setup
