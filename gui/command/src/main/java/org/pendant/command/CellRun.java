@@ -197,8 +197,7 @@ final class CellRun {
       boolean first = broken.isPresent() && broken.get().equals(part);
       boolean cut = cutOff.contains(part) && !first;
       if (cut && timedOut.isPresent()) {
-        part.report().error("stopped after " + timedOut.get());
-        code = code.or(ExitCode.TIMED_OUT);
+        code = code.or(part.report().timedOut(timedOut.get()));
       } else if (cut && broken.isPresent() && part.state().safety().stop().isEmpty()) {
         part.report()
             .complain(

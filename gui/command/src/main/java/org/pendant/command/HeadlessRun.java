@@ -98,7 +98,7 @@ final class HeadlessRun {
       }
     }
     comeToRest();
-    return timedOut.isPresent() ? tellTimedOut(timedOut.get()) : report.ended();
+    return timedOut.isPresent() ? report.timedOut(timedOut.get()) : report.ended();
   }
 
   /** Which time limit is over. */
@@ -167,11 +167,6 @@ final class HeadlessRun {
     for (int i = 0; i < MAX_FRAMES_TO_REST && robot.state().arm().moving(); i++) {
       advance();
     }
-  }
-
-  private ExitCode tellTimedOut(String limit) {
-    report.error("stopped after " + limit);
-    return ExitCode.TIMED_OUT;
   }
 
   /** One frame, and what it brought to print and record. */

@@ -20,6 +20,10 @@ final class ProgramReport {
   private final Console console;
   private final String prefix;
   private Optional<SafetyStop> heldBy = Optional.empty();
+
+  /** What the log says of a safety stop that the program will end with, which tells it then. */
+  private Optional<LogEntry> stopEntry = Optional.empty();
+
   private int lastLine;
   private boolean pendingOutput;
 
@@ -79,11 +83,27 @@ final class ProgramReport {
         console.printBytes(prefix + entry.text());
         pendingOutput = true;
       }
-      case CONTROLLER, SAFETY, PROTOCOL -> complain(Report.logEntry(source, entry));
+      case SAFETY -> {
+        if (stopEntry.isEmpty() && tellsOfStop(entry)) {
+          stopEntry = Optional.of(entry);
+        } else {
+          complain(Report.logEntry(source, entry));
+        }
+      }
+      case CONTROLLER, PROTOCOL -> complain(Report.logEntry(source, entry));
       case ENDING -> {
         // Said with its place and call stack when the program has ended.
       }
     }
+  }
+
+  private boolean tellsOfStop(LogEntry entry) {
+    return robot
+        .state()
+        .safety()
+        .stop()
+        .filter(stop -> stop.message().equals(entry.text()))
+        .isPresent();
   }
 
   /** A line about it on standard error. */
@@ -101,9 +121,18 @@ final class ProgramReport {
     heldBy = Optional.of(stop);
   }
 
+  /** Says that it was stopped as its time was over. */
+  ExitCode timedOut(String limit) {
+    tellStopEntry(Optional.empty());
+    error("stopped after " + limit);
+    return ExitCode.TIMED_OUT;
+  }
+
   /** Says how it ended. */
   ExitCode ended() {
     Ending ending = robot.state().program().ending().orElseThrow();
+    Optional<String> why = stopReason(ending);
+    tellStopEntry(why);
     return switch (ending) {
       case Ending.Finished finished -> ExitCode.DONE;
       case Ending.Halted halted -> ExitCode.DONE;
@@ -120,11 +149,6 @@ final class ProgramReport {
             : ExitCode.PROGRAM_FAILED;
       }
       case Ending.Stopped stopped -> {
-        Optional<String> why =
-            heldBy
-                .or(() -> robot.state().safety().stop())
-                .map(SafetyStop::message)
-                .or(() -> robot.state().arm().fault().map(MotionFailure::message));
         int line = stoppedInLine();
         why.ifPresent(reason -> error("stopped in line " + line + ": " + reason));
         if (why.isPresent()) {
@@ -133,6 +157,23 @@ final class ProgramReport {
         yield why.isPresent() ? ExitCode.PROGRAM_FAILED : ExitCode.DONE;
       }
     };
+  }
+
+  /** What stopped a program that did not end by itself; empty if somebody wished it. */
+  private Optional<String> stopReason(Ending ending) {
+    return ending instanceof Ending.Stopped
+        ? heldBy
+            .or(() -> robot.state().safety().stop())
+            .map(SafetyStop::message)
+            .or(() -> robot.state().arm().fault().map(MotionFailure::message))
+        : Optional.empty();
+  }
+
+  /** The line of the log of a safety stop, unless it is told as the reason of the end. */
+  private void tellStopEntry(Optional<String> reason) {
+    stopEntry
+        .filter(entry -> !reason.equals(Optional.of(entry.text())))
+        .ifPresent(entry -> complain(Report.logEntry(source, entry)));
   }
 
   /** The line of the program that a safety stop met, or the last one that it reached. */
