@@ -311,6 +311,23 @@ public final class Recording {
         });
   }
 
+  /**
+   * Shows what the controller published in every {@code each}th frame: those from {@code from} to
+   * {@code to} whose number {@code each} divides, whether they changed something or not. Takes
+   * about a microsecond for each, and as long as {@link #frames} for those between.
+   */
+  public void everyNth(int each, long from, long to, Consumer<ControllerState> reader) {
+    long last = Math.min(to, lastFrame);
+    long frame = Math.ceilDiv(Math.max(from, firstFrame()), each) * each;
+    for (int i = stretchOf(frame); frame <= last; i++) {
+      long end = i + 1 < stretches.size() ? stretches.get(i + 1).firstFrame() - 1 : last;
+      SegmentCursor cursor = entries(i);
+      for (; frame <= Math.min(end, last); frame += each) {
+        reader.accept(snapshots.of(cursor.toFrame(frame), frame));
+      }
+    }
+  }
+
   Snapshots snapshots() {
     return snapshots;
   }

@@ -51,6 +51,13 @@ final class SegmentCursor {
     return this;
   }
 
+  /**
+   * To the last entry of frame {@code frame}, which is not before the present one, or before it.
+   */
+  SegmentCursor toFrame(long frame) {
+    return to(segment.entryAt(frame, count));
+  }
+
   /** Frame of the present entry. */
   long frame() {
     return segment.frame(entry);

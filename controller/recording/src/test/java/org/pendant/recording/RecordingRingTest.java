@@ -3,6 +3,7 @@ package org.pendant.recording;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
@@ -118,6 +120,29 @@ final class RecordingRingTest {
       SameState.assertSameButAmbient(each, recording.atFrame(each.frame()));
     }
     assertEquals(6.0, recording.lastS());
+  }
+
+  @Test
+  void everyNthFrameIsGivenWhetherItChangedSomethingOrNot() {
+    List<ControllerState> states = run(BUSY, 4000);
+    RecordingRing ring = new RecordingRing(start, Optional::empty);
+    states.forEach(ring::take);
+    Recording recording = ring.recording();
+    for (int each : new int[] {1, 4, 999}) {
+      List<Long> frames = new ArrayList<>();
+      recording.everyNth(
+          each,
+          150,
+          9000,
+          state -> {
+            frames.add(state.frame());
+            SameState.assertSame(recording.atFrame(state.frame()), state);
+          });
+      List<Long> expected =
+          LongStream.rangeClosed(150, 4000).filter(frame -> frame % each == 0).boxed().toList();
+      assertEquals(expected, frames);
+    }
+    recording.everyNth(4, 4001, 9000, state -> fail("there is no such frame"));
   }
 
   @Test

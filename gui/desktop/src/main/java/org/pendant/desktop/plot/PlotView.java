@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.io.SignalLabels;
+import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -27,18 +28,19 @@ public final class PlotView implements View {
   private Optional<PlotPane> pane = Optional.empty();
 
   private final JPanel content = new JPanel(new BorderLayout());
+  private boolean following;
 
   /**
-   * Charts that were there the last time; recording begins now.
+   * Charts that were there the last time.
    *
    * @param labels names of signals
    */
   public PlotView(Workbench workbench, SignalLabels labels) {
     this.workbench = workbench;
-    PlotHistory plotHistory = new PlotHistory();
-    workbench.session().addFrameListener(plotHistory);
+    History history = new History(workbench.session()::recording);
+    workbench.session().addSwitchListener(afresh(history));
     ChartQuantities quantities = ChartQuantities.standard(labels::of);
-    presenter = new PlotPresenter(quantities, new History(plotHistory), workbench.settings());
+    presenter = new PlotPresenter(quantities, history, workbench.settings());
     presenter.onRefusal(workbench::notify);
     VariableTrace trace =
         new VariableTrace(workbench.session()::submit, EventQueue::invokeLater, workbench::notify);
@@ -47,6 +49,18 @@ public final class PlotView implements View {
     content.setName("plot-view");
     content.getAccessibleContext().setAccessibleName(title());
     declareActions();
+  }
+
+  private static SwitchListener afresh(History history) {
+    return new SwitchListener() {
+      @Override
+      public void switchingOff() {}
+
+      @Override
+      public void switchedOn() {
+        history.anotherController();
+      }
+    };
   }
 
   private PlotPane pane() {
@@ -103,8 +117,21 @@ public final class PlotView implements View {
   @Override
   public void refresh(ControllerState state) {
     showVariables(state);
+    follow();
+  }
+
+  /** Much that is recorded and not shown yet follows piece by piece, other events between. */
+  private void follow() {
     if (presenter.refresh()) {
       pane().stack().refresh();
+    }
+    if (presenter.history().behind() && !following) {
+      following = true;
+      EventQueue.invokeLater(
+          () -> {
+            following = false;
+            follow();
+          });
     }
   }
 

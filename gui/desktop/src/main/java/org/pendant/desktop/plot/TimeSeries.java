@@ -11,7 +11,7 @@ import java.util.function.ToDoubleFunction;
  */
 final class TimeSeries {
   private final int kept;
-  private final double[] timeS;
+  private double[] timeS = {};
   private final Map<ChartQuantity, double[]> columns = new LinkedHashMap<>();
   private long first;
   private long end;
@@ -26,7 +26,6 @@ final class TimeSeries {
     this.kept = kept;
     this.first = first;
     end = first;
-    timeS = new double[kept];
   }
 
   /** Forgets everything; the next sample has number {@code number}. */
@@ -37,6 +36,10 @@ final class TimeSeries {
 
   /** Adds a sample. */
   void take(double atS, ToDoubleFunction<ChartQuantity> values) {
+    if (timeS.length == 0) {
+      // made when it is needed: it takes megabytes
+      timeS = new double[kept];
+    }
     int slot = slot(end);
     timeS[slot] = atS;
     if (end > first && atS <= timeS[slot(end - 1)]) {

@@ -18,7 +18,7 @@ final class HistoryTest {
   @Test
   void everyFourthFrameIsASample() {
     arm.frames(40);
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     assertTrue(history.follow());
     TimeSeries series = history.of(TIME);
     assertEquals(10, series.end() - series.first());
@@ -29,7 +29,7 @@ final class HistoryTest {
   @Test
   void aQuantityThatIsAddedLaterHasItsPast() {
     arm.frames(40);
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.follow();
     history.track(TIME);
     arm.frames(40);
@@ -45,7 +45,7 @@ final class HistoryTest {
   @Test
   void anotherControllerBeginsAnotherHistory() {
     arm.frames(400);
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.track(TIME);
     history.follow();
     arm.restart();
@@ -56,9 +56,50 @@ final class HistoryTest {
   }
 
   @Test
+  void aBranchHasWhatWasBeforeItAndNothingOfTheOtherRun() {
+    arm.frames(400);
+    History history = new History(arm::recording);
+    history.follow();
+    arm.branch(100);
+    arm.frames(500);
+    history.anotherController();
+    history.track(TIME);
+    while (history.follow()) {
+      // until everything is there
+    }
+    assertEquals(1.2, history.newestS(), 1e-9);
+    TimeSeries series = history.of(TIME);
+    assertEquals(150, series.end() - series.first());
+    for (long number = series.first(); number < series.end(); number++) {
+      assertEquals(series.timeS(number), series.value(TIME, number));
+    }
+  }
+
+  @Test
+  void muchThatIsNewComesPieceByPieceAndNoneOfItIsMissing() {
+    arm.frames(History.FRAMES_PER_SAMPLE * (History.PIECE + 10));
+    History history = new History(arm::recording);
+    assertTrue(history.follow());
+    assertTrue(history.behind());
+    assertEquals(History.PIECE, history.of(TIME).end() - history.of(TIME).first());
+    assertTrue(history.follow());
+    assertFalse(history.behind());
+    assertFalse(history.follow());
+    history.track(TIME);
+    assertTrue(history.follow());
+    assertTrue(history.follow());
+    assertFalse(history.follow());
+    TimeSeries series = history.of(TIME);
+    assertEquals(History.PIECE + 10, series.end() - series.first());
+    for (long number = series.first(); number < series.end(); number++) {
+      assertEquals(number * History.FRAMES_PER_SAMPLE / 500.0, series.value(TIME, number), 1e-9);
+    }
+  }
+
+  @Test
   void samplesAreFoundByTime() {
     arm.frames(40);
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.follow();
     TimeSeries series = history.of(TIME);
     assertEquals(series.first(), series.firstAtLeast(-1));
@@ -69,9 +110,10 @@ final class HistoryTest {
   @Test
   void aFileHasWhatTheWindowShows() throws IOException {
     arm.frames(40);
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.follow();
     history.track(TIME);
+    history.follow();
     StringBuilder text = new StringBuilder();
     TimeWindow window = new TimeWindow(0.08, 0.05, false).between(0.02, 0.0701);
     PlotCsv.of(history, List.of(TIME), window).write(text);
@@ -86,9 +128,10 @@ final class HistoryTest {
     ChartQuantity peak =
         new ChartQuantity("p", "Test", "Peak", "Peak", "", s -> s.frame() == 1000 ? 7 : 0);
     arm.frames(2000);
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.follow();
     history.track(peak);
+    history.follow();
     Columns columns = new Columns();
     columns.fill(history, peak, new TimeWindow(4, 4, false), 10);
     double most = 0;
@@ -101,7 +144,7 @@ final class HistoryTest {
 
   @Test
   void aScriptVariableHasASampleOfEveryFrame() {
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.track(COUNT);
     countUp();
     arm.frames(50);
@@ -131,7 +174,7 @@ final class HistoryTest {
   @Test
   void aVariableIsUnknownBeforeItWasTracedAndThereNoLineIsDrawn() {
     arm.frames(100);
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.track(COUNT);
     history.follow();
     countUp();
@@ -152,7 +195,7 @@ final class HistoryTest {
 
   @Test
   void aHeldFrameIsOneSample() {
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.track(TIME);
     countUp();
     arm.frames(43);
@@ -165,7 +208,7 @@ final class HistoryTest {
 
   @Test
   void aFileWithAVariableHasARowEachFrame() throws IOException {
-    History history = new History(arm.plotHistory);
+    History history = new History(arm::recording);
     history.track(COUNT);
     history.track(TIME);
     countUp();

@@ -29,7 +29,7 @@ final class PlotPresenterTest {
             remembered.put(name, text);
           }
         };
-    return new PlotPresenter(ChartQuantities.standard(), new History(arm.plotHistory), settings);
+    return new PlotPresenter(ChartQuantities.standard(), new History(arm::recording), settings);
   }
 
   private static List<String> ids(PlotPresenter presenter) {

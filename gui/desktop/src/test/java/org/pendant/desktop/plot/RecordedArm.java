@@ -7,12 +7,14 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
+import org.pendant.recording.Recording;
+import org.pendant.recording.RecordingRing;
 import org.pendant.script.variables.VariablePath;
 
 /** A controller whose frames are recorded. */
 final class RecordedArm {
   private Controller controller = new Controller(ControllerOptions.headless());
-  final PlotHistory plotHistory = new PlotHistory();
+  private RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
 
   void run(String program) {
     var _ =
@@ -31,12 +33,27 @@ final class RecordedArm {
   void frames(int count) {
     for (int i = 0; i < count; i++) {
       controller.advance();
-      plotHistory.frame(controller.state());
+      ring.take(controller.state());
     }
   }
 
   void restart() {
     controller = new Controller(ControllerOptions.headless());
+    ring = new RecordingRing(controller.state(), controller::programSource);
+  }
+
+  /** Another controller that has done the same up to a frame continues the recording. */
+  void branch(int frame) {
+    Recording before = recording();
+    controller = new Controller(ControllerOptions.headless());
+    for (int i = 0; i < frame; i++) {
+      controller.advance();
+    }
+    ring = RecordingRing.continuing(before, controller.state(), controller::programSource);
+  }
+
+  Recording recording() {
+    return ring.recording();
   }
 
   Controller controller() {
