@@ -50,6 +50,7 @@ public final class IoView implements View {
   private final JCheckBox onlyUsed = new JCheckBox("Only registers in use");
   private final JLabel forced = new JLabel("", ForcedMark.of(true), SwingConstants.LEADING);
   private final JButton release = new JButton("Release all");
+  private final JPanel forcedGroup = group();
   private final ModbusCard modbus = new ModbusCard();
   private final DeviceCard devices;
   private final ReadingsCard readings = new ReadingsCard();
@@ -109,7 +110,9 @@ public final class IoView implements View {
         release, "io-release-all", "Bring all forced inputs to rest: low, 0 V, 4 mA or 0");
     release.addActionListener(event -> presenter.releaseAll());
     forced.setName("io-forced");
-    bar.add(group(forced, release));
+    forcedGroup.add(forced);
+    forcedGroup.add(release);
+    bar.add(forcedGroup);
     return bar;
   }
 
@@ -119,8 +122,12 @@ public final class IoView implements View {
     return label;
   }
 
+  private static JPanel group() {
+    return new JPanel(new MigLayout("insets 0 8 0 8, gap 8"));
+  }
+
   private static JPanel group(JComponent... parts) {
-    JPanel group = new JPanel(new MigLayout("insets 0 8 0 8, gap 8"));
+    JPanel group = group();
     for (JComponent each : parts) {
       group.add(each);
     }
@@ -223,7 +230,7 @@ public final class IoView implements View {
     String text = count == 1 ? "1 input forced" : count + " inputs forced";
     if (!forced.getText().equals(text)) {
       forced.setText(text);
-      forced.getParent().setVisible(count > 0);
+      forcedGroup.setVisible(count > 0);
     }
   }
 

@@ -11,7 +11,6 @@ import java.util.Set;
 import java.util.function.Predicate;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
-import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StartInstallation;
@@ -319,7 +318,6 @@ final class DesktopWindow {
           showProgram();
         });
     programs.current().addListener(changed);
-    look.addListener(this::updateHiddenViews);
   }
 
   private void showProgram() {
@@ -327,15 +325,6 @@ final class DesktopWindow {
     menus.showFor(programs.current().isTree());
     String mark = programs.current().modified() ? "\u2022 " : "";
     window.frame().setTitle(mark + programs.current().name() + " - Pendant");
-  }
-
-  /** Views that are not in front are not reached by a change of the look. */
-  private void updateHiddenViews() {
-    for (View view : views.all()) {
-      if (SwingUtilities.getWindowAncestor(view.component()) == null) {
-        SwingUtilities.updateComponentTreeUI(view.component());
-      }
-    }
   }
 
   /** The window's frame. */

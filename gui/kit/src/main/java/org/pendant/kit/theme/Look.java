@@ -30,6 +30,7 @@ public final class Look {
 
   private final Settings settings;
   private final List<Runnable> listeners = new ArrayList<>();
+  private final LateComponents late = new LateComponents();
   private boolean systemDark;
 
   /** The look that was chosen last. */
@@ -132,6 +133,7 @@ public final class Look {
   private void update() {
     apply();
     FlatLaf.updateUI();
+    late.lookChanged();
     tell();
   }
 
@@ -148,6 +150,7 @@ public final class Look {
     settings.put(ZOOM, Integer.toString(percent));
     UIScale.setZoomFactor(percent / 100f);
     FlatLaf.updateUI();
+    late.lookChanged();
     tell();
   }
 

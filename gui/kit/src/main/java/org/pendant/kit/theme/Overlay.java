@@ -79,8 +79,7 @@ public final class Overlay {
     open = true;
     focusBefore =
         Optional.ofNullable(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner());
-    // The look may have changed since it was open.
-    SwingUtilities.updateComponentTreeUI(card);
+    // again for each opening, as the scale may have changed
     card.setBorder(
         BorderFactory.createEmptyBorder(
             UIScale.scale(16), UIScale.scale(16), UIScale.scale(16), UIScale.scale(16)));

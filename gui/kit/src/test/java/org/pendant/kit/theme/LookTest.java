@@ -1,11 +1,14 @@
 package org.pendant.kit.theme;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -32,6 +35,19 @@ final class LookTest {
   void leaveNothing() {
     FlatLaf.setGlobalExtraDefaults(null);
     PreviewLook.change(false);
+  }
+
+  @Test
+  void aPartThatWasInNoWindowTakesTheColoursOverWhenItIsAdded() {
+    Look look = new Look(settings);
+    look.setTheme(Theme.LIGHT);
+    JPanel part = new JPanel();
+    JLabel label = new JLabel("text");
+    part.add(label);
+    look.setTheme(Theme.DARK);
+    new JPanel().add(part);
+    assertEquals(UIManager.getColor("Panel.background"), part.getBackground());
+    assertEquals(UIManager.getColor("Label.foreground"), label.getForeground());
   }
 
   @Test
