@@ -19,8 +19,12 @@ import org.pendant.models.time.FrameTime;
  * in otherwise.
  */
 public final class SteerableClock implements Clock {
-  /** So long frames are gathered; being woken twenty times a second costs next to nothing. */
-  static final long GATHER_NS = TimeUnit.MILLISECONDS.toNanos(50);
+  /**
+   * So long frames are gathered. Those that follow each other find in the processor's caches what
+   * the first of them has fetched; and they are made up for in two milliseconds when a command
+   * arrives.
+   */
+  static final long GATHER_NS = TimeUnit.MILLISECONDS.toNanos(250);
 
   private static final Optional<Due> NOTHING = Optional.empty();
   private static final Optional<Due> FRAME = Optional.of(Due.FRAME);

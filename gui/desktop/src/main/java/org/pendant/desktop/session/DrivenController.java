@@ -45,18 +45,31 @@ final class DrivenController implements AutoCloseable {
     robot = controller;
     drive = controller;
     clock = new SteerableClock(pace);
+    // made once rather than in each frame
+    FrameListener record = on.ring()::take;
+    FrameListener follow = this::followBehind;
     loop =
         FrameLoop.start(
             controller,
             clock,
             () -> {
               ControllerState state = drive.state();
-              // A fault here would end the loop, and with it the robot.
-              Faults.guard(() -> on.ring().take(state));
-              Faults.guard(() -> on.guest().frame(state));
-              listeners.forEach(each -> Faults.guard(() -> each.frame(state)));
-              Faults.guard(() -> followBehind(state));
+              tell(record, state);
+              tell(on.guest(), state);
+              for (FrameListener each : listeners) {
+                tell(each, state);
+              }
+              tell(follow, state);
             });
+  }
+
+  /** A fault here would end the loop, and with it the robot. */
+  private static void tell(FrameListener listener, ControllerState state) {
+    try {
+      listener.frame(state);
+    } catch (RuntimeException | Error fault) {
+      Faults.report(fault);
+    }
   }
 
   /** Has the repetitions follow the run, unless people are in a hurry or nothing happens. */

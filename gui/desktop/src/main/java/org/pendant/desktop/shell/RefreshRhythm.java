@@ -14,10 +14,14 @@ import org.pendant.script.vm.ProgramState;
 final class RefreshRhythm implements FrameListener {
   static final int OFTEN_MS = 33;
   static final int SELDOM_MS = 250;
+  static final int RESTING_MS = 1_000;
   static final int HIDDEN_MS = 1_000;
 
   /** So long nothing has happened when the rhythm slows down: what came of it is on the screen. */
   private static final long CALM_NS = TimeUnit.SECONDS.toNanos(1);
+
+  /** So long nothing has happened when only the clock is left that people may look at. */
+  private static final long RESTING_NS = TimeUnit.SECONDS.toNanos(5);
 
   /** An arm that rests is read elsewhere by noise alone, and nobody sees it, rad. */
   private static final double VISIBLE_RAD = 1e-3;
@@ -82,8 +86,9 @@ final class RefreshRhythm implements FrameListener {
     }
     // first of all, so that nothing is overlooked that happens from here on
     slow = true;
-    if (nanoTime.getAsLong() - happenedNs > CALM_NS) {
-      return SELDOM_MS;
+    long calmNs = nanoTime.getAsLong() - happenedNs;
+    if (calmNs > CALM_NS) {
+      return calmNs > RESTING_NS ? RESTING_MS : SELDOM_MS;
     }
     slow = false;
     return OFTEN_MS;

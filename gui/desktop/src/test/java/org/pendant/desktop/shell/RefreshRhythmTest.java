@@ -50,6 +50,16 @@ final class RefreshRhythmTest {
   }
 
   @Test
+  void whereNothingHasHappenedForLongOnlyTheClockIsLeftToShow() {
+    calmDown();
+    advance(3 * CALM_FRAMES);
+    assertEquals(RefreshRhythm.RESTING_MS, rhythm.nextMs(true));
+    submit(new BoxCommand.SetSpeedFraction(0.5));
+    assertEquals(1, hurries);
+    assertEquals(RefreshRhythm.OFTEN_MS, rhythm.nextMs(true));
+  }
+
+  @Test
   void whatHappensIsShownAtOnce() {
     calmDown();
     submit(new BoxCommand.SetSpeedFraction(0.5));
