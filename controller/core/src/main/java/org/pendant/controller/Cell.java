@@ -108,7 +108,7 @@ public final class Cell implements Frames {
       controller.determinism().taint("several controllers share the cell");
       members.add(new Member(names.get(i), controller, armless));
     }
-    rules = new Rules(plan.equipment().rules(), lines, new CellHand(members));
+    rules = new Rules(plan.equipment().rules(), lines, new CellDeviceActions(members));
     wires = new WireBoard(plan.equipment().wires(), lines);
   }
 

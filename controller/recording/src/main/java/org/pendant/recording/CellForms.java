@@ -63,8 +63,8 @@ final class CellForms {
           out.number(value.openingM());
           out.number(value.forceN());
           out.bool(value.on());
-          out.number(value.mostM());
-          out.number(value.partM());
+          out.number(value.maxPartWidthM());
+          out.number(value.partWidthM());
           out.whole(value.port());
           out.whole(value.procedurePort());
           SIGNALS.write(value.signals(), out);

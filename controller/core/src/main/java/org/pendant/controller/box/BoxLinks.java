@@ -25,7 +25,7 @@ public final class BoxLinks {
   private Published published = Published.NOTHING;
 
   /** What rules do to devices. */
-  private record DeviceHand(CellDevices devices) implements Rules.Hand {
+  private record OwnDeviceActions(CellDevices devices) implements Rules.DeviceActions {
     @Override
     public void putPart(String gripper, double widthM) {
       devices.putPart(gripper, widthM);
@@ -44,7 +44,7 @@ public final class BoxLinks {
       Signals signals,
       MessageLog log) {
     this.devices = devices;
-    rules = new Rules(equipment.rules(), devices.lines(), new DeviceHand(devices));
+    rules = new Rules(equipment.rules(), devices.lines(), new OwnDeviceActions(devices));
     Connectors all = devices.before(connectors);
     outside = new ExternalConnections(all);
     modbus = new ModbusSignals(all.modbus(), log);

@@ -51,7 +51,7 @@ public final class EquipmentReader {
     List<String> switches = new ArrayList<>();
     for (OwnedDevice device : devices) {
       DeviceSetup setup = device.setup();
-      if (setup.hand().isPresent()
+      if (setup.gripper().isPresent()
           && layout.script().isPresent()
           && device.owner() == controllers.size() - 1) {
         throw device

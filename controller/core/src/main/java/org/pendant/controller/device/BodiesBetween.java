@@ -1,17 +1,17 @@
 package org.pendant.controller.device;
 
 import org.pendant.controller.device.gripper.FingerSpace;
-import org.pendant.controller.world.FingerHand;
+import org.pendant.controller.world.ParallelGripper;
 
 /** Bodies between the fingers of a gripper: the objects of the scene that can move. */
-record BodiesBetween(FingerHand hand) implements FingerSpace {
+record BodiesBetween(ParallelGripper gripper) implements FingerSpace {
   @Override
   public double closesToM(double openingM, double forceN) {
-    return hand.closesToM(openingM, forceN);
+    return gripper.closesToM(openingM, forceN);
   }
 
   @Override
   public void press(double openingM, double forceN) {
-    hand.press(openingM, forceN);
+    gripper.press(openingM, forceN);
   }
 }

@@ -22,13 +22,13 @@ interface CellDevice {
   boolean on();
 
   /** How wide a part may be that is put into it, m; 0 where it holds none. */
-  default double mostM() {
+  default double maxPartWidthM() {
     return fingers().map(Fingers::strokeM).orElse(0.0);
   }
 
   /** How wide the part is that is there for it to hold, m; 0 for none. */
-  default double partM() {
-    return fingers().map(Fingers::partM).orElse(0.0);
+  default double partWidthM() {
+    return fingers().map(Fingers::partWidthM).orElse(0.0);
   }
 
   /** What it is and where programs reach it, for people. */

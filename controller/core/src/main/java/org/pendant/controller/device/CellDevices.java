@@ -92,7 +92,7 @@ public final class CellDevices {
           case DeviceSetup.RpcGripper gripper -> new RpcDevice(gripper, log);
           case DeviceSetup.Driven driven -> new DrivenDevice(driven, lines, log);
           case DeviceSetup.Vacuum vacuum ->
-              new VacuumDevice(vacuum, lines, vacuum.hand().flatMap(world::cup), log);
+              new VacuumDevice(vacuum, lines, vacuum.gripper().flatMap(world::cup), log);
           case DeviceSetup.Belt belt ->
               new BeltDevice(belt, world.belt(belt.object()), encoders, lines);
           case DeviceSetup.Source source ->
@@ -107,9 +107,9 @@ public final class CellDevices {
               new SensorDevice(sensor, tools, sensor.zone().watch(world), lines);
         };
     setup
-        .hand()
-        .flatMap(hand -> world.fingers(hand, setup.strokeM()))
-        .ifPresent(hand -> device.fingers().orElseThrow().among(new BodiesBetween(hand)));
+        .gripper()
+        .flatMap(gripper -> world.fingers(gripper, setup.strokeM()))
+        .ifPresent(gripper -> device.fingers().orElseThrow().among(new BodiesBetween(gripper)));
     devices.add(device);
     if (hasSignals(setup)) {
       names.add(setup.name(), setup.signals());
@@ -169,9 +169,10 @@ public final class CellDevices {
    */
   public void putPart(String gripper, double widthM) {
     Optional<CellDevice> device = find(gripper);
-    double mostM = device.map(CellDevice::mostM).orElse(1.0);
-    if (!(widthM >= 0 && widthM <= mostM)) {
-      throw new IllegalArgumentException("width is " + widthM + " m, must be 0 to " + mostM + " m");
+    double maxPartWidthM = device.map(CellDevice::maxPartWidthM).orElse(1.0);
+    if (!(widthM >= 0 && widthM <= maxPartWidthM)) {
+      throw new IllegalArgumentException(
+          "width is " + widthM + " m, must be 0 to " + maxPartWidthM + " m");
     }
     if (device.isEmpty() || !device.get().putPart(widthM)) {
       throw new IllegalArgumentException(
@@ -307,7 +308,7 @@ public final class CellDevices {
     Optional<Fingers> fingers = device.fingers();
     return device.on() == state.on()
         && device.signalStates().equals(state.signals())
-        && device.partM() == state.partM()
+        && device.partWidthM() == state.partWidthM()
         && (fingers.isEmpty()
             || (fingers.get().openingM() == state.openingM()
                 && fingers.get().pressN() == state.forceN()));
@@ -322,8 +323,8 @@ public final class CellDevices {
         fingers.map(Fingers::openingM).orElse(0.0),
         fingers.map(Fingers::pressN).orElse(0.0),
         device.on(),
-        device.mostM(),
-        device.partM(),
+        device.maxPartWidthM(),
+        device.partWidthM(),
         device.port().orElse(0),
         device.procedurePort().orElse(0),
         device.signalStates());

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
-import org.pendant.controller.world.HandSetup;
+import org.pendant.controller.world.GripperSetup;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 
@@ -326,35 +326,41 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   }
 
   private static DeviceField fingers() {
-    HandSetup.Grip.Pads plain = HandSetup.Grip.Pads.DEFAULT;
+    GripperSetup.Grip.Pads plain = GripperSetup.Grip.Pads.DEFAULT;
     return new DeviceField.Group(
         "fingers",
         "Fingertips",
         "what grips objects that move",
         List.of(
             spot("middle between the fingertips"),
-            amount("width", "Width", "of the pads, along x", HandSetup.Grip.LENGTH, plain.widthM()),
             amount(
-                "length", "Length", "of the pads, along z", HandSetup.Grip.LENGTH, plain.lengthM()),
+                "width", "Width", "of the pads, along x", GripperSetup.Grip.LENGTH, plain.widthM()),
+            amount(
+                "length",
+                "Length",
+                "of the pads, along z",
+                GripperSetup.Grip.LENGTH,
+                plain.lengthM()),
             friction()));
   }
 
   private static DeviceField cup() {
-    HandSetup.Grip.Cup plain = HandSetup.Grip.Cup.DEFAULT;
+    GripperSetup.Grip.Cup plain = GripperSetup.Grip.Cup.DEFAULT;
     return new DeviceField.Group(
         "cup",
         "Cup",
         "what grips objects that move",
         List.of(
             spot("middle of its lip"),
-            amount("radius", "Radius", "of its lip", HandSetup.Grip.LENGTH, plain.radiusM()),
+            amount("radius", "Radius", "of its lip", GripperSetup.Grip.LENGTH, plain.radiusM()),
             amount(
                 "reach",
                 "Reach",
                 "how far from it a surface may be",
-                HandSetup.Grip.LENGTH,
+                GripperSetup.Grip.LENGTH,
                 plain.reachM()),
-            amount("force", "Force", "with which it holds", HandSetup.Grip.FORCE, plain.forceN()),
+            amount(
+                "force", "Force", "with which it holds", GripperSetup.Grip.FORCE, plain.forceN()),
             friction()));
   }
 
@@ -370,12 +376,13 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   }
 
   private static DeviceField friction() {
-    return amount("friction", "Friction", "coefficient", HandSetup.FRICTION, HandSetup.RUBBER);
+    return amount(
+        "friction", "Friction", "coefficient", GripperSetup.FRICTION, GripperSetup.RUBBER);
   }
 
-  private static DeviceField part(double mostM) {
+  private static DeviceField part(double maxPartWidthM) {
     return amount(
-        "part", "Part", "width of a part between the fingers", new Range(0, mostM, "m"), 0);
+        "part", "Part", "width of a part between the fingers", new Range(0, maxPartWidthM, "m"), 0);
   }
 
   private static DeviceField amount(

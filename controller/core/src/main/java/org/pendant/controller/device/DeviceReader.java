@@ -101,10 +101,10 @@ public final class DeviceReader {
               kind.type().equals("two-finger-tool"),
               fields.flag("activated"),
               fields.number("part"),
-              HandReader.fingers(fields));
+              GripperReader.fingers(fields));
       case "rg", "2fg" ->
           new DeviceSetup.RpcGripper(
-              name, kind.type(), fields.number("part"), HandReader.fingers(fields));
+              name, kind.type(), fields.number("part"), GripperReader.fingers(fields));
       case "gripper" -> gripper(name, fields);
       case "vacuum" ->
           new DeviceSetup.Vacuum(
@@ -113,7 +113,7 @@ public final class DeviceReader {
               fields.wire("holds"),
               fields.number("time"),
               fields.flag("part"),
-              HandReader.cup(fields));
+              GripperReader.cup(fields));
       case "door" ->
           new DeviceSetup.Driven(
               name,
@@ -159,7 +159,7 @@ public final class DeviceReader {
         strokeM,
         fields.number("time"),
         fields.number("part", strokeM),
-        HandReader.fingers(fields));
+        GripperReader.fingers(fields));
   }
 
   private static Zone zone(DeviceKind kind, FieldReader fields) throws JsonException {

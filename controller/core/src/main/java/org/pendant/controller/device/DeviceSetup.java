@@ -12,7 +12,7 @@ import org.pendant.controller.device.plc.ModbusUnit;
 import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.SignalGroup;
-import org.pendant.controller.world.HandSetup;
+import org.pendant.controller.world.GripperSetup;
 import org.pendant.models.pose.Pose;
 
 /** Setup of a device: what it is and how it begins. */
@@ -30,7 +30,7 @@ public sealed interface DeviceSetup {
   }
 
   /** What it touches bodies with; empty where it grips none. */
-  default Optional<HandSetup> hand() {
+  default Optional<GripperSetup> gripper() {
     return Optional.empty();
   }
 
@@ -67,17 +67,21 @@ public sealed interface DeviceSetup {
    * @param atTool whether it is on the serial line of the tool; at the socket of its driver
    *     otherwise
    * @param activated whether it was activated before programs begin
-   * @param partM width of a part between its fingers, 0 for none
-   * @param hand its fingertips
+   * @param partWidthM width of a part between its fingers, 0 for none
+   * @param gripper its fingertips
    */
   record TwoFinger(
-      String name, boolean atTool, boolean activated, double partM, Optional<HandSetup> hand)
+      String name,
+      boolean atTool,
+      boolean activated,
+      double partWidthM,
+      Optional<GripperSetup> gripper)
       implements DeviceSetup {
     static final double STROKE_M = 0.085;
 
     /** One whose fingertips are at the tool centre point. */
-    public TwoFinger(String name, boolean atTool, boolean activated, double partM) {
-      this(name, atTool, activated, partM, Optional.of(HandSetup.FINGERS));
+    public TwoFinger(String name, boolean atTool, boolean activated, double partWidthM) {
+      this(name, atTool, activated, partWidthM, Optional.of(GripperSetup.FINGERS));
     }
 
     @Override
@@ -90,17 +94,17 @@ public sealed interface DeviceSetup {
    * Gripper that is worked by remote procedures.
    *
    * @param kind rg or 2fg
-   * @param partM width of a part between its fingers, 0 for none
-   * @param hand its fingertips
+   * @param partWidthM width of a part between its fingers, 0 for none
+   * @param gripper its fingertips
    */
-  record RpcGripper(String name, String kind, double partM, Optional<HandSetup> hand)
+  record RpcGripper(String name, String kind, double partWidthM, Optional<GripperSetup> gripper)
       implements DeviceSetup {
     static final double RG_STROKE_M = 0.110;
     static final double TWO_FG_STROKE_M = 0.039;
 
     /** One whose fingertips are at the tool centre point. */
-    public RpcGripper(String name, String kind, double partM) {
-      this(name, kind, partM, Optional.of(HandSetup.FINGERS));
+    public RpcGripper(String name, String kind, double partWidthM) {
+      this(name, kind, partWidthM, Optional.of(GripperSetup.FINGERS));
     }
 
     @Override
@@ -121,8 +125,8 @@ public sealed interface DeviceSetup {
    * @param gripped the input that tells that it holds something, where there is one
    * @param strokeM how far it opens
    * @param timeS how long it takes from end to end
-   * @param partM width of a part in it, 0 for none
-   * @param hand the fingertips of a gripper; empty for a door
+   * @param partWidthM width of a part in it, 0 for none
+   * @param gripper the fingertips of a gripper; empty for a door
    */
   record Driven(
       String name,
@@ -134,8 +138,8 @@ public sealed interface DeviceSetup {
       Optional<CellSignal> gripped,
       double strokeM,
       double timeS,
-      double partM,
-      Optional<HandSetup> hand)
+      double partWidthM,
+      Optional<GripperSetup> gripper)
       implements DeviceSetup {}
 
   /**
@@ -145,7 +149,7 @@ public sealed interface DeviceSetup {
    * @param holds the input that tells that it holds something, where there is one
    * @param timeS how long the vacuum takes to build up and to go
    * @param part whether there is a part to hold
-   * @param hand its cup
+   * @param gripper its cup
    */
   record Vacuum(
       String name,
@@ -153,7 +157,7 @@ public sealed interface DeviceSetup {
       Optional<CellSignal> holds,
       double timeS,
       boolean part,
-      Optional<HandSetup> hand)
+      Optional<GripperSetup> gripper)
       implements DeviceSetup {
     @Override
     public double strokeM() {

@@ -12,8 +12,8 @@ import org.pendant.controller.wire.SignalGroupState;
  * @param openingM how far they are open
  * @param forceN how hard they press on a part; 0 where they hold none
  * @param on whether it holds a part, or sees something
- * @param mostM how wide a part may be that is put into it; 0 where it holds none
- * @param partM how wide the part is that is there for it to hold; 0 for none
+ * @param maxPartWidthM how wide a part may be that is put into it; 0 where it holds none
+ * @param partWidthM how wide the part is that is there for it to hold; 0 for none
  * @param port at which programs reach it by a socket; 0 for none
  * @param procedurePort at which they call its procedures; 0 for none
  * @param signals that others are wired to; none for most devices
@@ -25,8 +25,8 @@ public record DeviceState(
     double openingM,
     double forceN,
     boolean on,
-    double mostM,
-    double partM,
+    double maxPartWidthM,
+    double partWidthM,
     int port,
     int procedurePort,
     List<SignalGroupState> signals) {
@@ -43,9 +43,9 @@ public record DeviceState(
       double openingM,
       double forceN,
       boolean on,
-      double mostM,
-      double partM,
+      double maxPartWidthM,
+      double partWidthM,
       int port) {
-    this(name, kind, strokeM, openingM, forceN, on, mostM, partM, port, 0, List.of());
+    this(name, kind, strokeM, openingM, forceN, on, maxPartWidthM, partWidthM, port, 0, List.of());
   }
 }

@@ -25,7 +25,7 @@ final class DrivenDevice implements CellDevice {
     fingers =
         new DrivenFingers(
             setup.strokeM(), setup.timeS(), text -> log.info(setup.name() + ": " + text));
-    fingers.fingers().put(PartBetween.of(setup.partM()));
+    fingers.fingers().put(PartBetween.of(setup.partWidthM()));
     closed = new SensorLine(lines, setup.closed());
     opened = new SensorLine(lines, setup.opened());
     gripped = new SensorLine(lines, setup.gripped());
@@ -47,7 +47,7 @@ final class DrivenDevice implements CellDevice {
   }
 
   @Override
-  public double mostM() {
+  public double maxPartWidthM() {
     return setup.kind().equals("door") ? 0 : setup.strokeM();
   }
 

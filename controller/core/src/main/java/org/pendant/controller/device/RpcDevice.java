@@ -23,7 +23,7 @@ final class RpcDevice implements CellDevice {
         new GripProcedures(
             kind.equals("rg") ? GripProcedures.Make.RG : GripProcedures.Make.TWO_FG,
             text -> log.info(name + ": " + text));
-    gripper.fingers().put(PartBetween.of(setup.partM()));
+    gripper.fingers().put(PartBetween.of(setup.partWidthM()));
   }
 
   @Override

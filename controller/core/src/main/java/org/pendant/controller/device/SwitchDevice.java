@@ -40,12 +40,12 @@ final class SwitchDevice implements CellDevice {
   }
 
   @Override
-  public double mostM() {
+  public double maxPartWidthM() {
     return 1;
   }
 
   @Override
-  public double partM() {
+  public double partWidthM() {
     return byHand ? 1 : 0;
   }
 

@@ -29,7 +29,7 @@ final class TwoFingerDevice implements CellDevice {
     this.signals = signals;
     this.log = log;
     gripper = new AdaptiveGripper(setup.activated(), text -> log.info(name + ": " + text));
-    gripper.fingers().put(PartBetween.of(setup.partM()));
+    gripper.fingers().put(PartBetween.of(setup.partWidthM()));
   }
 
   @Override

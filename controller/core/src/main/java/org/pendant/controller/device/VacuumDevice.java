@@ -4,14 +4,14 @@ import java.util.Optional;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.wire.SignalLine;
 import org.pendant.controller.wire.SignalLines;
-import org.pendant.controller.world.CupHand;
+import org.pendant.controller.world.VacuumGripper;
 import org.pendant.models.time.FrameTime;
 
 /** Vacuum device: a gripper that sucks. It holds a part when its vacuum has built up. */
 final class VacuumDevice implements CellDevice {
   private final DeviceSetup.Vacuum setup;
   private final SignalLine suck;
-  private final Optional<CupHand> cup;
+  private final Optional<VacuumGripper> cup;
   private final MessageLog log;
   private final SensorLine holds;
   private final long fullFrames;
@@ -19,7 +19,8 @@ final class VacuumDevice implements CellDevice {
   private boolean part;
   private boolean held;
 
-  VacuumDevice(DeviceSetup.Vacuum setup, SignalLines lines, Optional<CupHand> cup, MessageLog log) {
+  VacuumDevice(
+      DeviceSetup.Vacuum setup, SignalLines lines, Optional<VacuumGripper> cup, MessageLog log) {
     this.setup = setup;
     suck = lines.line(setup.suck());
     this.cup = cup;
@@ -45,12 +46,12 @@ final class VacuumDevice implements CellDevice {
   }
 
   @Override
-  public double mostM() {
+  public double maxPartWidthM() {
     return 1;
   }
 
   @Override
-  public double partM() {
+  public double partWidthM() {
     return part ? 1 : 0;
   }
 

@@ -14,7 +14,7 @@ final class Rule {
   private static final int MAX_WAITING = 64;
 
   private final RuleSetup setup;
-  private final Rules.Hand hand;
+  private final Rules.DeviceActions devices;
 
   /** What the condition is about; nothing where there is none. */
   private final List<SignalLine> watched;
@@ -31,9 +31,9 @@ final class Rule {
   private boolean begun;
   private long next;
 
-  Rule(RuleSetup setup, SignalLines signals, Rules.Hand hand) {
+  Rule(RuleSetup setup, SignalLines signals, Rules.DeviceActions devices) {
     this.setup = setup;
-    this.hand = hand;
+    this.devices = devices;
     watched =
         switch (setup.trigger()) {
           case Trigger.When when -> when.condition().watched(signals);
@@ -113,8 +113,8 @@ final class Rule {
   private void act(boolean wanted) {
     switch (setup.action()) {
       case Action.Set set -> target.orElseThrow().set(wanted ? set.value() : set.opposite());
-      case Action.PutPart put -> hand.putPart(put.gripper(), wanted ? put.widthM() : 0);
-      case Action.Press press -> hand.press(press.device(), wanted);
+      case Action.PutPart put -> devices.putPart(put.gripper(), wanted ? put.widthM() : 0);
+      case Action.Press press -> devices.press(press.device(), wanted);
     }
   }
 }

@@ -6,7 +6,7 @@ import org.pendant.controller.wire.SignalLines;
 /** Rules of a cell at work; the frame loop owns them. */
 public final class Rules {
   /** Who has parts put between the fingers of grippers, and switches pressed. */
-  public interface Hand {
+  public interface DeviceActions {
     /** As {@link RuleSetup.Action.PutPart}. */
     void putPart(String gripper, double widthM);
 
@@ -18,8 +18,8 @@ public final class Rules {
   private long frame;
 
   /** Rules over signals. */
-  public Rules(List<RuleSetup> setups, SignalLines signals, Hand hand) {
-    rules = setups.stream().map(setup -> new Rule(setup, signals, hand)).toList();
+  public Rules(List<RuleSetup> setups, SignalLines signals, DeviceActions devices) {
+    rules = setups.stream().map(setup -> new Rule(setup, signals, devices)).toList();
   }
 
   /** Looks at the signals and does what is due, once a frame. */

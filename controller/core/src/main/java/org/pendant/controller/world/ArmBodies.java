@@ -13,7 +13,7 @@ import org.pendant.models.pose.Transforms;
 
 /**
  * Arm bodies: what one arm has among the objects of a scene that have a mass. Its tool points are
- * balls that push them, and feel them; its links and hands do so as well.
+ * balls that push them, and feel them; its links and grippers do so as well.
  */
 final class ArmBodies {
   /** A tool point without a radius is a ball of this one to them, m. */
@@ -32,9 +32,9 @@ final class ArmBodies {
   private final List<ToolPoint> points;
   private final ArmPlace place;
   private final LinkBodies links;
-  private final List<Hand> hands = new ArrayList<>();
+  private final List<Gripper> grippers = new ArrayList<>();
 
-  /** Numbers of the bodies of the tool: its points, and the fingers of hands. */
+  /** Numbers of the bodies of the tool: its points, and the fingers of grippers. */
   private final List<Integer> tools = new ArrayList<>();
 
   private RigidBodyWorld bodies;
@@ -136,8 +136,8 @@ final class ArmBodies {
     double[] twist6 = place.twistInCell(twistInBase6);
     System.arraycopy(tcpInFlange3, 0, this.tcpInFlange3, 0, 3);
     this.onlyTcp = onlyTcp;
-    for (Hand hand : hands) {
-      hand.place(flange12, tcpInFlange, twist6);
+    for (Gripper gripper : grippers) {
+      gripper.place(flange12, tcpInFlange, twist6);
     }
     for (int i = 0; i < points.size(); i++) {
       Vector3 at = points.get(i).pointInFlangeM();
@@ -180,8 +180,8 @@ final class ArmBodies {
       felt6[4] += armZ * ballWrench6[0] - armX * ballWrench6[2];
       felt6[5] += armX * ballWrench6[1] - armY * ballWrench6[0];
     }
-    for (int i = 0; i < hands.size(); i++) {
-      hands.get(i).addWrench(flange12, felt6);
+    for (int i = 0; i < grippers.size(); i++) {
+      grippers.get(i).addWrench(flange12, felt6);
     }
     place.turnToBase(felt6);
   }
@@ -194,15 +194,15 @@ final class ArmBodies {
   }
 
   /**
-   * Takes a hand. The tool centre point, which lies between its fingers, touches none of these
+   * Takes a gripper. The tool centre point, which lies between its fingers, touches none of these
    * bodies any more where the scene names no tool points.
    */
-  <H extends Hand> H take(H hand) {
-    hands.add(hand);
-    if (hand instanceof FingerHand && onlyTcp()) {
+  <H extends Gripper> H take(H gripper) {
+    grippers.add(gripper);
+    if (gripper instanceof ParallelGripper && onlyTcp()) {
       bodies.setPresent(firstPoint, false);
     }
-    return hand;
+    return gripper;
   }
 
   /** Adds a body that is part of the tool; answers its number. */
@@ -217,20 +217,20 @@ final class ArmBodies {
     return tools.stream().mapToInt(Integer::intValue).toArray();
   }
 
-  /** Whether a hand holds something. */
+  /** Whether a gripper holds something. */
   boolean holds() {
-    for (int i = 0; i < hands.size(); i++) {
-      if (hands.get(i).holds()) {
+    for (int i = 0; i < grippers.size(); i++) {
+      if (grippers.get(i).holds()) {
         return true;
       }
     }
     return false;
   }
 
-  /** Whether a hand has to be reckoned with even where nothing else moves. */
+  /** Whether a gripper has to be reckoned with even where nothing else moves. */
   boolean busy() {
-    for (int i = 0; i < hands.size(); i++) {
-      if (hands.get(i).busy()) {
+    for (int i = 0; i < grippers.size(); i++) {
+      if (grippers.get(i).busy()) {
         return true;
       }
     }

@@ -255,9 +255,9 @@ public final class ContactWorld {
    * @param strokeM how far they open
    * @return empty where no object can move
    */
-  public Optional<FingerHand> fingers(HandSetup setup, double strokeM) {
-    return own != null && setup.grip() instanceof HandSetup.Grip.Pads pads
-        ? Optional.of(own.take(new FingerHand(setup, pads, strokeM, own, free)))
+  public Optional<ParallelGripper> fingers(GripperSetup setup, double strokeM) {
+    return own != null && setup.grip() instanceof GripperSetup.Grip.Pads pads
+        ? Optional.of(own.take(new ParallelGripper(setup, pads, strokeM, own, free)))
         : Optional.empty();
   }
 
@@ -267,9 +267,9 @@ public final class ContactWorld {
    * @param setup of a cup
    * @return empty where no object can move
    */
-  public Optional<CupHand> cup(HandSetup setup) {
-    return own != null && setup.grip() instanceof HandSetup.Grip.Cup cup
-        ? Optional.of(own.take(new CupHand(setup, cup, own, free)))
+  public Optional<VacuumGripper> cup(GripperSetup setup) {
+    return own != null && setup.grip() instanceof GripperSetup.Grip.Cup cup
+        ? Optional.of(own.take(new VacuumGripper(setup, cup, own, free)))
         : Optional.empty();
   }
 

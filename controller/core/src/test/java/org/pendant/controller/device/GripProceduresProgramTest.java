@@ -12,11 +12,12 @@ import org.pendant.controller.box.CellEquipment;
 
 /** Grippers that are worked by remote procedures, as programs in the wild call them. */
 class GripProceduresProgramTest {
-  private static RunningProgram with(String kind, double partM) {
+  private static RunningProgram with(String kind, double partWidthM) {
     return new RunningProgram(
         ControllerOptions.headless()
             .withEquipment(
-                CellEquipment.NONE.and(List.of(new DeviceSetup.RpcGripper(kind, kind, partM)))));
+                CellEquipment.NONE.and(
+                    List.of(new DeviceSetup.RpcGripper(kind, kind, partWidthM)))));
   }
 
   private static final String RG =

@@ -14,12 +14,12 @@ import org.pendant.controller.box.WorldCommand;
 
 /** The two-finger gripper as programs in the wild talk to it. */
 class TwoFingerProgramTest {
-  private static RunningProgram with(boolean activated, double partM) {
+  private static RunningProgram with(boolean activated, double partWidthM) {
     return new RunningProgram(
         ControllerOptions.headless()
             .withEquipment(
                 CellEquipment.NONE.and(
-                    List.of(new DeviceSetup.TwoFinger("gripper", false, activated, partM)))));
+                    List.of(new DeviceSetup.TwoFinger("gripper", false, activated, partWidthM)))));
   }
 
   private static List<String> said(RunningProgram program, String lines) {

@@ -52,7 +52,7 @@ class RulesTest {
     return new Rules(
         read(rules),
         lines,
-        new Rules.Hand() {
+        new Rules.DeviceActions() {
           @Override
           public void putPart(String gripper, double widthM) {}
 

@@ -37,7 +37,7 @@ final class CellMethods {
     told.put("opening_m", device.openingM());
     told.put("force_n", device.forceN());
     told.put("on", device.on());
-    told.put("part_m", device.partM());
+    told.put("part_m", device.partWidthM());
     told.put("signals", signals(device));
     return told;
   }

@@ -113,7 +113,8 @@ final class DeviceCard {
             if (row.box() == DeviceRow.Box.ONLINE) {
               set(device.name() + "." + DeviceSignals.ONLINE, on ? 1 : 0);
             } else {
-              submit(new WorldCommand.PutPart(device.name(), on ? PART * device.mostM() : 0));
+              submit(
+                  new WorldCommand.PutPart(device.name(), on ? PART * device.maxPartWidthM() : 0));
             }
           });
       table.add(line.name, "wmin 0");

@@ -26,7 +26,7 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
         device.kind(),
         doing(device),
         box,
-        box == Box.ONLINE ? device.on() : device.partM() > 0);
+        box == Box.ONLINE ? device.on() : device.partWidthM() > 0);
   }
 
   /** What people can do to a device. */
@@ -52,7 +52,7 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
     if (!DeviceSignals.online(device).isEmpty()) {
       return Box.ONLINE;
     }
-    if (device.mostM() == 0) {
+    if (device.maxPartWidthM() == 0) {
       return Box.NONE;
     }
     return device.kind().equals(LIMIT_SWITCH) || device.kind().equals(BUTTON)
@@ -73,7 +73,7 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
         case "sink" -> device.on() ? "Takes a part" : "Waits";
         case LIMIT_SWITCH, BUTTON -> device.on() ? "Pressed" : "Not pressed";
         default ->
-            device.mostM() == 0
+            device.maxPartWidthM() == 0
                 ? device.on() ? "Sees something" : "Sees nothing"
                 : device.on() ? "Holds a part" : "Holds nothing";
       };

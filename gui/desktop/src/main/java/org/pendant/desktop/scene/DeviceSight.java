@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
-import org.pendant.controller.world.HandSetup;
+import org.pendant.controller.world.GripperSetup;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -43,18 +43,23 @@ public record DeviceSight(
   /**
    * A gripper.
    *
-   * @param hand what it touches with; its middle is the tool centre point where nothing else is
+   * @param gripper what it touches with; its middle is the tool centre point where nothing else is
    *     said
    * @param strokeM how far its fingers open
    * @param openingM how far they are open; empty where that is not known
    * @param holds whether it holds something
-   * @param partM how wide a part is that was put there and is no object of the scene; 0 for none
+   * @param partWidthM how wide a part is that was put there and is no object of the scene; 0 for
+   *     none
    */
   public record Gripper(
-      HandSetup hand, double strokeM, OptionalDouble openingM, boolean holds, double partM) {
+      GripperSetup gripper,
+      double strokeM,
+      OptionalDouble openingM,
+      boolean holds,
+      double partWidthM) {
     /** Where its middle is, in the flange. */
     public Pose inFlange(Pose tcpInFlange) {
-      return hand.atInFlange().orElse(tcpInFlange);
+      return gripper.atInFlange().orElse(tcpInFlange);
     }
   }
 
@@ -149,7 +154,7 @@ public record DeviceSight(
         lamp.atInBase().ifPresent(at -> lamps.add(new Lamp(lamp.name(), at, lit)));
       } else if (setup instanceof DeviceSetup.Belt belt) {
         belts.add(new Belt(belt.name(), belt.object(), belt.speedMPerS() < 0, 0));
-      } else if (setup.hand().isPresent()) {
+      } else if (setup.gripper().isPresent()) {
         grippers.add(gripper(setup, state, begins));
       } else if (setup instanceof DeviceSetup.Driven door) {
         doors.add(new Door(door.name(), share(state, begins)));
@@ -164,11 +169,11 @@ public record DeviceSight(
             ? OptionalDouble.of(state.get().openingM())
             : begins ? OptionalDouble.of(setup.strokeM()) : OptionalDouble.empty();
     return new Gripper(
-        setup.hand().orElseThrow(),
+        setup.gripper().orElseThrow(),
         setup.strokeM(),
         openingM,
         state.map(DeviceState::on).orElse(false),
-        state.map(DeviceState::partM).orElse(0.0));
+        state.map(DeviceState::partWidthM).orElse(0.0));
   }
 
   private static OptionalDouble share(Optional<DeviceState> state, boolean begins) {

@@ -30,7 +30,9 @@ public final class GripperPlaces {
         finger(hand, gripper, -0.5),
         new Matrix4f(hand)
             .scale(
-                gripper.partM() > 0 ? 1 : 0, (float) gripper.partM(), gripper.partM() > 0 ? 1 : 0));
+                gripper.partWidthM() > 0 ? 1 : 0,
+                (float) gripper.partWidthM(),
+                gripper.partWidthM() > 0 ? 1 : 0));
   }
 
   private static Matrix4f finger(Matrix4f hand, DeviceSight.Gripper gripper, double share) {

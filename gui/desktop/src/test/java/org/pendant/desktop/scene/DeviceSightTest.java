@@ -16,7 +16,7 @@ import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
 import org.pendant.controller.wire.CellSignal;
-import org.pendant.controller.world.HandSetup;
+import org.pendant.controller.world.GripperSetup;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
@@ -113,7 +113,8 @@ final class DeviceSightTest {
             0.1,
             false,
             Optional.of(
-                new HandSetup(Optional.of(aside), HandSetup.Grip.Cup.DEFAULT, HandSetup.RUBBER)));
+                new GripperSetup(
+                    Optional.of(aside), GripperSetup.Grip.Cup.DEFAULT, GripperSetup.RUBBER)));
     SceneModel model =
         Models.of("ur5e").withDevices(DeviceSight.of(List.of(GRIPPER, cup), List.of(), true));
     LinkPlaces links = new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad());

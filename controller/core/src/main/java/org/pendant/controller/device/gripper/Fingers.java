@@ -59,7 +59,7 @@ public final class Fingers {
   }
 
   /** How wide the part is that was put between them, m; 0 where there is none of a set width. */
-  public double partM() {
+  public double partWidthM() {
     return space instanceof PartBetween part ? part.widthM() : 0;
   }
 

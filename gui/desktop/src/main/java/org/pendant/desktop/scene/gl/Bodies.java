@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.joml.Matrix4f;
-import org.pendant.controller.world.HandSetup;
+import org.pendant.controller.world.GripperSetup;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.LinkPlaces;
@@ -43,10 +43,10 @@ final class Bodies implements AutoCloseable {
   /** A gripper in the memory of the graphics, and how far its meshes reach. */
   private record LoadedGripper(GripperOf of, List<Mesh.Box> boxes, GpuMesh mesh) {}
 
-  private record GripperOf(HandSetup.Grip grip, double reachM, double strokeM, boolean holds) {
+  private record GripperOf(GripperSetup.Grip grip, double reachM, double strokeM, boolean holds) {
     static GripperOf of(DeviceSight.Gripper sight, Pose tcpInFlange) {
       return new GripperOf(
-          sight.hand().grip(), sight.inFlange(tcpInFlange).z(), sight.strokeM(), sight.holds());
+          sight.gripper().grip(), sight.inFlange(tcpInFlange).z(), sight.strokeM(), sight.holds());
     }
 
     List<Mesh> meshes(Detail detail) {

@@ -58,10 +58,10 @@ final class FlangeMesh {
     }
   }
 
-  private void addSocket(MeshBuilder mesh, double middleM, double mostM) {
+  private void addSocket(MeshBuilder mesh, double middleM, double maxPartWidthM) {
     double reachM = -socket.fromM();
     if (reachM > body.radiusM()) {
-      double radiusM = Math.min(mostM, 0.2 * body.radiusM());
+      double radiusM = Math.min(maxPartWidthM, 0.2 * body.radiusM());
       mesh.at(AxisDirection.DOWN_Y.at(0, 0, middleM)).finish(Finish.SEAL);
       Lathe.cylinder(mesh, radiusM, 0.6 * body.radiusM(), reachM, 0.001, 24);
     }

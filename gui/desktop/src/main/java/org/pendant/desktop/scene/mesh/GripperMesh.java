@@ -3,7 +3,7 @@ package org.pendant.desktop.scene.mesh;
 import java.util.List;
 import org.joml.Matrix4f;
 import org.joml.Vector3f;
-import org.pendant.controller.world.HandSetup;
+import org.pendant.controller.world.GripperSetup;
 
 /**
  * Gripper mesh: a plain gripper: a body on the flange, and what grips in the frame of the hand,
@@ -45,17 +45,17 @@ public final class GripperMesh {
    * @param holds whether it looks as if it held something
    */
   public static List<Mesh> of(
-      HandSetup.Grip grip, double reachM, double strokeM, boolean holds, Detail detail) {
+      GripperSetup.Grip grip, double reachM, double strokeM, boolean holds, Detail detail) {
     GripperMesh made = new GripperMesh(Math.max(0, reachM), holds, detail);
     return switch (grip) {
-      case HandSetup.Grip.Pads pads ->
+      case GripperSetup.Grip.Pads pads ->
           List.of(
               made.body(),
               made.rail(pads, strokeM),
               made.finger(pads, 1),
               made.finger(pads, -1),
               made.part());
-      case HandSetup.Grip.Cup cup -> {
+      case GripperSetup.Grip.Cup cup -> {
         Mesh none = new MeshBuilder(detail).build();
         yield List.of(made.body(), made.cup(cup), none, none, none);
       }
@@ -75,7 +75,7 @@ public final class GripperMesh {
   }
 
   /** What the fingers slide on. */
-  private Mesh rail(HandSetup.Grip.Pads pads, double strokeM) {
+  private Mesh rail(GripperSetup.Grip.Pads pads, double strokeM) {
     MeshBuilder mesh = new MeshBuilder(detail).finish(Finish.METAL);
     if (fingerM(pads) > 0) {
       double lengthM = strokeM + 4 * FINGER_M;
@@ -85,14 +85,14 @@ public final class GripperMesh {
   }
 
   /** How long a finger is above its pad. */
-  private double fingerM(HandSetup.Grip.Pads pads) {
+  private double fingerM(GripperSetup.Grip.Pads pads) {
     return Math.max(0, reachM - bodyM() - pads.lengthM() / 2);
   }
 
   /**
    * @param side 1 for the one at positive y, otherwise -1
    */
-  private Mesh finger(HandSetup.Grip.Pads pads, int side) {
+  private Mesh finger(GripperSetup.Grip.Pads pads, int side) {
     MeshBuilder mesh = new MeshBuilder(detail).finish(pad);
     block(mesh, pads.widthM(), FINGER_M / 2, pads.lengthM(), side * FINGER_M / 4, 0);
     mesh.finish(Finish.METAL);
@@ -114,7 +114,7 @@ public final class GripperMesh {
   }
 
   /** From the body on, with its lip in the middle of the hand. */
-  private Mesh cup(HandSetup.Grip.Cup cup) {
+  private Mesh cup(GripperSetup.Grip.Cup cup) {
     MeshBuilder mesh = new MeshBuilder(detail).finish(Finish.METAL);
     double radiusM = cup.radiusM();
     double highM = Math.min(1.5 * radiusM, Math.max(radiusM / 2, reachM - bodyM()));

@@ -165,7 +165,7 @@ final class Tubing {
     double r = pipe.radiusM(entersM);
     double endways = Math.abs(pipe.direction(angleRad, 1, 0).dot(barrel.axis()));
     double toEndM = barrel.roomM(pipe.point(angleRad, r, entersM)) / Math.max(endways, 0.2);
-    double mostM = Math.min(filletM, Math.min(0.7 * roomM, 0.8 * toEndM));
-    return Math.max(mostM, MIN_FILLET_M);
+    double maxPartWidthM = Math.min(filletM, Math.min(0.7 * roomM, 0.8 * toEndM));
+    return Math.max(maxPartWidthM, MIN_FILLET_M);
   }
 }

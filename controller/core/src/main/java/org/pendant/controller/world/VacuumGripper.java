@@ -3,8 +3,8 @@ package org.pendant.controller.world;
 import java.util.OptionalInt;
 import org.pendant.cell.HoldLimits;
 
-/** Cup hand: a vacuum cup, which holds what it is sealed on. */
-public final class CupHand extends Hand {
+/** Cup gripper: a vacuum cup, which holds what it is sealed on. */
+public final class VacuumGripper extends Gripper {
   /** Rays begin so far inside the cup, m: what it is pressed on may be there. */
   private static final double INSIDE_M = 0.004;
 
@@ -17,9 +17,9 @@ public final class CupHand extends Hand {
   /** Uniform pressure on a disc, of its radius: lever of its friction against turning. */
   private static final double TURNING = 2.0 / 3;
 
-  private final HandSetup.Grip.Cup cup;
+  private final GripperSetup.Grip.Cup cup;
 
-  CupHand(HandSetup setup, HandSetup.Grip.Cup cup, ArmBodies arm, FreeBodies among) {
+  VacuumGripper(GripperSetup setup, GripperSetup.Grip.Cup cup, ArmBodies arm, FreeBodies among) {
     super(setup, arm, among);
     this.cup = cup;
   }

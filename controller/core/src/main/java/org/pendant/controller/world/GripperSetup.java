@@ -5,23 +5,23 @@ import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 
 /**
- * Hand setup: the part of a gripper that touches what it grips.
+ * Gripper setup: the part of a gripper that touches what it grips.
  *
  * @param atInFlange where its middle is, in the flange's frame: z goes on to what it grips, fingers
  *     close along y; empty for the active tool centre point
  * @param grip what it grips with
  * @param friction its coefficient of friction, 0 to 2; with a body it is the geometric mean of both
  */
-public record HandSetup(Optional<Pose> atInFlange, Grip grip, double friction) {
+public record GripperSetup(Optional<Pose> atInFlange, Grip grip, double friction) {
   /** What friction may be. */
   public static final Range FRICTION = Material.FRICTION;
 
   /** Rubber. */
   public static final double RUBBER = 0.8;
 
-  /** What a hand grips with. */
+  /** What a gripper grips with. */
   public sealed interface Grip {
-    /** What lengths of a hand may be. */
+    /** What lengths of a gripper may be. */
     Range LENGTH = new Range(0.001, 0.5, "m");
 
     /** How hard a cup may hold. */
@@ -65,14 +65,15 @@ public record HandSetup(Optional<Pose> atInFlange, Grip grip, double friction) {
   }
 
   /** Checks the friction. */
-  public HandSetup {
+  public GripperSetup {
     FRICTION.require("friction", friction);
   }
 
   /** Fingers at the tool centre point. */
-  public static final HandSetup FINGERS =
-      new HandSetup(Optional.empty(), Grip.Pads.DEFAULT, RUBBER);
+  public static final GripperSetup FINGERS =
+      new GripperSetup(Optional.empty(), Grip.Pads.DEFAULT, RUBBER);
 
   /** A cup at the tool centre point. */
-  public static final HandSetup CUP = new HandSetup(Optional.empty(), Grip.Cup.DEFAULT, RUBBER);
+  public static final GripperSetup CUP =
+      new GripperSetup(Optional.empty(), Grip.Cup.DEFAULT, RUBBER);
 }

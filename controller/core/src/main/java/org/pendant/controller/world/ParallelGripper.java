@@ -11,10 +11,10 @@ import org.pendant.models.pose.Transforms;
 import org.pendant.models.time.FrameTime;
 
 /**
- * Finger hand: two fingers that close along y. Their pads are bodies that push what is in their
+ * Finger gripper: two fingers that close along y. Their pads are bodies that push what is in their
  * way; what lies between both and is pressed for a moment is held by friction.
  */
-public final class FingerHand extends Hand {
+public final class ParallelGripper extends Gripper {
   /** Fingers are so thick, m. */
   private static final double THICK_M = 0.008;
 
@@ -36,7 +36,7 @@ public final class FingerHand extends Hand {
   /** Uniform pressure on a disc, of its radius: lever of its friction against turning. */
   private static final double TURNING = 2.0 / 3;
 
-  private final HandSetup.Grip.Pads pads;
+  private final GripperSetup.Grip.Pads pads;
   private final int[] pad = new int[2];
   private final double[] pad12 = new double[Transforms.SIZE];
   private final double[] padTwist6 = new double[6];
@@ -55,8 +55,12 @@ public final class FingerHand extends Hand {
 
   private double heldToM;
 
-  FingerHand(
-      HandSetup setup, HandSetup.Grip.Pads pads, double strokeM, ArmBodies arm, FreeBodies among) {
+  ParallelGripper(
+      GripperSetup setup,
+      GripperSetup.Grip.Pads pads,
+      double strokeM,
+      ArmBodies arm,
+      FreeBodies among) {
     super(setup, arm, among);
     this.pads = pads;
     openingM = strokeM;

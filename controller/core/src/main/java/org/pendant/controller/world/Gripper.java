@@ -9,12 +9,12 @@ import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 
 /**
- * Hand: what grips bodies of a scene, at the flange. {@link FingerHand} has fingers, {@link
- * CupHand} a vacuum cup. What it holds goes with the flange as far as friction and force allow, and
- * is felt there.
+ * Gripper: what grips bodies of a scene, at the flange. {@link ParallelGripper} has fingers, {@link
+ * VacuumGripper} a vacuum cup. What it holds goes with the flange as far as friction and force
+ * allow, and is felt there.
  */
-public abstract sealed class Hand permits FingerHand, CupHand {
-  private final HandSetup setup;
+public abstract sealed class Gripper permits ParallelGripper, VacuumGripper {
+  private final GripperSetup setup;
   final RigidBodyWorld bodies;
   final FreeBodies among;
   final ArmBodies arm;
@@ -28,7 +28,7 @@ public abstract sealed class Hand permits FingerHand, CupHand {
   private final double[] wrench6 = new double[6];
   private boolean placed;
 
-  Hand(HandSetup setup, ArmBodies arm, FreeBodies among) {
+  Gripper(GripperSetup setup, ArmBodies arm, FreeBodies among) {
     this.setup = setup;
     this.arm = arm;
     this.among = among;
@@ -100,7 +100,7 @@ public abstract sealed class Hand permits FingerHand, CupHand {
     holds.clear();
   }
 
-  final HandSetup setup() {
+  final GripperSetup setup() {
     return setup;
   }
 

@@ -7,11 +7,11 @@ import org.pendant.controller.device.CellDevices;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.rule.Rules;
 
-/** Hand of a cell: what its rules do to devices, whichever controller has them. */
-final class CellHand implements Rules.Hand {
+/** Device actions of a cell: what its rules do to devices, whichever controller has them. */
+final class CellDeviceActions implements Rules.DeviceActions {
   private final Map<String, CellDevices> devices = new HashMap<>();
 
-  CellHand(List<Cell.Member> members) {
+  CellDeviceActions(List<Cell.Member> members) {
     for (Cell.Member member : members) {
       CellDevices of = member.controller().box().links().devices();
       for (DeviceState each : of.states()) {
