@@ -11,6 +11,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -173,8 +175,9 @@ final class CellTest {
     assertTrue(state(cell, "right").safety().stop().orElseThrow().message().contains("of left"));
   }
 
-  @Test
-  void anArmPushesWhatTheOtherOneSees() throws JsonException {
+  @ParameterizedTest
+  @EnumSource
+  void anArmPushesWhatTheOtherOneSees(ArmChoice arms) throws JsonException {
     Cell cell =
         cell(
             FACING
@@ -184,7 +187,8 @@ final class CellTest {
                   {"type": "box", "name": "part", "pose": [0.48, 0.1, 0.25, 0, 0, 0],
                    "size": [0.1, 0.1, 0.1], "mass": 0.5}
                 ], "tool": [{"point": [0, 0, 0.1]}]\
-                """);
+                """,
+            ControllerOptions.headless().withArm(arms));
     start(
         cell,
         "left",

@@ -59,7 +59,8 @@ final class SimulationOptions {
               "dynamic",
               "`dynamic` (default): an arm with masses, friction and drives, see"
                   + " [simulated-arm.md](simulated-arm.md); `ideal`: one that is always exactly"
-                  + " where it should be, touches nothing and weighs nothing");
+                  + " where it should be, weighs nothing, and pushes and carries what has a mass"
+                  + " without being pushed back");
   static final Option NOISE =
       Option.of(
               "--noise",

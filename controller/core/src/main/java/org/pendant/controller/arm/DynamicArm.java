@@ -108,7 +108,7 @@ public final class DynamicArm implements SimulatedArm {
 
   @Override
   public void place() {
-    externalForces.place(body);
+    externalForces.place(body.q, body.qd);
   }
 
   private void move(ArmCommand command) {

@@ -65,52 +65,69 @@ final class ExternalForces {
       Arrays.fill(torqueNm, 0);
       return;
     }
-    predictFrame(body);
+    predictFrame(body.q, body.qd, FrameTime.FRAME_S);
     if (!world.shared()) {
-      placeLinks(body);
+      placeLinks(body.qd);
       world.advance(flange12, tcpInFlange3, twist6, FrameTime.FRAME_S);
     }
     feelAhead(body);
   }
 
-  private void predictFrame(ArmBody body) {
-    predict(body, FrameTime.FRAME_S);
+  private void predictFrame(double[] q, double[] qd, double afterS) {
+    predict(q, qd, afterS);
     jacobian.at(ahead, Pose.ZERO, jacobian36);
-    moveFlange(body);
+    moveFlange(qd);
   }
 
-  private void placeLinks(ArmBody body) {
+  private void placeLinks(double[] qd) {
     if (world.hasFreeBodies()) {
       forward.frames(ahead, linkFrames);
-      world.moveLinks(linkFrames, body.qd);
+      world.moveLinks(linkFrames, qd);
     }
   }
 
   /** Says to a world that other arms share where the arm will be at the end of the frame. */
-  void place(ArmBody body) {
+  void place(double[] q, double[] qd) {
     if (world.shared() && world.hasFreeBodies()) {
-      predictFrame(body);
-      placeLinks(body);
+      predictFrame(q, qd, FrameTime.FRAME_S);
+      placeLinks(qd);
       world.place(flange12, tcpInFlange3, twist6);
     }
   }
 
+  /**
+   * Lets the objects of a world of one arm move around it while nothing acts back on it.
+   *
+   * @param q where it is at the end of the frame, rad
+   * @param qd how it moves then, rad/s
+   */
+  void moveBodies(double[] q, double[] qd) {
+    predictFrame(q, qd, 0);
+    placeLinks(qd);
+    world.advance(flange12, tcpInFlange3, twist6, FrameTime.FRAME_S);
+  }
+
+  /** Takes what objects that have a mass do to the tool, and nothing else. */
+  void feelBodies() {
+    world.bodyWrench(wrench6);
+  }
+
   /** Feels what will push {@code afterS} s later if the arm continues as now. */
   void feel(ArmBody body, double afterS) {
-    predict(body, afterS);
-    moveFlange(body);
+    predict(body.q, body.qd, afterS);
+    moveFlange(body.qd);
     feelAhead(body);
   }
 
-  private void predict(ArmBody body, double afterS) {
+  private void predict(double[] q, double[] qd, double afterS) {
     for (int i = 0; i < N; i++) {
-      ahead[i] = body.q[i] + afterS * body.qd[i];
+      ahead[i] = q[i] + afterS * qd[i];
     }
   }
 
-  private void moveFlange(ArmBody body) {
+  private void moveFlange(double[] qd) {
     forward.flange(ahead, flange12);
-    Jacobian.twist(jacobian36, body.qd, twist6);
+    Jacobian.twist(jacobian36, qd, twist6);
   }
 
   private void feelAhead(ArmBody body) {

@@ -13,9 +13,11 @@ import org.pendant.models.pose.Pose;
 
 /**
  * Ideal arm: simulated without mass, friction or delay, it is always exactly where it should be.
- * Its motors feel nothing, it touches nothing, and without a target it stays where it is, at once.
- * Only the flange feels something: the weight and inertia of the load in the target motion; and the
- * controller says what that motion would need, as with any arm.
+ * Its motors feel nothing, nothing stops it, and without a target it stays where it is, at once. It
+ * pushes and carries the bodies of a scene, as a kinematic body does, and they do not move it.
+ *
+ * <p>Only the flange feels something: the weight and inertia of the load in the target motion, and
+ * what bodies do to the tool; and the controller says what that motion would need, as with any arm.
  *
  * <p>Guided by hand, driven by torques or pushed in backdrive it has no target, and something must
  * yield: it then moves as the {@link DynamicArm} would.
@@ -24,6 +26,7 @@ public final class IdealArm implements SimulatedArm {
   private final DynamicArm.Setup setup;
   private final Flange flange;
   private final TargetLoad targetLoad;
+  private final ExternalForces externalForces;
   private final SimulatedSensors sensors = new SimulatedSensors();
   private Optional<DynamicArm> yielding = Optional.empty();
   private Payload load = Payload.NONE;
@@ -32,6 +35,9 @@ public final class IdealArm implements SimulatedArm {
   private final JointNumbers positionRad = new JointNumbers();
   private final JointNumbers speedRadPerS = new JointNumbers();
   private final LastCommand last = new LastCommand();
+
+  /** Whether it has moved since bodies were told where it is. */
+  private boolean moved;
 
   /**
    * An arm at rest that nothing ever touches.
@@ -62,6 +68,7 @@ public final class IdealArm implements SimulatedArm {
             setup.seed());
     flange = new Flange(setup.arm(), sensors.angles);
     targetLoad = new TargetLoad(setup.arm(), setup.model());
+    externalForces = new ExternalForces(setup.arm(), setup.world());
     Arrays.fill(sensors.temperatureC, JointHeat.AMBIENT_C);
     sensors.toolTemperatureC = JointHeat.AMBIENT_C;
     move(setup.startRad(), Joints.ZERO, Joints.ZERO);
@@ -71,15 +78,35 @@ public final class IdealArm implements SimulatedArm {
   public void step(ArmCommand command) {
     if (yields(command)) {
       yieldTo(command, yields(last.command()));
-    } else if (!last.is(command)) {
-      obey(command);
+    } else {
+      if (!last.is(command)) {
+        obey(command);
+      }
+      moveBodies();
     }
     last.remember(command);
   }
 
   @Override
   public void place() {
-    // it touches nothing
+    if (yields(last.command())) {
+      yielding.ifPresent(DynamicArm::place);
+    } else if (setup.world().shared() && mattersToBodies()) {
+      moved = false;
+      externalForces.place(sensors.positionRad, sensors.speedRadPerS);
+    }
+  }
+
+  private boolean mattersToBodies() {
+    return setup.world().hasFreeBodies() && (moved || setup.world().bodiesMove());
+  }
+
+  private void moveBodies() {
+    if (!setup.world().shared() && mattersToBodies()) {
+      moved = false;
+      externalForces.moveBodies(sensors.positionRad, sensors.speedRadPerS);
+    }
+    externalForces.feelBodies();
   }
 
   private static boolean yields(ArmCommand command) {
@@ -106,6 +133,7 @@ public final class IdealArm implements SimulatedArm {
       arm.jumpTo(positionRad.joints(), speedRadPerS.joints());
     }
     arm.step(command);
+    externalForces.feelBodies();
     SimulatedSensors felt = arm.sensors();
     System.arraycopy(felt.targetTorqueNm, 0, sensors.targetTorqueNm, 0, Joints.COUNT);
     System.arraycopy(felt.targetCurrentA, 0, sensors.targetCurrentA, 0, Joints.COUNT);
@@ -138,6 +166,7 @@ public final class IdealArm implements SimulatedArm {
   }
 
   private void measureMotion() {
+    moved = true;
     positionRad.copyTo(sensors.positionRad);
     speedRadPerS.copyTo(sensors.speedRadPerS);
     flange.update(sensors.positionRad, sensors.speedRadPerS, sensors.accelerationRadPerS2);
@@ -156,7 +185,11 @@ public final class IdealArm implements SimulatedArm {
 
   @Override
   public void copyLoadOnFlange(double[] load6) {
-    flange.weightOf(load, load6);
+    if (setup.world().hasFreeBodies()) {
+      flange.loadOf(load, externalForces.wrench6, load6);
+    } else {
+      flange.weightOf(load, load6);
+    }
   }
 
   @Override
@@ -179,14 +212,16 @@ public final class IdealArm implements SimulatedArm {
   public void setMounting(double x, double y, double z) {
     mounting3 = new double[] {x, y, z};
     yielding.ifPresent(arm -> arm.setMounting(x, y, z));
+    externalForces.setMounting(x, y, z);
     flange.mount(x, y, z);
     measureMotion();
   }
 
-  /** Counts when the arm yields; otherwise an ideal arm touches nothing. */
   @Override
   public void setToolCentre(Pose tcpInFlange) {
     this.tcpInFlange = tcpInFlange;
+    externalForces.setToolCentre(tcpInFlange);
+    moved = true;
     yielding.ifPresent(arm -> arm.setToolCentre(tcpInFlange));
   }
 

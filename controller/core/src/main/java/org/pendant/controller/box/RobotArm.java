@@ -44,7 +44,7 @@ public final class RobotArm {
             .station()
             .map(CellStation::contacts)
             .orElseGet(() -> new ContactWorld(scene, () -> LinkCapsules.of(description)));
-    // an ideal arm touches nothing
+    // nothing stops an ideal arm
     if (setup.armChoice() != ArmChoice.IDEAL) {
       LinkCollisions.of(description, scene).ifPresent(collisions::add);
       setup.station().flatMap(CellStation::encounters).ifPresent(collisions::add);

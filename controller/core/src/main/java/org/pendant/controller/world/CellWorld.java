@@ -23,10 +23,10 @@ public final class CellWorld {
    * @param name what messages call it by
    * @param scene the objects as they are seen from its base, and what its tool is
    * @param baseInCell where it stands
-   * @param touches whether it touches anything
+   * @param stops whether its links stop at those of others
    */
   public record Standing(
-      String name, ArmDescription arm, Scene scene, Pose baseInCell, boolean touches) {}
+      String name, ArmDescription arm, Scene scene, Pose baseInCell, boolean stops) {}
 
   private final List<Standing> arms;
   private final boolean solid;
@@ -63,9 +63,7 @@ public final class CellWorld {
 
   private ArmBodies.Setup bodies(Standing arm) {
     return new ArmBodies.Setup(
-        arm.scene().toolPoints(),
-        solid && arm.touches() ? LinkCapsules.of(arm.arm()) : List.of(),
-        arm.baseInCell());
+        arm.scene().toolPoints(), solid ? LinkCapsules.of(arm.arm()) : List.of(), arm.baseInCell());
   }
 
   /** What an arm may touch, by its number. */
@@ -84,7 +82,7 @@ public final class CellWorld {
    * What links of an arm get into of the other arms; empty where links pass through all there is.
    */
   public Optional<LinkCollisions> encounters(int arm) {
-    if (!solid || !arms.get(arm).touches()) {
+    if (!solid || !arms.get(arm).stops()) {
       return Optional.empty();
     }
     List<Neighbour> others = new ArrayList<>(links);
@@ -95,7 +93,7 @@ public final class CellWorld {
 
   /** Lets the objects move for a frame; arms have said before where they are. */
   public void advance() {
-    if (free != null && arms.stream().anyMatch(Standing::touches)) {
+    if (free != null) {
       free.advance(FrameTime.FRAME_S);
     }
   }

@@ -185,6 +185,19 @@ public final class ContactWorld {
     return shared;
   }
 
+  /**
+   * What objects that have a mass do to the tool since the latest step.
+   *
+   * @param wrench6 overwritten with force, N, and torque about the flange's origin, Nm, along the
+   *     base's axes
+   */
+  public void bodyWrench(double[] wrench6) {
+    Arrays.fill(wrench6, 0, 6, 0);
+    if (own != null) {
+      own.addWrench(wrench6);
+    }
+  }
+
   /** Whether there are objects that links can push. */
   public boolean hasFreeBodies() {
     return own != null;
