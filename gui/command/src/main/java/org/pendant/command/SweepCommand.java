@@ -5,16 +5,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.sweep.Sweep;
 import org.pendant.sweep.engine.Engine;
 import org.pendant.sweep.engine.EngineException;
-import org.pendant.sweep.engine.LocalEngine;
-import org.pendant.sweep.engine.ResultSink;
 import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.folder.ResultReader;
 import org.pendant.sweep.folder.SweepFolder;
 import org.pendant.sweep.folder.SweepFolderException;
 import org.pendant.sweep.plan.PlanException;
-import org.pendant.sweep.run.SweepJob;
 import org.pendant.sweep.table.ResultTable;
 import org.pendant.sweep.table.RowCondition;
 
@@ -61,15 +59,15 @@ final class SweepCommand implements Subcommand {
     }
     Path plan = arguments.files().path("the plan", arguments.operands().getFirst());
     SweepOptions options = SweepOptions.of(arguments, plan);
-    SweepJob job;
+    Sweep sweep;
     try {
-      job = SweepJob.read(plan);
+      sweep = Sweep.read(plan);
     } catch (PlanException e) {
       e.reports().forEach(console::complainInLines);
       return ExitCode.WRONG_USAGE;
     }
     try {
-      return run(job, plan, options, console);
+      return run(sweep, options, console);
     } catch (SweepFolderException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
@@ -80,52 +78,30 @@ final class SweepCommand implements Subcommand {
     }
   }
 
-  private static ExitCode run(SweepJob job, Path plan, SweepOptions options, Console console)
+  private static ExitCode run(Sweep sweep, SweepOptions options, Console console)
       throws UsageException, IOException, SweepFolderException, EngineException {
-    ResultTable table = ResultTable.of(job.plan());
+    ResultTable table = sweep.table();
     List<RowCondition> conditions = options.conditions(table);
     Optional<KeptRuns> kept = options.kept(table);
-    SearchLoop.check(job.plan(), table);
     try (Interruption interruption = Interruption.listen("the sweep")) {
-      if (options.force()) {
-        SweepFolder.clear(options.out());
-      }
-      long done;
-      long size = job.plan().size();
-      try (SweepFolder folder =
-              options.resume() && SweepFolder.begun(options.out())
-                  ? SweepFolder.resume(options.out(), job)
-                  : SweepFolder.create(options.out(), plan, job);
-          Engine engine = new LocalEngine(job, options.workers())) {
-        console.complain(size + " runs, " + engine.description());
-        interruption.hold();
-        SweepProgress progress = new SweepProgress(console, folder.next(), size, System.nanoTime());
-        ResultSink sink =
-            result -> {
-              folder.add(folder.table().row(result));
-              progress.at(result.variant().number() + 1, System.nanoTime());
-            };
-        done =
-            job.plan().search().isPresent()
-                ? new SearchLoop(job.plan(), folder, engine)
-                    .run(options.out(), sink, interruption::requested)
-                : engine.run(
-                    job.plan()::variant, folder.next(), size, sink, interruption::requested);
+      try (Engine engine = sweep.local(options.workers())) {
+        SweepProgress progress = new SweepProgress(console, engine.description(), interruption);
+        long done =
+            sweep.run(options.out(), options.start(), engine, progress, interruption::requested);
         progress.end(done, System.nanoTime());
       }
-      SweepFolder.writeParquet(options.out(), table);
       SweepSummary summary = summary(options.out(), table, conditions);
       summary.lines().forEach(console::print);
       console.print("");
       console.print("results: " + options.out().resolve(SweepFolder.RESULTS));
       if (kept.isPresent() && !interruption.requested()) {
-        SweepResults.keep(options.out(), job, kept.get()).forEach(console::print);
+        SweepResults.keep(options.out(), sweep, kept.get()).forEach(console::print);
       }
       if (interruption.requested()) {
         console.complain("pendant sweep: ended early; --resume goes on");
       }
-      if (job.plan().search().isPresent()) {
-        SweepResults.best(options.out(), job.plan(), table).forEach(console::print);
+      if (sweep.plan().search().isPresent()) {
+        SweepResults.best(options.out(), sweep.plan(), table).forEach(console::print);
       }
       summary.broken().forEach(each -> console.complain("pendant sweep: " + each));
       // Before the interruption is closed: after that the process may be gone at any moment.

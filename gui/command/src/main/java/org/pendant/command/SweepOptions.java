@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.pendant.sweep.Sweep;
 import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.table.ResultTable;
 import org.pendant.sweep.table.RowCondition;
@@ -90,14 +91,18 @@ record SweepOptions(
   private static Path out(Arguments arguments, Path plan) throws UsageException {
     String given = arguments.value(OUT).orElse("");
     if (given.isEmpty()) {
-      String name = plan.getFileName().toString();
-      return plan.resolveSibling(name.replaceFirst("\\.toml$", "") + ".sweep");
+      return Sweep.folderOf(plan);
     }
     try {
       return Path.of(given);
     } catch (InvalidPathException e) {
       throw new UsageException("--out " + given + ": not a file name, " + e.getReason());
     }
+  }
+
+  /** How the sweep begins in its folder. */
+  Sweep.Start start() {
+    return force ? Sweep.Start.ANEW : resume ? Sweep.Start.RESUME : Sweep.Start.NEW;
   }
 
   /** The runs whose recordings are kept. */

@@ -1,33 +1,51 @@
 package org.pendant.command;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import org.pendant.sweep.SweepListener;
+import org.pendant.sweep.run.SweepResult;
 
 /** Sweep progress: tells now and then how far a sweep is, how fast, and how long it will take. */
-final class SweepProgress {
+final class SweepProgress implements SweepListener {
   private static final long EVERY_NS = TimeUnit.SECONDS.toNanos(5);
 
   private final Console console;
-  private final long first;
-  private final long size;
-  private final long startNs;
+  private final String where;
+  private final Interruption interruption;
+  private long first;
+  private long size;
+  private long startNs;
   private long toldNs;
 
   /**
-   * @param first how many runs there were before
-   * @param size how many there are in all
-   * @param nowNs when it begins
+   * @param where the runs are run
+   * @param interruption is held from the first run on: what is there then is told at the end
    */
-  SweepProgress(Console console, long first, long size, long nowNs) {
+  SweepProgress(Console console, String where, Interruption interruption) {
     this.console = console;
-    this.first = first;
-    this.size = size;
-    startNs = nowNs;
-    toldNs = nowNs;
+    this.where = where;
+    this.interruption = interruption;
+  }
+
+  @Override
+  public void begin(long done, long all) {
+    console.complain(all + " runs, " + where);
+    interruption.hold();
+    first = done;
+    size = all;
+    startNs = System.nanoTime();
+    toldNs = startNs;
+  }
+
+  @Override
+  public void take(SweepResult result, List<Optional<Object>> row) {
+    at(result.variant().number() + 1, System.nanoTime());
   }
 
   /** So many runs have a row. */
-  void at(long done, long nowNs) {
+  private void at(long done, long nowNs) {
     if (nowNs - toldNs >= EVERY_NS && done > first) {
       toldNs = nowNs;
       double seconds = (nowNs - startNs) * 1e-9;

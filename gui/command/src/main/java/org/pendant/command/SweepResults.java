@@ -2,7 +2,6 @@ package org.pendant.command;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,28 +9,23 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.SortedMap;
 import java.util.SortedSet;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.sweep.Sweep;
 import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.folder.ResultReader;
 import org.pendant.sweep.folder.SweepFolder;
 import org.pendant.sweep.folder.SweepFolderException;
 import org.pendant.sweep.plan.PlanException;
 import org.pendant.sweep.plan.SweepPlan;
-import org.pendant.sweep.plan.SweepVariant;
 import org.pendant.sweep.report.SweepReport;
-import org.pendant.sweep.run.SweepJob;
 import org.pendant.sweep.search.SweepSearch;
 import org.pendant.sweep.table.ResultTable;
 
 /** Sweep results: what {@code pendant sweep} does with a folder of them. */
 final class SweepResults {
-  private static final String REPORT = "report.html";
-
   private final DesktopServices services;
 
   /** What is done. */
@@ -86,7 +80,7 @@ final class SweepResults {
     if (!rest.isEmpty()) {
       throw new UsageException("report: expected one folder, there is " + rest.getFirst() + " too");
     }
-    Path page = folder.resolve(REPORT);
+    Path page = folder.resolve(SweepFolder.REPORT);
     AtomicFile.write(page, SweepReport.of(folder).getBytes(StandardCharsets.UTF_8));
     console.print("report: " + page);
     return ExitCode.DONE;
@@ -115,49 +109,7 @@ final class SweepResults {
       }
       numbers.add(Long.parseLong(each));
     }
-    Path plan = SweepFolder.planOf(folder);
-    if (!Files.isRegularFile(plan)) {
-      throw new UsageException(
-          "the plan " + plan + " is not there any more, the run cannot be run again");
-    }
-    return record(folder, SweepJob.read(plan), numbers);
-  }
-
-  private static List<Path> record(Path folder, SweepJob job, SortedSet<Long> runs)
-      throws IOException, SweepFolderException {
-    SortedMap<Long, Row> rows = rows(folder, job.plan(), runs);
-    List<Path> files = new ArrayList<>();
-    for (long run : runs) {
-      if (!rows.containsKey(run)) {
-        throw new SweepFolderException(folder + " has no row of run " + run);
-      }
-      files.add(KeptRuns.record(folder, job, rows.get(run).variant(), rows.get(run).digest()));
-    }
-    return files;
-  }
-
-  /** What a row tells of its run. */
-  private record Row(SweepVariant variant, String digest) {}
-
-  private static SortedMap<Long, Row> rows(Path folder, SweepPlan plan, SortedSet<Long> runs)
-      throws IOException, SweepFolderException {
-    SortedMap<Long, Row> found = new TreeMap<>();
-    try (ResultReader rows = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
-      int column =
-          rows.column("digest")
-              .orElseThrow(() -> new SweepFolderException(folder + " has no digests"));
-      Optional<List<String>> row = rows.next();
-      while (row.isPresent()) {
-        if (runs.contains(rows.rows() - 1)) {
-          List<String> values = row.get().subList(1, 1 + plan.parameters().size());
-          found.put(
-              rows.rows() - 1,
-              new Row(plan.variantOfRow(rows.rows() - 1, values), row.get().get(column)));
-        }
-        row = rows.next();
-      }
-    }
-    return found;
+    return Sweep.of(folder).record(folder, numbers);
   }
 
   /** The best run of a search, for people. */
@@ -193,19 +145,16 @@ final class SweepResults {
   }
 
   /** Writes the recordings that are wanted, and tells how each is opened. */
-  static List<String> keep(Path folder, SweepJob job, KeptRuns kept)
+  static List<String> keep(Path folder, Sweep sweep, KeptRuns kept)
       throws IOException, SweepFolderException {
     SortedSet<Long> chosen;
     try (ResultReader reader = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
       chosen = kept.choose(reader);
     }
-    SortedMap<Long, Row> rows = rows(folder, job.plan(), chosen);
     List<String> told = new ArrayList<>();
     for (long run : chosen) {
       try {
-        told.add(
-            "pendant open "
-                + KeptRuns.record(folder, job, rows.get(run).variant(), rows.get(run).digest()));
+        told.add("pendant open " + sweep.record(folder, run));
       } catch (SweepFolderException e) {
         // one that was refused has nothing to look at; the others are kept all the same
         told.add("not kept: " + e.getMessage());

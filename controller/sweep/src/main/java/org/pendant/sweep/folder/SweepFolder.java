@@ -26,6 +26,9 @@ public final class SweepFolder implements Closeable {
   /** The same table in Parquet's format. */
   public static final String PARQUET = "results.parquet";
 
+  /** The page about it. */
+  public static final String REPORT = "report.html";
+
   /** Where the plan was, and what it was. */
   public static final String ORIGIN = "origin.txt";
 
@@ -126,6 +129,7 @@ public final class SweepFolder implements Closeable {
   public static void clear(Path folder) throws IOException {
     Files.deleteIfExists(folder.resolve(RESULTS));
     Files.deleteIfExists(folder.resolve(PARQUET));
+    Files.deleteIfExists(folder.resolve(REPORT));
     KeptRuns.clear(folder);
   }
 

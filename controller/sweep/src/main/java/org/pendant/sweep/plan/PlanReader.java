@@ -19,8 +19,6 @@ public final class PlanReader {
   private static final int MAX_PARAMETERS = 200;
   private static final int MAX_NAMES = 1000;
   private static final long MAX_SEARCH = 1_000_000;
-  private static final long STANDARD_SEARCH = 400;
-  private static final int STANDARD_STALL = 15;
 
   private final List<String> mistakes = new ArrayList<>();
   private final TomlFields fields;
@@ -189,14 +187,16 @@ public final class PlanReader {
         return Optional.empty();
       }
     }
-    int standard = 4 + (int) (3 * Math.log(Math.max(1, parameters.size())));
     return Optional.of(
         new SearchGoal(
             least.or(() -> most).orElseThrow(),
             most.isPresent(),
             given.texts("limits", MAX_NAMES, "texts like \"torque_share <= 0.8\""),
-            (int) given.whole("population", 4, 10_000).orElse(Math.max(8, standard)),
-            (int) given.whole("stall", 1, 100_000).orElse(STANDARD_STALL)));
+            (int)
+                given
+                    .whole("population", 4, 10_000)
+                    .orElse(SearchGoal.standardPopulation(parameters.size())),
+            (int) given.whole("stall", 1, 100_000).orElse(SearchGoal.STANDARD_STALL)));
   }
 
   private Optional<Sampling> searched(Optional<SearchGoal> goal) {
@@ -207,7 +207,7 @@ public final class PlanReader {
     if (given == null || goal.isEmpty()) {
       return Optional.empty();
     }
-    long runs = given.whole("runs", 1, MAX_SEARCH).orElse(STANDARD_SEARCH);
+    long runs = given.whole("runs", 1, MAX_SEARCH).orElse(SearchGoal.STANDARD_RUNS);
     long seed = given.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE).orElse(0);
     return Optional.of(new Sampling(SamplingMethod.SEARCH, runs, seed));
   }

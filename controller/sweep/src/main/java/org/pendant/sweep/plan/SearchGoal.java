@@ -13,8 +13,22 @@ import java.util.List;
  */
 public record SearchGoal(
     String column, boolean maximize, List<String> limits, int population, int stall) {
+  /** Runs that there are at most, where the plan does not say. */
+  public static final long STANDARD_RUNS = 400;
+
+  /** Generations without a better run, where the plan does not say. */
+  public static final int STANDARD_STALL = 15;
+
+  private static final int MIN_STANDARD = 8;
+
   /** Copies the list. */
   public SearchGoal {
     limits = List.copyOf(limits);
+  }
+
+  /** Runs in each generation, where the plan does not say. */
+  public static int standardPopulation(int parameters) {
+    // what Hansen recommends, but enough for the cores of a machine
+    return Math.max(MIN_STANDARD, 4 + (int) (3 * Math.log(Math.max(1, parameters))));
   }
 }

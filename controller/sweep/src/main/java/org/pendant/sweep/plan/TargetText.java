@@ -7,13 +7,13 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Target text: what parameters change, as plans write it. */
-final class TargetText {
+public final class TargetText {
   private static final Pattern VARIABLE = Pattern.compile("([A-Za-z_]\\w*)(?:\\[(\\d{1,4})\\])?");
   private static final Pattern ARGUMENT = Pattern.compile("([1-9]\\d{0,6}) ([A-Za-z_]\\w*)");
   private static final List<String> LOAD = List.of("mass", "cog_x", "cog_y", "cog_z");
 
   /** What is right, for messages. */
-  static final String LEGAL =
+  public static final String LEGAL =
       "one of \"variable NAME\", \"variable NAME[i]\", \"argument LINE NAME\", \"speed\","
           + " \"acceleration\", \"slider\", \"load mass|cog_x|cog_y|cog_z\", \"base AXIS\","
           + " \"feature NAME AXIS\", \"object NAME AXIS\", \"input SIGNAL\", \"input SIGNAL time\","
@@ -22,7 +22,7 @@ final class TargetText {
   private TargetText() {}
 
   /** The target that a text means; empty if it means none. */
-  static Optional<ParameterTarget> parse(String text) {
+  public static Optional<ParameterTarget> parse(String text) {
     int blank = text.indexOf(' ');
     String kind = blank < 0 ? text : text.substring(0, blank);
     String rest = blank < 0 ? "" : text.substring(blank + 1).strip();
@@ -53,6 +53,28 @@ final class TargetText {
       case "seed" -> bare(rest, new ParameterTarget.Seed());
       case "robot" -> bare(rest, new ParameterTarget.RobotModel());
       default -> Optional.empty();
+    };
+  }
+
+  /** The text that means a target. */
+  public static String of(ParameterTarget target) {
+    return switch (target) {
+      case ParameterTarget.Variable(var name, var element) ->
+          "variable " + name + (element.isPresent() ? "[" + element.getAsInt() + "]" : "");
+      case ParameterTarget.CallArgument(var line, var argument) ->
+          "argument " + line + " " + argument;
+      case ParameterTarget.MoveFactor(var argument) ->
+          argument.equals("v") ? "speed" : "acceleration";
+      case ParameterTarget.Slider _ -> "slider";
+      case ParameterTarget.Load(var component) -> "load " + LOAD.get(component);
+      case ParameterTarget.BasePlace(var axis) -> "base " + axis.word();
+      case ParameterTarget.FeaturePlace(var name, var axis) ->
+          "feature " + name + " " + axis.word();
+      case ParameterTarget.ObjectPlace(var name, var axis) -> "object " + name + " " + axis.word();
+      case ParameterTarget.InputLevel(var signal) -> "input " + signal;
+      case ParameterTarget.InputTime(var signal) -> "input " + signal + " time";
+      case ParameterTarget.Seed _ -> "seed";
+      case ParameterTarget.RobotModel _ -> "robot";
     };
   }
 

@@ -1,7 +1,7 @@
 package org.pendant.sweep.run;
 
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -23,7 +23,7 @@ final class ScriptPlaces {
 
   private final Source source;
   private final Catalogue catalogue;
-  private final Map<String, Expression> firstValues = new HashMap<>();
+  private final Map<String, Expression> firstValues = new LinkedHashMap<>();
   private final List<Expression.Call> calls = new ArrayList<>();
 
   ScriptPlaces(Script script, Catalogue catalogue) {
@@ -51,7 +51,7 @@ final class ScriptPlaces {
     return Optional.ofNullable(firstValues.get(variable));
   }
 
-  /** The names of all variables that are assigned. */
+  /** The names of all variables that are assigned, in the order of the text. */
   Set<String> variables() {
     return firstValues.keySet();
   }
@@ -75,6 +75,11 @@ final class ScriptPlaces {
   /** The outermost call that begins in a line, from 1. */
   Optional<Expression.Call> callIn(int line) {
     return calls.stream().filter(each -> source.line(each.range().start()) == line).findFirst();
+  }
+
+  /** All calls, in the order of the text. */
+  List<Expression.Call> calls() {
+    return List.copyOf(calls);
   }
 
   /** All moves. */

@@ -1,4 +1,4 @@
-package org.pendant.command;
+package org.pendant.sweep;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -15,7 +15,6 @@ import org.pendant.sweep.plan.SweepPlan;
 import org.pendant.sweep.plan.SweepVariant;
 import org.pendant.sweep.search.SweepSearch;
 import org.pendant.sweep.table.CsvRows;
-import org.pendant.sweep.table.ResultTable;
 
 /** Search loop: runs one generation of a search after another, each on all workers. */
 final class SearchLoop {
@@ -27,21 +26,6 @@ final class SearchLoop {
     search = new SweepSearch(plan, folder.table());
     this.folder = folder;
     this.engine = engine;
-  }
-
-  /**
-   * Refuses a plan whose search names what the table has not.
-   *
-   * @throws UsageException says what
-   */
-  static void check(SweepPlan plan, ResultTable table) throws UsageException {
-    if (plan.search().isPresent()) {
-      try {
-        var _ = new SweepSearch(plan, table);
-      } catch (IllegalArgumentException e) {
-        throw new UsageException(plan.name() + ": [search]: " + e.getMessage());
-      }
-    }
   }
 
   /**
