@@ -83,7 +83,7 @@ final class IncompleteBar extends JPanel {
   void show(List<NodeProblem> problems) {
     // All lines are as high as one: otherwise each change of a long program would look at all.
     list.setPrototypeCellValue(null);
-    list.setPrototypeCellValue(new NodeProblem(ProgramTree.ROOT, "", ""));
+    list.setPrototypeCellValue(new NodeProblem(ProgramTree.ROOT, "", "Xy"));
     list.setListData(problems.toArray(new NodeProblem[0]));
     list.setVisibleRowCount(Math.clamp(problems.size(), 1, MAX_ROWS));
     heading.setText(
