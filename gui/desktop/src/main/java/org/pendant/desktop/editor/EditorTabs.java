@@ -1,6 +1,8 @@
 package org.pendant.desktop.editor;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,6 +11,7 @@ import java.util.function.Function;
 import java.util.function.IntConsumer;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
+import javax.swing.UIManager;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.kit.icon.SvgIcon;
@@ -114,6 +117,28 @@ final class EditorTabs extends JTabbedPane {
   private void chosen() {
     if (!following && getSelectedIndex() >= 0) {
       programs.select(current().program());
+    }
+  }
+
+  @Override
+  public void updateUI() {
+    if (UIManager.getLookAndFeel() instanceof FlatLaf) {
+      setUI(new Tabs());
+    } else {
+      super.updateUI();
+    }
+  }
+
+  /** Scrolls the tabs, which may have less room now, so that the one in front is in sight. */
+  void showSelected() {
+    if (getUI() instanceof Tabs ui) {
+      ui.showSelected();
+    }
+  }
+
+  private static final class Tabs extends FlatTabbedPaneUI {
+    void showSelected() {
+      ensureSelectedTabIsVisibleLater();
     }
   }
 

@@ -68,9 +68,11 @@ public final class ProblemsView implements View {
     table.setFillsViewportHeight(true);
     table.setDefaultRenderer(String.class, new Cell());
     table.setAutoCreateRowSorter(true);
-    width(0, 88);
-    width(1, 64);
-    width(3, 240);
+    width(0, 72, 88);
+    width(1, 48, 64);
+    width(3, 96, 160);
+    // What is wrong gets the room that there is.
+    table.getColumnModel().getColumn(2).setPreferredWidth(800);
     table.getSelectionModel().addListSelectionListener(event -> fix.setEnabled(row() >= 0));
     key("ENTER", this::go);
     key("alt ENTER", this::fix);
@@ -92,8 +94,9 @@ public final class ProblemsView implements View {
         JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
   }
 
-  private void width(int column, int width) {
+  private void width(int column, int least, int width) {
     TableColumn wanted = table.getColumnModel().getColumn(column);
+    wanted.setMinWidth(least);
     wanted.setPreferredWidth(width);
     wanted.setMaxWidth(width * 2);
   }

@@ -3,6 +3,8 @@ package org.pendant.desktop.editor;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -116,6 +118,13 @@ public final class ScriptEditor implements View {
     JPanel end = new JPanel(new BorderLayout());
     end.setOpaque(false);
     end.add(head, BorderLayout.LINE_END);
+    head.addComponentListener(
+        new ComponentAdapter() {
+          @Override
+          public void componentResized(ComponentEvent event) {
+            tabs.showSelected();
+          }
+        });
     return end;
   }
 

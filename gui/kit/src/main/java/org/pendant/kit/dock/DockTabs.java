@@ -2,7 +2,9 @@ package org.pendant.kit.dock;
 
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
+import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JTabbedPane;
@@ -35,6 +37,21 @@ final class DockTabs extends JTabbedPane {
   }
 
   private static final class Tabs extends FlatTabbedPaneUI {
+    /** Three dots of a tab's title say nothing: one without room is in the list only. */
+    @Override
+    protected void paintTab(
+        Graphics pen,
+        int placement,
+        Rectangle[] places,
+        int index,
+        Rectangle icon,
+        Rectangle title) {
+      boolean whole = tabViewport == null || tabViewport.getViewRect().contains(places[index]);
+      if (whole || index == tabPane.getSelectedIndex()) {
+        super.paintTab(pen, placement, places, index, icon, title);
+      }
+    }
+
     @Override
     protected JButton createMoreTabsButton() {
       return new Dots();
