@@ -87,6 +87,22 @@ final class FocusWindowTest {
   }
 
   @Test
+  void aWordThatIsTakenBackTakesWhatItOfferedAlong() {
+    sharedWindow.program("one = 1", "");
+    window.click("rail-script");
+    window.click("script-text");
+    window.awaitFocus("script-text");
+    window.press("control END");
+    window.type("s");
+    window.awaitShown("completions");
+    window.press("control Z");
+    window.awaitHidden("completions");
+    window.settle();
+    window.awaitHidden("completions");
+    window.press("control S");
+  }
+
+  @Test
   void whatIsTypedAfterNewComesToTheNewProgram() {
     window.click("rail-log");
     window.perform("New script");

@@ -128,7 +128,8 @@ final class CompletionPopup {
     }
     int start = wordStart(caret);
     String word = analysed.text().substring(start, caret);
-    if (found.isEmpty() || (!asked && isComplete(found.getFirst(), word))) {
+    boolean wanted = asked || !word.isEmpty() || isBehindDot(analysed, start);
+    if (!wanted || found.isEmpty() || (!asked && isComplete(found.getFirst(), word))) {
       hide();
       return;
     }
@@ -147,6 +148,11 @@ final class CompletionPopup {
     int width = content.getPreferredSize().width;
     content.setPreferredSize(new Dimension(width, Math.max(rows, sentences)));
     overlay.show(area.place(start), false);
+  }
+
+  /** Members are offered before their first letter; a word that was taken back asks for nothing. */
+  private static boolean isBehindDot(AnalysedText analysed, int start) {
+    return start > 0 && analysed.text().charAt(start - 1) == '.';
   }
 
   /** Whether choosing it would change nothing. */

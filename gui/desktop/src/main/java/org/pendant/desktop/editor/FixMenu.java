@@ -1,6 +1,9 @@
 package org.pendant.desktop.editor;
 
 import java.awt.EventQueue;
+import java.awt.MouseInfo;
+import java.awt.Point;
+import java.awt.PointerInfo;
 import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
@@ -104,9 +107,11 @@ final class FixMenu {
     }
     JPopupMenu menu = new JPopupMenu();
     menu.setName("quick-fixes");
+    PointerInfo info = MouseInfo.getPointerInfo();
+    Point pointer = info == null ? new Point() : info.getLocation();
     BiConsumer<QuickFix, List<Edit>> item =
         (fix, edits) -> {
-          JMenuItem entry = new JMenuItem(ByteText.decoded(fix.title()));
+          JMenuItem entry = new StillItem(ByteText.decoded(fix.title()), pointer);
           entry.addActionListener(event -> area.make(edits));
           menu.add(entry);
         };
