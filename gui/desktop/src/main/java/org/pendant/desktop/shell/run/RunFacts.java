@@ -24,7 +24,8 @@ import org.pendant.script.vm.Ending;
  * @param failed whether that was by an error
  * @param elapsed how long the program has run without its pauses; empty where nobody knows
  * @param paused how long the pauses took; empty for less than a second
- * @param line number of the line that was reached and its text; empty when no program runs
+ * @param line number of the line that was reached and its text, or why the last run has failed;
+ *     empty when there is neither
  * @param waiting how many popups and questions are open; empty for none
  * @param tcp position and rotation of the TCP in the base, six texts
  * @param joints joint positions, six texts
@@ -68,7 +69,9 @@ record RunFacts(
         program.failed() && !left,
         time.known() ? clock(time.ranS(state.timeS())) : "",
         pausedText(time.pausedS(state.timeS())),
-        line(run.shownLine(line), line == 0 ? "" : run.lineText(line)),
+        program.failed() && !left
+            ? failure(program)
+            : line(run.shownLine(line), line == 0 ? "" : run.lineText(line)),
         waiting(state.openPopups().size(), state.openQuestions().size()),
         form.readings(state.arm().actualTcpInBase()),
         joints(state, form.angle()));
@@ -100,6 +103,15 @@ record RunFacts(
     return text.isBlank()
         ? "Line " + line
         : "Line " + line + ":  " + ByteText.decoded(text.strip());
+  }
+
+  /** Why the last run has failed, in place of a line that is not reached any more. */
+  private static String failure(ProgramStatus program) {
+    return program.ending().stream()
+        .filter(Ending.Failed.class::isInstance)
+        .map(Ending.Failed.class::cast)
+        .map(failed -> ByteText.decoded(failed.failure().message()))
+        .collect(Collectors.joining());
   }
 
   private static String waiting(int popups, int questions) {
@@ -135,10 +147,17 @@ record RunFacts(
   }
 
   private static String pausedPlace(ControllerState state, RunProgram run) {
-    int line =
-        run.shownLine(
-            state.debug().stop().map(DebugState.Stop::line).orElse(state.program().line()));
-    return line == 0 ? "" : " at line " + line;
+    int line = state.debug().stop().map(DebugState.Stop::line).orElse(state.program().line());
+    String place = place(line, run);
+    return place.isEmpty() ? "" : " at " + place;
+  }
+
+  /** A node where there is one: people who build programs of nodes know no lines. */
+  private static String place(int line, RunProgram run) {
+    int shown = run.shownLine(line);
+    return run.nodeAt(line)
+        .map(node -> "node " + node.number() + " " + node.label())
+        .orElse(shown == 0 ? "" : "line " + shown);
   }
 
   private static String ended(Ending ending, RunProgram run) {
@@ -146,11 +165,7 @@ record RunFacts(
       case Ending.Finished finished -> "finished";
       case Ending.Halted halted -> "ended by halt";
       case Ending.Stopped stopped -> "stopped";
-      case Ending.Failed failed ->
-          "failed in line "
-              + run.shownLine(failed.failure().line())
-              + ": "
-              + ByteText.decoded(failed.failure().message());
+      case Ending.Failed failed -> "failed in " + place(failed.failure().line(), run);
     };
   }
 

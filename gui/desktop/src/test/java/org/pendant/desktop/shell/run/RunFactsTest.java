@@ -20,6 +20,7 @@ import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.program.RunNode;
+import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.script.debug.Debugger;
@@ -30,6 +31,7 @@ final class RunFactsTest {
           ControllerOptions.headless().withArm(ArmChoice.IDEAL).withOperator(Operator.present()));
 
   private boolean left;
+  private Optional<String> node = Optional.empty();
   private RunTime time = RunTime.NONE;
 
   private void start(String text) {
@@ -77,7 +79,8 @@ final class RunFactsTest {
 
     @Override
     public Optional<RunNode> nodeAt(int line) {
-      return Optional.empty();
+      return node.map(
+          label -> new RunNode(ProgramDocument.untitled("weld.pendant", ""), 1, 15, label));
     }
 
     @Override
@@ -159,8 +162,10 @@ final class RunFactsTest {
     start("x = [1]\ny = x[3]\n");
     runFrames(10);
     assertTrue(facts().failed());
-    assertTrue(
-        facts().state().startsWith("Last run: weld.script, failed in line 2: "), facts().state());
+    assertEquals("Last run: weld.script, failed in line 2", facts().state());
+    assertTrue(facts().line().contains("index"), facts().line());
+    node = Optional.of("Feeder");
+    assertEquals("Last run: weld.script, failed in node 15 Feeder", facts().state());
   }
 
   @Test
@@ -195,6 +200,9 @@ final class RunFactsTest {
     assertEquals("Paused at line 2", facts().state());
     assertEquals("Paused at line 12", facts(line -> line + 10).state());
     assertEquals("Paused", facts(line -> 0).state());
+    node = Optional.of("Feeder");
+    assertEquals("Paused at node 15 Feeder", facts().state());
+    node = Optional.empty();
     var _ = controller.submit(new ProgramCommand.ResumeProgram());
     var _ = controller.submit(new DebugCommand.Debug(Debugger::pause));
     runFrames(1);
