@@ -1,6 +1,7 @@
 package org.pendant.desktop.debug;
 
 import org.pendant.language.source.Source;
+import org.pendant.project.program.script.GeneratedNames;
 
 /**
  * Run script: a text that is started, and what it has to do with the one that people see.
@@ -9,10 +10,12 @@ import org.pendant.language.source.Source;
  * @param turnLine a line that the main program comes to once in each of its turns, and on which no
  *     breakpoint is set; 0 if there is none
  * @param turnsBefore how many turns begin before it comes there first
+ * @param names that it has besides those that people gave
  */
-public record RunScript(Source source, RunLines lines, int turnLine, int turnsBefore) {
+public record RunScript(
+    Source source, RunLines lines, int turnLine, int turnsBefore, GeneratedNames names) {
   /** A text that runs as people see it. */
   public static RunScript whole(Source source) {
-    return new RunScript(source, RunLines.SAME, 0, 0);
+    return new RunScript(source, RunLines.SAME, 0, 0, GeneratedNames.NONE);
   }
 }

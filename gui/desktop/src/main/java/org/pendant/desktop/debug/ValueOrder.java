@@ -10,10 +10,12 @@ import java.util.function.Predicate;
  *
  * @param filter words that a name must have, upper and lower case alike
  * @param favourite whether the variable of this expression is one
+ * @param hidden whether the variable of this expression is shown only when it is a favourite or
+ *     {@code filter} asks for it
  */
-record ValueOrder(String filter, Predicate<String> favourite) {
+record ValueOrder(String filter, Predicate<String> favourite, Predicate<String> hidden) {
   /** All of them as they come, none a favourite. */
-  static final ValueOrder PLAIN = new ValueOrder("", expression -> false);
+  static final ValueOrder PLAIN = new ValueOrder("", expression -> false, expression -> false);
 
   /** The nodes in sight, favourites first. */
   List<ValueNode> of(List<ValueNode> nodes) {
@@ -21,8 +23,13 @@ record ValueOrder(String filter, Predicate<String> favourite) {
     List<ValueNode> first = new ArrayList<>();
     List<ValueNode> others = new ArrayList<>();
     for (ValueNode node : nodes) {
-      if (matches(node.variable().name(), words)) {
-        (favourite.test(node.variable().expression()) ? first : others).add(node);
+      if (favourite.test(node.variable().expression())) {
+        if (matches(node.variable().name(), words)) {
+          first.add(node);
+        }
+      } else if (matches(node.variable().name(), words)
+          && !(filter.isBlank() && hidden.test(node.variable().expression()))) {
+        others.add(node);
       }
     }
     first.addAll(others);

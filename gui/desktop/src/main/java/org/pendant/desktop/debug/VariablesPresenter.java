@@ -3,6 +3,8 @@ package org.pendant.desktop.debug;
 import java.util.Set;
 import java.util.function.LongSupplier;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.script.variables.VariableSample;
+import org.pendant.script.variables.VariableSamples;
 
 /**
  * Variables presenter: what the panel of variables shows: those of the call that is looked at while
@@ -12,9 +14,12 @@ import org.pendant.controller.state.ControllerState;
 final class VariablesPresenter {
   private final ValueTree tree;
   private final Favourites favourites;
+  private final HiddenNames hidden;
   private final LiveTree live;
   private String program = "";
   private String filter = "";
+  private VariableSamples counted = VariableSamples.NONE;
+  private long hiddenCount;
 
   /**
    * Nothing yet.
@@ -22,11 +27,14 @@ final class VariablesPresenter {
    * @param tree shows the values; a debugger fills it while a program is paused
    * @param clockMs any clock that runs, ms
    */
-  VariablesPresenter(ValueTree tree, Favourites favourites, LongSupplier clockMs) {
+  VariablesPresenter(
+      ValueTree tree, Favourites favourites, HiddenNames hidden, LongSupplier clockMs) {
     this.tree = tree;
     this.favourites = favourites;
+    this.hidden = hidden;
     live = new LiveTree(tree, clockMs, LiveValues::of);
     favourites.addListener(this::order);
+    hidden.addListener(this::order);
     order();
   }
 
@@ -41,6 +49,10 @@ final class VariablesPresenter {
       order();
     }
     live.refresh(state, held);
+    if (!state.variables().equals(counted)) {
+      counted = state.variables();
+      count();
+    }
   }
 
   /** Shows only variables whose names have every word of {@code text}. */
@@ -51,7 +63,17 @@ final class VariablesPresenter {
 
   private void order() {
     Set<String> first = favourites.of(program);
-    tree.setOrder(new ValueOrder(filter, first::contains));
+    tree.setOrder(new ValueOrder(filter, first::contains, each -> hidden.hides(program, each)));
+    count();
+  }
+
+  private void count() {
+    Set<String> first = favourites.of(program);
+    hiddenCount =
+        counted.globals().stream()
+            .map(VariableSample::name)
+            .filter(each -> hidden.hides(program, each) && !first.contains(each))
+            .count();
   }
 
   /** Has a variable come first from now on, or no longer; parts of variables cannot. */
@@ -72,14 +94,19 @@ final class VariablesPresenter {
     if (program.isEmpty()) {
       return "No program has run yet. Run one with F5: its variables appear here.";
     }
-    return "The program " + program + " has no variables.";
+    return hiddenCount > 0
+        ? "The program " + program + " has no variables but those that its nodes make."
+        : "The program " + program + " has no variables.";
   }
 
-  /** How many variables are not shown because there are too many; empty for none. */
+  /** How many variables are not shown, and why; empty for none. */
   String omission() {
     int omitted = live.samples().omitted();
-    return omitted > 0
-        ? omitted + " more variables are shown only while the program is paused"
+    if (omitted > 0) {
+      return omitted + " more variables are shown only while the program is paused";
+    }
+    return hiddenCount > 0 && filter.isBlank()
+        ? hiddenCount + " that nodes make are hidden; a right click shows them"
         : "";
   }
 }

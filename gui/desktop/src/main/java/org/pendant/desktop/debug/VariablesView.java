@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -35,6 +36,7 @@ public final class VariablesView implements View {
   private final DebugPresenter debug;
   private final VariablesPresenter presenter;
   private final Consumer<List<String>> plot;
+  private final HiddenNames hidden;
   private final ValueTable table;
   private final DebugPanel panel;
   private final JTextField filter = new JTextField();
@@ -52,13 +54,16 @@ public final class VariablesView implements View {
       Workbench workbench,
       DebugPresenter debug,
       Favourites favourites,
+      HiddenNames hidden,
       Consumer<List<String>> plot) {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.debug = debug;
     this.plot = plot;
+    this.hidden = hidden;
     presenter =
-        new VariablesPresenter(debug.variables(), favourites, () -> System.nanoTime() / 1_000_000);
+        new VariablesPresenter(
+            debug.variables(), favourites, hidden, () -> System.nanoTime() / 1_000_000);
     table =
         new ValueTable(
             "variables-table",
@@ -134,7 +139,27 @@ public final class VariablesView implements View {
     menu.add(item("Add to watches", "Shows it at every stop", this::watch));
     menu.addSeparator();
     menu.add(changeBefore(workbench));
+    menu.addSeparator();
+    menu.add(generated());
     return menu;
+  }
+
+  private JMenuItem generated() {
+    JMenuItem item =
+        new JCheckBoxMenuItem("Those that nodes make") {
+          @Override
+          public boolean isSelected() {
+            return hidden.shown();
+          }
+        };
+    item.setToolTipText("Poses and joint positions of waypoints, counters of loops, and others");
+    item.addActionListener(event -> toggleGenerated());
+    return item;
+  }
+
+  private void toggleGenerated() {
+    hidden.toggle();
+    show();
   }
 
   /** Leads to where the selected variable got its value. */
@@ -163,6 +188,9 @@ public final class VariablesView implements View {
             "",
             this::chosen,
             table::toggleStar));
+    actions.add(
+        Action.of(ID + ".generated", "Variables: those that nodes make", "", this::toggleGenerated)
+            .checked(hidden::shown));
     actions.add(new Action(ID + ".plot", "Variables: add to plot", "", this::chosen, this::plot));
   }
 

@@ -67,8 +67,14 @@ public final class ChartQuantities {
     return variables;
   }
 
-  /** Those whose texts have every word of {@code text}, upper and lower case alike. */
+  /**
+   * Those whose texts have every word of {@code text}, upper and lower case alike; without words
+   * all but those that {@link ScriptVariables#hide} leaves out.
+   */
   public List<ChartQuantity> search(String text) {
+    if (text.isBlank()) {
+      return all().stream().filter(each -> !variables.hides(each)).toList();
+    }
     String[] words = text.strip().toLowerCase(Locale.ROOT).split("\\s+");
     return all().stream().filter(each -> hasAll(each, words)).toList();
   }

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.workbench.View;
@@ -34,13 +35,18 @@ public final class PlotView implements View {
    * Charts that were there the last time.
    *
    * @param labels names of signals
+   * @param hidden variables that are left out
    */
-  public PlotView(Workbench workbench, SignalLabels labels) {
+  public PlotView(Workbench workbench, SignalLabels labels, HiddenNames hidden) {
     this.workbench = workbench;
     History history = new History(workbench.session()::recording);
     workbench.session().addSwitchListener(afresh(history));
     ChartQuantities quantities = ChartQuantities.standard(labels::of);
     presenter = new PlotPresenter(quantities, history, workbench.settings());
+    quantities
+        .variables()
+        .hide(name -> hidden.hides(workbench.session().state().program().name(), name));
+    hidden.addListener(() -> pane.ifPresent(each -> each.tree().refill()));
     presenter.onRefusal(workbench::notify);
     VariableTrace trace =
         new VariableTrace(workbench.session()::submit, EventQueue::invokeLater, workbench::notify);

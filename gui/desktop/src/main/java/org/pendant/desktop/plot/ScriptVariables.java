@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.value.ValueKind;
 import org.pendant.script.variables.VariablePath;
@@ -27,6 +28,7 @@ final class ScriptVariables {
   private final Map<String, ChartQuantity> made = new HashMap<>();
   private VariableSamples samples = VariableSamples.NONE;
   private List<ChartQuantity> listed = List.of();
+  private Predicate<String> hidden = name -> false;
 
   /** The variables of a program; returns whether the list is another one now. */
   boolean show(VariableSamples now) {
@@ -71,6 +73,17 @@ final class ScriptVariables {
             PREFIX + text, group, title, text, "", state -> state.traced().value(text));
     made.put(text, fresh);
     return fresh;
+  }
+
+  /** Has variables of these names left out where nobody looks for them. */
+  void hide(Predicate<String> names) {
+    hidden = names;
+  }
+
+  /** Whether a quantity is one that is left out, or a part of such a variable. */
+  boolean hides(ChartQuantity quantity) {
+    return quantity.id().startsWith(PREFIX)
+        && hidden.test(VariablePath.of(quantity.id().substring(PREFIX.length())).name());
   }
 
   /** Those of the running or last program. */

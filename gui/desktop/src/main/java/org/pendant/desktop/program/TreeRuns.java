@@ -86,7 +86,8 @@ public final class TreeRuns {
     boolean all = from == 0 || isMain(tree, from);
     int waiting = ExternalControl.count(tree);
     if (all && waiting == 0) {
-      return ProgramLaunch.of(new RunScript(shown, RunLines.SAME, TurnLine.of(tree, whole), 0));
+      return ProgramLaunch.of(
+          new RunScript(shown, RunLines.SAME, TurnLine.of(tree, whole), 0, whole.names()));
     }
     String name = program.get().programName();
     Installation installation = program.get().installation();
@@ -102,7 +103,8 @@ public final class TreeRuns {
               Source.of(shown.name(), run.text()),
               RunLines.between(run, whole, sent),
               TurnLine.of(tree, run),
-              all ? 0 : 1);
+              all ? 0 : 1,
+              run.names());
         });
   }
 

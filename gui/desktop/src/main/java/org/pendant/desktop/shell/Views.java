@@ -19,6 +19,7 @@ import org.pendant.desktop.debug.DebugPresenter;
 import org.pendant.desktop.debug.EditorLink;
 import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.FileKeeper;
+import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.debug.HoverValues;
 import org.pendant.desktop.debug.VariablesView;
 import org.pendant.desktop.debug.WatchesView;
@@ -59,6 +60,7 @@ import org.pendant.kit.dock.Side;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.models.time.FrameTime;
+import org.pendant.project.program.script.GeneratedNames;
 import org.pendant.recording.lines.RunProfile;
 
 /** Views: everything that is in the window: a line for each view. */
@@ -79,6 +81,7 @@ final class Views {
   private final FileKeeper keeper;
   private final List<DebugBar> debugBars;
   private final BusyNotice busy;
+  private final HiddenNames hidden;
   private final PortsView ports;
   private final RobotSession session;
   private final Consumer<String> tell;
@@ -108,6 +111,7 @@ final class Views {
             session, StateFolder.of(System.getenv()).resolve("desktop"), this::visited);
     ports = new PortsView(workbench, desktopPorts);
     received = new ReceivedProgram(programs);
+    hidden = new HiddenNames(workbench.settings());
     debug = new DebugPresenter(workbench, programs);
     keeper = new FileKeeper(workbench.settings(), programs, editor, debug.breakpoints());
     link = new EditorLink(editor, debug, programs);
@@ -133,6 +137,7 @@ final class Views {
     runner.beforeEachRun(
         (document, script) -> {
           move.discardGoal();
+          hidden.start(script.names());
           link.beforeRun(document, script);
           strip.beforeRun(document, script);
         });
@@ -161,7 +166,7 @@ final class Views {
         (line, column) -> showSource(programs.current().isTree(), line, column));
     Favourites favourites = new Favourites(workbench.settings());
     SignalLabels labels = InstalledLabels.of(workbench, installation);
-    PlotView plots = new PlotView(workbench, labels);
+    PlotView plots = new PlotView(workbench, labels, hidden);
     View run =
         new RunView(
             workbench,
@@ -178,8 +183,10 @@ final class Views {
                     program::show)),
             runner::send,
             favourites,
+            hidden,
             past::showBefore);
-    VariablesView variables = new VariablesView(workbench, debug, favourites, plots::addVariables);
+    VariablesView variables =
+        new VariablesView(workbench, debug, favourites, hidden, plots::addVariables);
     variables.setPast(past::past);
     variables.whenSelected(past.steps()::watch);
     WatchesView watches = new WatchesView(workbench, debug);
@@ -313,6 +320,7 @@ final class Views {
     runner.forget();
     link.strangerStarted(Optional.empty());
     strip.strangerStarted(Optional.empty());
+    hidden.start(GeneratedNames.NONE);
   }
 
   /** What is asked before a program starts. */
@@ -421,6 +429,7 @@ final class Views {
       Optional<ProgramDocument> shown = received.show(session.startedSource());
       link.strangerStarted(shown);
       strip.strangerStarted(shown);
+      hidden.start(GeneratedNames.NONE);
     }
     Faults.guard(() -> debug.refresh(state));
     debugBars.forEach(each -> Faults.guard(each::refresh));

@@ -25,6 +25,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.kit.background.Background;
+import org.pendant.project.program.script.GeneratedNames;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.run.DebuggedTest;
 import org.pendant.testing.run.TestPlan;
@@ -161,7 +162,8 @@ final class TestDebugger implements SwitchListener {
     ProgramDocument document = programs.of(saved.path()).orElseGet(() -> ProgramDocument.of(saved));
     programs.open(document);
     DebuggedTest test = prepared.test();
-    starts.accept(document, new RunScript(test.program().source(), lines(test), 0, 0));
+    starts.accept(
+        document, new RunScript(test.program().source(), lines(test), 0, 0, GeneratedNames.NONE));
     if (test.watches()) {
       tell.accept(
           "Breakpoints in "

@@ -67,7 +67,11 @@ public final class DebugPreview {
     List<View> views =
         List.of(
             new VariablesView(
-                workbench, debug, new Favourites(workbench.settings()), expressions -> {}),
+                workbench,
+                debug,
+                new Favourites(workbench.settings()),
+                new HiddenNames(workbench.settings()),
+                expressions -> {}),
             new WatchesView(workbench, debug),
             new CallStackView(workbench, debug),
             breakpoints);

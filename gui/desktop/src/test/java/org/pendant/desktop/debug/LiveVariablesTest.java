@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
@@ -17,18 +18,20 @@ import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.kit.settings.Settings;
+import org.pendant.project.program.script.GeneratedNames;
 
 /** What the panel of variables shows while no debugger holds the program. */
 final class LiveVariablesTest {
   private final Controller controller = new Controller(ControllerOptions.headless());
   private final Map<String, String> remembered = new HashMap<>();
   private final Favourites favourites = new Favourites(settings());
+  private final HiddenNames hidden = new HiddenNames(settings());
   private final ValueTree tree =
       new ValueTree(
           new SessionLink(this::submit, Runnable::run), (reader, scope) -> List.of(), () -> {});
   private long nowMs = 1000;
   private final VariablesPresenter variables =
-      new VariablesPresenter(tree, favourites, () -> nowMs);
+      new VariablesPresenter(tree, favourites, hidden, () -> nowMs);
 
   private Settings settings() {
     return new Settings() {
@@ -97,6 +100,27 @@ final class LiveVariablesTest {
     pass(20, 100);
     assertEquals(List.of("Global", "still = 7", "i = 21 *", "list = [1, 21, 3] *"), rows());
     assertEquals("", variables.note());
+  }
+
+  @Test
+  void thoseThatNodesMakeAreHiddenUntilPeopleWantThem() {
+    hidden.start(new GeneratedNames("stack", Set.of("At_p", "At_q")));
+    start("def stack():", "  At_p = 1", "  At_q = 2", "  placed = 3", "  sleep(9)", "end");
+    assertEquals(List.of("Global", "placed = 3"), rows());
+    assertEquals("2 that nodes make are hidden; a right click shows them", variables.omission());
+    favourites.toggle("stack", "At_q");
+    assertEquals(List.of("Global", "At_q = 2", "placed = 3"), rows());
+    assertEquals("1 that nodes make are hidden; a right click shows them", variables.omission());
+    variables.filter("at_p");
+    assertEquals(List.of("Global", "At_p = 1"), rows());
+    variables.filter("");
+    hidden.toggle();
+    pass(1, 0);
+    assertEquals(List.of("Global", "At_q = 2", "At_p = 1", "placed = 3"), rows());
+    assertEquals("", variables.omission());
+    hidden.toggle();
+    hidden.start(GeneratedNames.NONE);
+    assertEquals(List.of("Global", "At_q = 2", "At_p = 1", "placed = 3"), rows());
   }
 
   @Test

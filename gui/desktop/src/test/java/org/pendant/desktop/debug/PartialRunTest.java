@@ -61,7 +61,7 @@ final class PartialRunTest {
 
   private static RunScript part(int turnLine) {
     return new RunScript(
-        Source.of("test", PART.text()), RunLines.between(PART, WHOLE), turnLine, 1);
+        Source.of("test", PART.text()), RunLines.between(PART, WHOLE), turnLine, 1, PART.names());
   }
 
   @Test

@@ -32,6 +32,16 @@ final class ScriptVariablesTest {
   }
 
   @Test
+  void hiddenOnesAreListedOnlyForThoseWhoSearchThem() {
+    run();
+    ChartQuantities quantities = new ChartQuantities();
+    quantities.variables().show(arm.controller().state().variables());
+    quantities.variables().hide(name -> !name.equals("on"));
+    assertEquals(List.of("var:on"), ids(quantities.search("")));
+    assertEquals(List.of("var:part.size"), ids(quantities.search("part size")).subList(0, 1));
+  }
+
+  @Test
   void numbersAndThoseInOtherValuesAreListed() {
     run();
     assertTrue(variables.show(arm.controller().state().variables()));

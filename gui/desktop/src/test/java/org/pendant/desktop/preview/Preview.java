@@ -9,6 +9,7 @@ import javax.swing.JFrame;
 import javax.swing.Timer;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
+import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.log.LogView;
@@ -56,7 +57,12 @@ public final class Preview {
     return switch (name) {
       case "log" -> LogView::new;
       case "io" -> IoView::new;
-      case "plot" -> workbench -> new PlotView(workbench, new SignalLabels(workbench.settings()));
+      case "plot" ->
+          workbench ->
+              new PlotView(
+                  workbench,
+                  new SignalLabels(workbench.settings()),
+                  new HiddenNames(workbench.settings()));
       default ->
           throw new IllegalArgumentException("view is '" + name + "', must be log, io or plot");
     };

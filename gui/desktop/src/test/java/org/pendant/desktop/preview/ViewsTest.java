@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
+import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
 import org.pendant.desktop.log.LogView;
@@ -166,7 +167,8 @@ final class ViewsTest {
   @Test
   void chartsComeAndGo() throws InterruptedException, InvocationTargetException {
     show(
-        made -> new PlotView(made, new SignalLabels(made.settings())),
+        made ->
+            new PlotView(made, new SignalLabels(made.settings()), new HiddenNames(made.settings())),
         view -> {
           AbstractButton remove =
               find(view.component(), "plot-remove-tcp_speed", AbstractButton.class);

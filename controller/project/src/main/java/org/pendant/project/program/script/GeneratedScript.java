@@ -13,10 +13,13 @@ import org.pendant.project.program.ProgramNode;
  * @param places which lines belong to which node, in the order of the nodes' line numbers; a node
  *     that generates nothing has none
  * @param received which lines a driver has sent, see {@link ControlScript}, in their order
+ * @param names that it has besides those that people gave
  */
-public record GeneratedScript(String text, List<NodeLines> places, List<Received> received) {
+public record GeneratedScript(
+    String text, List<NodeLines> places, List<Received> received, GeneratedNames names) {
   /** Without anything in it. */
-  public static final GeneratedScript EMPTY = new GeneratedScript("", List.of(), List.of());
+  public static final GeneratedScript EMPTY =
+      new GeneratedScript("", List.of(), List.of(), GeneratedNames.NONE);
 
   /**
    * The lines of one node.

@@ -59,6 +59,6 @@ public final class ScriptGenerator {
 
   private static GeneratedScript written(ScriptContext context) {
     new ScriptProgramWriter(context).write();
-    return context.lines().script();
+    return context.lines().script(new GeneratedNames(context.program(), context.names().made()));
   }
 }

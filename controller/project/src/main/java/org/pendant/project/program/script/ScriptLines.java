@@ -186,10 +186,10 @@ final class ScriptLines {
   }
 
   /** The script so far. */
-  GeneratedScript script() {
+  GeneratedScript script(GeneratedNames names) {
     places.sort(
         Comparator.comparingInt(GeneratedScript.NodeLines::number)
             .thenComparingInt(GeneratedScript.NodeLines::first));
-    return new GeneratedScript(text.toString(), places, received);
+    return new GeneratedScript(text.toString(), places, received, names);
   }
 }

@@ -35,6 +35,7 @@ final class ScriptNames {
   private final Map<String, String> functions = new HashMap<>();
   private final Set<String> handles = new HashSet<>();
   private final Map<String, Integer> counts = new HashMap<>();
+  private final Set<String> made = new HashSet<>();
 
   /** Keeps names for what people have typed; they are given to nothing else. */
   void reserve(Collection<String> names) {
@@ -52,7 +53,14 @@ final class ScriptNames {
       taken.add(name);
       return name;
     }
-    return unique(name, "variable");
+    String legal = unique(name, "variable");
+    made.remove(legal);
+    return legal;
+  }
+
+  /** The names that the script needs besides those that people gave, so far. */
+  Set<String> made() {
+    return Set.copyOf(made);
   }
 
   /** The variable with the pose of a waypoint. */
@@ -75,8 +83,8 @@ final class ScriptNames {
     for (int i = 2; isTaken(name + "_p") || isTaken(name + "_q"); i++) {
       name = stem + "_" + i;
     }
-    taken.add(name + "_p");
-    taken.add(name + "_q");
+    add(name + "_p");
+    add(name + "_q");
     return name;
   }
 
@@ -108,7 +116,7 @@ final class ScriptNames {
     for (int i = 2; isTaken(name); i++) {
       name = stem + "_" + i;
     }
-    taken.add(name);
+    add(name);
     return name;
   }
 
@@ -119,6 +127,7 @@ final class ScriptNames {
   String handle(String wanted) {
     String name = handles.add(wanted) ? variable(wanted) : unique(wanted, "threadId");
     handles.add(name);
+    made.add(name);
     return name;
   }
 
@@ -127,10 +136,15 @@ final class ScriptNames {
     while (true) {
       String name = stem + "_" + counts.merge(stem, 1, Integer::sum);
       if (!isTaken(name)) {
-        taken.add(name);
+        add(name);
         return name;
       }
     }
+  }
+
+  private void add(String name) {
+    taken.add(name);
+    made.add(name);
   }
 
   private boolean isTaken(String name) {

@@ -62,7 +62,7 @@ public final class ShownNodes {
     for (ProgramNode each : shown(tree)) {
       nodes.add(each, places);
     }
-    return new GeneratedScript(script.text(), places, script.received());
+    return new GeneratedScript(script.text(), places, script.received(), script.names());
   }
 
   /** The lines from each remark to the next one beside it, or to the end of its block. */

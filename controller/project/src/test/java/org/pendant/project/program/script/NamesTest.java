@@ -1,6 +1,7 @@
 package org.pendant.project.program.script;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.pendant.project.program.ProgramTree.node;
 import static org.pendant.project.program.script.TestTrees.assign;
@@ -14,6 +15,7 @@ import static org.pendant.project.program.script.TestTrees.tree;
 import static org.pendant.project.program.script.TestTrees.waypoint;
 
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
 import org.pendant.project.program.ActionStep;
@@ -87,6 +89,26 @@ final class NamesTest {
                     new FlowStep.Loop(new LoopRule.Times("2", "")),
                     script("textmsg(time, Loop_1)"))));
     assertEquals(List.of("17", "17"), run.said());
+  }
+
+  @Test
+  void namesThatNobodyGaveAreTold() {
+    ProgramTree tree =
+        taught(
+            TestTrees.program(
+                moveJ(waypoint("pick 1")),
+                assign("placed", "1"),
+                assign("my box", "2"),
+                node(new FlowStep.Loop(new LoopRule.Times("2", "turn")), say("a")),
+                node(new FlowStep.Loop(new LoopRule.Times("2", "")), say("b"))),
+            "pick 1",
+            0.1);
+    GeneratedNames names = ScriptGenerator.generate("x y", tree, Installation.NONE).names();
+    assertEquals("x_y", names.program());
+    assertTrue(names.variables().containsAll(Set.of("pick_1_p", "pick_1_q", "Loop_1")));
+    for (String given : List.of("placed", "my_box", "turn")) {
+      assertFalse(names.variables().contains(given), given);
+    }
   }
 
   @Test

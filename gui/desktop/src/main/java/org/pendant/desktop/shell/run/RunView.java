@@ -19,6 +19,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.Favourites;
+import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.debug.VariablesView;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.ProgramPhase;
@@ -74,6 +75,7 @@ public final class RunView implements View {
    * @param run the program that runs, or ran last
    * @param send has the controller do something, and tells when it is refused
    * @param favourites variables that come first
+   * @param hidden variables that are left out
    * @param showBefore shows how it came to what happened at a time, s
    */
   public RunView(
@@ -82,10 +84,11 @@ public final class RunView implements View {
       RunProgram run,
       Consumer<Command> send,
       Favourites favourites,
+      HiddenNames hidden,
       DoubleConsumer showBefore) {
     this.workbench = workbench;
     this.run = run;
-    variables = new VariablesPanel(favourites, () -> workbench.show(VariablesView.ID));
+    variables = new VariablesPanel(favourites, hidden, () -> workbench.show(VariablesView.ID));
     stop = new StopPanel(send, run, () -> workbench.session().options().scene(), showBefore);
     buttons =
         List.of(
@@ -130,7 +133,6 @@ public final class RunView implements View {
     elapsed.putClientProperty("FlatLaf.styleClass", "h2");
     elapsed.setToolTipText("Robot time that the program has run, without its pauses");
     line.putClientProperty("FlatLaf.styleClass", "monospaced");
-    line.setToolTipText("The line that the main program has reached");
     name("run-name", name, "Program");
     name("run-state", state, "Program state");
     name("run-elapsed", elapsed, "Running time");
@@ -204,6 +206,8 @@ public final class RunView implements View {
     show(turns, left ? "" : turnText(run.turns(snapshot)));
     showNode(run.node(snapshot));
     show(line, facts.line().isEmpty() ? " " : facts.line());
+    line.setToolTipText(facts.line().isEmpty() ? null : facts.line());
+    line.setForeground(facts.failed() ? Palette.error() : name.getForeground());
     show(waiting, facts.waiting());
     waiting.setVisible(!facts.waiting().isEmpty());
     waiting.setForeground(Palette.warning());

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.language.source.ByteText;
@@ -42,10 +43,14 @@ record VariableFacts(List<Row> rows, int more) {
    * The facts of samples.
    *
    * @param favourites names of variables that come first
+   * @param hidden names of variables that are left out unless they are favourites
    * @param installed variables that every program has; their favourites come first as well
    */
   static VariableFacts of(
-      VariableSamples samples, Set<String> favourites, List<InstallationVariable> installed) {
+      VariableSamples samples,
+      Set<String> favourites,
+      Predicate<String> hidden,
+      List<InstallationVariable> installed) {
     Set<String> first = new HashSet<>(favourites);
     Map<String, Row> rows = new LinkedHashMap<>();
     for (InstallationVariable each : installed) {
@@ -55,6 +60,7 @@ record VariableFacts(List<Row> rows, int more) {
     }
     Stream.concat(samples.locals().stream(), samples.globals().stream())
         .map(VariableSample::variable)
+        .filter(each -> first.contains(each.name()) || !hidden.test(each.name()))
         .map(each -> row(each, first, installed))
         .forEach(row -> rows.putIfAbsent(row.name(), row));
     for (InstallationVariable each : installed) {

@@ -9,6 +9,7 @@ import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.desktop.debug.Favourites;
+import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.debug.Star;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.theme.Card;
@@ -25,6 +26,7 @@ final class VariablesPanel {
   private static final long PERIOD_MS = 95;
 
   private final Favourites favourites;
+  private final HiddenNames hidden;
   private final JPanel card =
       new Card(
           new MigLayout(
@@ -46,8 +48,10 @@ final class VariablesPanel {
    *
    * @param showAll shows all variables somewhere else
    */
-  VariablesPanel(Favourites favourites, Runnable showAll) {
+  VariablesPanel(Favourites favourites, HiddenNames hidden, Runnable showAll) {
     this.favourites = favourites;
+    this.hidden = hidden;
+    hidden.addListener(() -> stale = true);
     favourites.addListener(() -> stale = true);
     card.setName("run-variables");
     card.getAccessibleContext().setAccessibleName("Variables");
@@ -97,7 +101,9 @@ final class VariablesPanel {
       shownInstalled = installed;
       program = name;
       shownMs = nowMs;
-      show(VariableFacts.of(shown, favourites.of(program), installed));
+      show(
+          VariableFacts.of(
+              shown, favourites.of(program), each -> hidden.hides(program, each), installed));
     }
   }
 

@@ -28,7 +28,7 @@ final class VariableFactsTest {
   void favouritesComeFirstAndStringsAreInQuotes() {
     VariableSamples samples =
         samples("def p():", "  a = 1", "  name = \"bolt\"", "  sleep(1)", "  late = 2", "end");
-    VariableFacts facts = VariableFacts.of(samples, Set.of("name"), List.of());
+    VariableFacts facts = VariableFacts.of(samples, Set.of("name"), each -> false, List.of());
     assertEquals(
         List.of(
             new VariableFacts.Row("name", "\"bolt\"", true, false),
@@ -48,14 +48,28 @@ final class VariableFactsTest {
         List.of(
             new VariableFacts.Row("shift", "2", true, true),
             new VariableFacts.Row("parts", "7", false, true)),
-        VariableFacts.of(VariableSamples.NONE, Set.of(), installed).rows());
+        VariableFacts.of(VariableSamples.NONE, Set.of(), each -> false, installed).rows());
     assertEquals(
         List.of(
             new VariableFacts.Row("shift", "2", true, true),
             new VariableFacts.Row("parts", "8", false, true)),
         VariableFacts.of(
-                samples("def p():", "  parts = 8", "  sleep(1)", "end"), Set.of(), installed)
+                samples("def p():", "  parts = 8", "  sleep(1)", "end"),
+                Set.of(),
+                each -> false,
+                installed)
             .rows());
+  }
+
+  @Test
+  void whatIsHiddenIsLeftOutUnlessItIsAFavourite() {
+    VariableSamples samples =
+        samples("def p():", "  At_p = 1", "  At_q = 2", "  placed = 3", "  sleep(1)", "end");
+    VariableFacts facts =
+        VariableFacts.of(samples, Set.of("At_q"), each -> each.startsWith("At_"), List.of());
+    assertEquals(
+        List.of("At_q", "placed"), facts.rows().stream().map(VariableFacts.Row::name).toList());
+    assertEquals(0, facts.more());
   }
 
   @Test
@@ -66,7 +80,10 @@ final class VariableFactsTest {
     }
     VariableFacts facts =
         VariableFacts.of(
-            samples(text.append("  sleep(1)\nend").toString()), Set.of("v24"), List.of());
+            samples(text.append("  sleep(1)\nend").toString()),
+            Set.of("v24"),
+            each -> false,
+            List.of());
     assertEquals(VariableFacts.MOST, facts.rows().size());
     assertEquals("v24", facts.rows().getFirst().name());
     assertEquals(25 - VariableFacts.MOST, facts.more());
@@ -76,6 +93,6 @@ final class VariableFactsTest {
   void thereIsNothingBeforeTheFirstProgram() {
     assertEquals(
         new VariableFacts(List.of(), 0),
-        VariableFacts.of(VariableSamples.NONE, Set.of(), List.of()));
+        VariableFacts.of(VariableSamples.NONE, Set.of(), each -> false, List.of()));
   }
 }
