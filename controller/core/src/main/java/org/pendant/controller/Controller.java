@@ -78,6 +78,7 @@ public final class Controller implements Robot, Drive {
     VariableTracer tracer = new VariableTracer(machine);
     commandQueue = commandQueue(debugger, hand, tracer);
     frame = new Frame(box, machine, debugger, commandQueue, hand, tracer, installed);
+    box.links().devices().reach(new CellAdapter(box, installed, frame::state));
   }
 
   private CommandQueue commandQueue(Debugger debugger, ManualControl hand, VariableTracer tracer) {

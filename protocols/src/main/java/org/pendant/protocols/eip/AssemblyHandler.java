@@ -18,6 +18,7 @@ import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.eip.AssemblyImage;
 import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.rtde.ControlAssembly;
 import org.pendant.controller.rtde.RtdeCommand;
 
 /** Assembly handler: the controller's assemblies, built in and configured. Any thread. */

@@ -11,6 +11,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.eip.AssemblyPair;
+import org.pendant.controller.rtde.ControlAssembly;
 
 class AssemblyHandlerTest {
   private final Controller controller = new Controller(ControllerOptions.headless());

@@ -20,6 +20,7 @@ import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.rtde.ControlAssembly;
 import org.pendant.controller.rtde.InputUpdate;
 import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.controller.state.ControllerState;

@@ -12,6 +12,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -23,13 +24,16 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.InstallationCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
+import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
+import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.eip.AssemblyCommand;
 import org.pendant.controller.eip.AssemblyPair;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.SignalWrite;
+import org.pendant.controller.rtde.ControlAssembly;
 import org.pendant.controller.state.StateStream;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.protocols.script.RunningBox;
@@ -319,6 +323,30 @@ class EipServerTest {
       assertEquals(refused(ConnectionFault.OWNERSHIP), second.open(builtIn(second)));
       ask(new IoCommand.ReleaseSignals("RTDE client"));
       assertEquals(0, second.open(builtIn(second)));
+    }
+  }
+
+  @Test
+  void whatAPlcOfTheCellWritesIsOwned() throws Exception {
+    RunningBox withPlc =
+        new RunningBox(
+            ControllerOptions.headless()
+                .withEquipment(
+                    new CellEquipment(
+                        List.of(new DeviceSetup.EthernetIp("plc", 0.01, Map.of())), List.of())),
+            RemoteControl.disabled());
+    try (EipServer beside = EipServer.open(withPlc.serverContext(), PortNumbers.anyFree());
+        EipClient client = EipClient.registered(beside.ports().getFirst().number());
+        Scanner scanner = new Scanner(client, 1)) {
+      var _ =
+          withPlc
+              .controller()
+              .submit(new IoCommand.ReleaseSignals("nobody"))
+              .get(RunningBox.GIVE_UP_MS, TimeUnit.MILLISECONDS);
+      assertEquals(refused(ConnectionFault.OWNERSHIP), scanner.open(builtIn(scanner)));
+      assertTrue(client.message(GET_STATE).startsWith("8E000000"), "anybody may read");
+    } finally {
+      withPlc.close();
     }
   }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.pendant.controller.device.gripper.Fingers;
+import org.pendant.controller.device.plc.AdapterPort;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.DeviceSocket;
 import org.pendant.controller.external.DeviceTalk;
@@ -100,6 +101,7 @@ public final class CellDevices {
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
           case DeviceSetup.Modbus modbus -> new PlcDevice(modbus);
+          case DeviceSetup.EthernetIp scanner -> new ScannerDevice(scanner, log);
           case DeviceSetup.Lamp lamp -> new LampDevice(lamp, lines);
           case DeviceSetup.Switch pressed ->
               new SwitchDevice(pressed, tools, pressed.area().watch(world), lines);
@@ -116,6 +118,15 @@ public final class CellDevices {
     }
     device.signals().ifPresent(each -> lines.add(device.name(), each));
     log.info(device.name() + ": " + device.described());
+  }
+
+  /** Has scanners of the cell reach the adapter of the controller. */
+  public void reach(AdapterPort adapter) {
+    for (CellDevice each : devices) {
+      if (each instanceof ScannerDevice scanner) {
+        scanner.reach(adapter);
+      }
+    }
   }
 
   /** The ways out with the devices before them: what is no device is reached as ever. */

@@ -169,7 +169,8 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                   place("min", "Least", "the corner with the least numbers"),
                   place("max", "Greatest", "the corner with the greatest numbers"))),
           camera(),
-          modbus());
+          modbus(),
+          ethernetIp());
 
   /** Copies the list. */
   public DeviceKind {
@@ -267,6 +268,24 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 "values", "Values", "what is not 0 at first, such as register[3] = 17"),
             optional(
                 "port", "Port", "of this controller where other computers reach it", PORT, true)));
+  }
+
+  private static DeviceKind ethernetIp() {
+    return new DeviceKind(
+        "ethernetip",
+        "PLC by EtherNet/IP",
+        "registers",
+        List.of(
+            amount(
+                "interval",
+                "Interval",
+                "between two packets, each way",
+                new Range(0.002, 10, "s"),
+                DeviceSetup.EthernetIp.INTERVAL_S),
+            new DeviceField.Values(
+                "values",
+                "Values",
+                "what it writes at first that is not 0, such as input_integer_register[3] = 17")));
   }
 
   private static DeviceKind pressed(String type, String title) {

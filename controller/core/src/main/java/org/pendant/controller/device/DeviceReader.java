@@ -138,6 +138,7 @@ public final class DeviceReader {
               fields.flag("inverted"));
       case "lamp" -> new DeviceSetup.Lamp(name, fields.signal("signal"), fields.spot("at"));
       case "modbus" -> plcs.modbus(name, fields);
+      case "ethernetip" -> PlcReader.scanner(name, fields);
       case "camera" -> cameras.camera(name, fields, parts);
       case "sink" -> new DeviceSetup.Sink(name, fields.area("min", "max"));
       default ->

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.device.camera.PartCamera;
+import org.pendant.controller.device.plc.AdapterScanner;
 import org.pendant.controller.device.plc.ModbusMemory;
 import org.pendant.controller.device.plc.ModbusTable;
 import org.pendant.controller.device.plc.ModbusUnit;
@@ -57,6 +58,7 @@ public sealed interface DeviceSetup {
       case "two-finger" -> Optional.of(new TwoFinger(kind, false, true, 0));
       case "two-finger-tool" -> Optional.of(new TwoFinger(kind, true, false, 0));
       case "rg", "2fg" -> Optional.of(new RpcGripper(kind, kind, 0));
+      case "ethernetip" -> Optional.of(new EthernetIp(kind, EthernetIp.INTERVAL_S, Map.of()));
       default -> Optional.empty();
     };
   }
@@ -302,6 +304,38 @@ public sealed interface DeviceSetup {
       List<SignalGroup> groups = new ArrayList<>(ModbusMemory.groups(first, counts));
       groups.add(ModbusUnit.ONLINE);
       return groups;
+    }
+
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * PLC that is a scanner of the controller's EtherNet/IP adapter.
+   *
+   * @param intervalS between two packets, each way
+   * @param values what it writes at first that is not 0
+   */
+  record EthernetIp(String name, double intervalS, Map<CellSignal, Integer> values)
+      implements DeviceSetup {
+    /** The interval of one that says nothing of it. */
+    static final double INTERVAL_S = 0.01;
+
+    /** Copies the map. */
+    public EthernetIp {
+      values = Map.copyOf(values);
+    }
+
+    @Override
+    public List<SignalGroup> signals() {
+      return AdapterScanner.GROUPS;
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import org.pendant.controller.device.plc.AdapterScanner;
 import org.pendant.controller.device.plc.ModbusMemory;
 import org.pendant.controller.device.plc.ModbusTable;
 import org.pendant.controller.external.ModbusAddress;
@@ -17,7 +18,7 @@ import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
 
-/** PLC reader: reads devices that others reach by their memory, each at its own address. */
+/** PLC reader: reads PLCs, those that are reached at addresses and scanners of the adapter. */
 final class PlcReader {
   private static final String ADDRESS = "address";
   private static final String PORT = "port";
@@ -72,6 +73,11 @@ final class PlcReader {
         first,
         counts,
         values(fields, ModbusMemory.groups(first, counts)));
+  }
+
+  static DeviceSetup scanner(String name, FieldReader fields) throws JsonException {
+    return new DeviceSetup.EthernetIp(
+        name, fields.number("interval"), values(fields, AdapterScanner.WRITTEN));
   }
 
   private ModbusAddress address(String name, FieldReader fields) throws JsonException {

@@ -118,7 +118,8 @@ final class CellShift {
           DeviceSetup.Belt _,
           DeviceSetup.Source _,
           DeviceSetup.Lamp _,
-          DeviceSetup.Modbus _ ->
+          DeviceSetup.Modbus _,
+          DeviceSetup.EthernetIp _ ->
           false;
     };
   }

@@ -1,8 +1,6 @@
 package org.pendant.controller.device.plc;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -15,10 +13,7 @@ import org.pendant.controller.wire.SignalLine;
  * values at the addresses from {@code first} on. The frame loop owns it.
  */
 public final class ModbusMemory {
-  private final int first;
-  private final Map<ModbusTable, int[]> tables = new EnumMap<>(ModbusTable.class);
-  private List<SignalGroupState> state = List.of();
-  private boolean changed = true;
+  private final SignalMemory memory;
 
   /**
    * A memory that is all zero.
@@ -27,10 +22,7 @@ public final class ModbusMemory {
    * @param counts how many values each table has
    */
   public ModbusMemory(int first, Map<ModbusTable, Integer> counts) {
-    this.first = first;
-    for (ModbusTable table : ModbusTable.values()) {
-      tables.put(table, new int[counts.getOrDefault(table, 0)]);
-    }
+    memory = new SignalMemory(groups(first, counts));
   }
 
   /** Its tables as signals; those without a value are left out. */
@@ -43,12 +35,12 @@ public final class ModbusMemory {
 
   /** Whether a table has all of these addresses. */
   boolean holds(ModbusTable table, int address, int count) {
-    return count > 0 && address >= first && address + count <= first + tables.get(table).length;
+    return memory.holds(table.text(), address, count);
   }
 
   /** One value of a table that holds its address. */
   int get(ModbusTable table, int address) {
-    return tables.get(table)[address - first];
+    return memory.get(table.text(), address);
   }
 
   /** Values of a table that holds their addresses. */
@@ -58,11 +50,7 @@ public final class ModbusMemory {
 
   /** Sets a value of a table that holds its address. */
   void set(ModbusTable table, int address, int value) {
-    int[] values = tables.get(table);
-    if (values[address - first] != value) {
-      values[address - first] = value;
-      changed = true;
-    }
+    memory.set(table.text(), address, value);
   }
 
   /** Sets values of a table that holds their addresses. */
@@ -78,39 +66,11 @@ public final class ModbusMemory {
    * @param group the name of a table
    */
   public SignalLine line(String group, int address) {
-    ModbusTable table = ModbusTable.named(group);
-    return new SignalLine() {
-      @Override
-      public int value() {
-        return get(table, address);
-      }
-
-      @Override
-      public void set(int value) {
-        ModbusMemory.this.set(table, address, value);
-      }
-    };
+    return memory.line(group, address);
   }
 
   /** All values; the same list until one changes. */
   public List<SignalGroupState> state() {
-    if (changed) {
-      changed = false;
-      List<SignalGroupState> now = new ArrayList<>();
-      tables.forEach(
-          (table, values) -> {
-            if (values.length > 0) {
-              now.add(
-                  new SignalGroupState(
-                      table.text(),
-                      first,
-                      table.range().equals(SignalGroup.LEVEL),
-                      true,
-                      Arrays.stream(values).boxed().toList()));
-            }
-          });
-      state = List.copyOf(now);
-    }
-    return state;
+    return memory.state();
   }
 }

@@ -1,6 +1,5 @@
 package org.pendant.controller.device.plc;
 
-import java.util.Arrays;
 import org.pendant.controller.external.ModbusKind;
 import org.pendant.controller.wire.SignalGroup;
 import org.pendant.models.json.Range;
@@ -28,18 +27,6 @@ public enum ModbusTable {
   /** What its values may be. */
   Range range() {
     return range;
-  }
-
-  /**
-   * The table of that name.
-   *
-   * @throws IllegalArgumentException if there is none
-   */
-  static ModbusTable named(String text) {
-    return Arrays.stream(values())
-        .filter(each -> each.text.equals(text))
-        .findFirst()
-        .orElseThrow(() -> new IllegalArgumentException("no table is called " + text));
   }
 
   /** The table that a signal of a controller reads. */

@@ -1,29 +1,24 @@
-package org.pendant.protocols.eip;
+package org.pendant.controller.rtde;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
-import org.pendant.controller.rtde.FieldType;
-import org.pendant.controller.rtde.InputField;
-import org.pendant.controller.rtde.InputFields;
-import org.pendant.controller.rtde.InputRecipe;
-import org.pendant.controller.rtde.InputUpdate;
 
 /**
- * Control assembly: the built-in one from scanner to robot, instance 112: speed slider, outputs,
- * and input registers. It has the fields of an RTDE package, with floats where that has doubles,
- * and so they are taken, checked and owned in the same way.
+ * Control assembly: the built-in one of EtherNet/IP from scanner to robot, instance 112: speed
+ * slider, outputs, and input registers. It has the fields of an RTDE package, with floats where
+ * that has doubles, and so they are taken, checked and owned in the same way.
  */
-final class ControlAssembly {
+public final class ControlAssembly {
   /** Its size. */
-  static final int BYTES = 224;
+  public static final int BYTES = 224;
 
   /** Registers of each kind in one of the two groups. */
   private static final int GROUP = 12;
 
   /** What it writes. */
-  static final InputRecipe RECIPE = new InputRecipe(fields());
+  public static final InputRecipe RECIPE = new InputRecipe(fields());
 
   private ControlAssembly() {}
 
@@ -63,7 +58,7 @@ final class ControlAssembly {
    *
    * @param data {@link #BYTES} bytes
    */
-  static InputUpdate decode(ByteBuffer data) {
+  public static InputUpdate decode(ByteBuffer data) {
     ByteBuffer in = data.slice().order(ByteOrder.LITTLE_ENDIAN);
     ByteBuffer values = ByteBuffer.allocate(RECIPE.bytes());
     for (InputField field : RECIPE.fields()) {
