@@ -31,8 +31,7 @@ public final class JointAngles {
       double angle = positionRad[i];
       if (Double.doubleToRawLongBits(angle) != Double.doubleToRawLongBits(q[i])) {
         q[i] = angle;
-        cos[i] = Math.cos(angle);
-        sin[i] = Math.sin(angle);
+        SinCos.of(angle, i, sin, cos);
         summed = false;
       }
     }
@@ -52,11 +51,10 @@ public final class JointAngles {
     if (summed) {
       return;
     }
-    double q23 = q[1] + q[2];
-    cos23 = Math.cos(q23);
-    sin23 = Math.sin(q23);
-    cos234 = Math.cos(q23 + q[3]);
-    sin234 = Math.sin(q23 + q[3]);
+    cos23 = cos[1] * cos[2] - sin[1] * sin[2];
+    sin23 = sin[1] * cos[2] + cos[1] * sin[2];
+    cos234 = cos23 * cos[3] - sin23 * sin[3];
+    sin234 = sin23 * cos[3] + cos23 * sin[3];
     summed = true;
   }
 

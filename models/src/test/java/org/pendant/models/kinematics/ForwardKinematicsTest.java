@@ -55,7 +55,7 @@ class ForwardKinematicsTest {
       angles.at(q);
       forward.flange(q, expected);
       forward.flange(q, angles, flange);
-      assertArrayEquals(expected, flange);
+      assertArrayEquals(expected, flange, 5e-15);
     }
   }
 
