@@ -123,13 +123,17 @@ final class RecordingFileTest {
 
   @Test
   void aFileThatIsCutOffEndsWithItsLastWholeBlock() throws IOException {
-    List<ControllerState> states = states(2, 1500);
-    byte[] whole = bytes(states);
+    for (long seed : new long[] {2, 5}) {
+      assertCutsEndWithTheirLastWholeBlock(bytes(states(seed, 1500)));
+    }
+  }
+
+  private void assertCutsEndWithTheirLastWholeBlock(byte[] whole) throws IOException {
     Path original = Files.write(folder.resolve("whole.rec"), whole);
     Recording wanted = RecordingFile.open(original).recording();
     Random random = new Random(3);
     int opened = 0;
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 40; i++) {
       int length = random.nextInt(whole.length);
       Path cut = file(Arrays.copyOf(whole, length));
       try {
@@ -138,6 +142,9 @@ final class RecordingFileTest {
         assertTrue(found.warning().orElseThrow().startsWith("some.rec is cut off: it ends at"));
         // the last frame itself may continue in the next block, where a debugger held it
         long last = found.recording().lastFrame() - 1;
+        if (last < wanted.firstFrame()) {
+          continue;
+        }
         SameState.assertSame(wanted.atFrame(last), found.recording().atFrame(last));
       } catch (RecordingException e) {
         assertTrue(e.getMessage().startsWith("some.rec: "), e.getMessage());
