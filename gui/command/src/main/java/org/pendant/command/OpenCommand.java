@@ -70,6 +70,7 @@ final class OpenCommand implements Subcommand {
             || TreeFile.hasEnding(word)
             || InstallationFile.hasEnding(word)
             || lower.endsWith(".scene.json")
+            || lower.endsWith(".toml")
             || word.contains("/");
     return named
         ? Optional.of(word + ": there is no such file, and no command of that name")
@@ -109,7 +110,7 @@ final class OpenCommand implements Subcommand {
 
   @Override
   public String summary() {
-    return "open programs, installations, scenes and recordings in the desktop";
+    return "open programs, installations, scenes, recordings and plans of sweeps in the desktop";
   }
 
   @Override

@@ -19,7 +19,7 @@ public record SweepParameter(String name, ParameterTarget target, ParameterRange
   }
 
   /** How many values a grid has of it. */
-  int gridSize() {
+  public int gridSize() {
     return switch (range) {
       case ParameterRange.Between between -> between.steps();
       case ParameterRange.Listed(var values) -> values.size();

@@ -2,6 +2,7 @@ package org.pendant.sweep.run;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -17,6 +18,7 @@ import org.pendant.language.signature.Parameter;
 import org.pendant.language.signature.Unit;
 import org.pendant.language.syntax.Expression;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Joints;
 import org.pendant.sweep.plan.FrameAxis;
 import org.pendant.sweep.plan.ParameterTarget;
 import org.pendant.sweep.plan.ParameterValue;
@@ -33,6 +35,7 @@ public final class ParameterOffers {
   private static final double NEAR_M = 0.05;
   private static final double NEAR_RAD = 0.1;
   private static final List<String> POSE = List.of("m", "m", "m", "rad", "rad", "rad");
+  private static final List<String> JOINTS = Collections.nCopies(Joints.COUNT, "rad");
   private static final Set<String> READS =
       Set.of(
           "get_digital_in",
@@ -122,6 +125,15 @@ public final class ParameterOffers {
 
   private void variable(String name, Expression value) {
     ParameterTarget whole = new ParameterTarget.Variable(name, OptionalInt.empty());
+    if (value instanceof Expression.IntLiteral(var count, var _)) {
+      // the number of an output, or of parts: what lies between is none
+      list(
+          Group.VARIABLES,
+          whole,
+          text(value),
+          (count > 0 ? count - 1 + ", " : "") + count + ", " + (count + 1));
+      return;
+    }
     Optional<Double> number = number(value);
     if (number.isPresent()) {
       around(Group.VARIABLES, whole, text(value), number.get(), "");
@@ -130,7 +142,8 @@ public final class ParameterOffers {
     switch (value) {
       case Expression.BoolLiteral _ -> list(Group.VARIABLES, whole, text(value), "True, False");
       case Expression.PoseLiteral(var elements, var _) -> elements(name, elements, POSE);
-      case Expression.ListLiteral(var elements, var _) -> elements(name, elements, List.of());
+      case Expression.ListLiteral(var elements, var _) ->
+          elements(name, elements, elements.size() == Joints.COUNT ? JOINTS : List.of());
       default -> list(Group.VARIABLES, whole, text(value), text(value));
     }
   }

@@ -21,6 +21,7 @@ final class ParameterOffersTest {
       """
       FAST = 0.8
       careful = True
+      parts = 3
       pick = p[0.4, -0.1, 0.2, 0, 3.14, 0]
       home = [0, -1.57, 1.57, -1.57, -1.57, 0]
       place = get_actual_tcp_pose()
@@ -59,6 +60,7 @@ final class ParameterOffersTest {
     assertEquals("variable FAST", offers.keySet().iterator().next(), "as in the text");
     assertEquals(List.of("0.8", "0.4", "1.2", ""), words(offers.get("variable FAST")));
     assertEquals(List.of("-0.02", "-0.03", "-0.01", ""), words(offers.get("variable offset")));
+    assertEquals(List.of("3", "", "", "2, 3, 4"), words(offers.get("variable parts")));
     assertEquals(List.of("True", "", "", "True, False"), words(offers.get("variable careful")));
   }
 
@@ -68,16 +70,17 @@ final class ParameterOffersTest {
     assertEquals(List.of("-0.1", "-0.15", "-0.05", ""), words(offers.get("variable pick[1]")));
     assertEquals("m", offers.get("variable pick[1]").unit());
     assertEquals("rad", offers.get("variable pick[4]").unit());
+    assertEquals(List.of("-1.57", "-1.67", "-1.47", ""), words(offers.get("variable home[1]")));
     assertEquals("get_actual_tcp_pose()", offers.get("variable place").now());
   }
 
   @Test
   void numbersInMovesAndInputsThatTheProgramReadsAreOffered() throws IOException, PlanException {
     Map<String, ParameterOffer> offers = offers("");
-    assertEquals(List.of("1.05", "0.525", "1.575", ""), words(offers.get("argument 10 v")));
-    assertEquals("rad/s", offers.get("argument 10 v").unit());
-    assertTrue(offers.keySet().containsAll(List.of("argument 8 a", "speed", "acceleration")));
-    assertTrue(!offers.containsKey("argument 8 v"), "FAST is a variable");
+    assertEquals(List.of("1.05", "0.525", "1.575", ""), words(offers.get("argument 11 v")));
+    assertEquals("rad/s", offers.get("argument 11 v").unit());
+    assertTrue(offers.keySet().containsAll(List.of("argument 9 a", "speed", "acceleration")));
+    assertTrue(!offers.containsKey("argument 9 v"), "FAST is a variable");
     assertTrue(
         offers
             .keySet()

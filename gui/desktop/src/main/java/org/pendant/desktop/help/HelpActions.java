@@ -1,9 +1,6 @@
 package org.pendant.desktop.help;
 
 import java.awt.Desktop;
-import java.awt.Toolkit;
-import java.awt.datatransfer.StringSelection;
-import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,7 +11,6 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
-import org.pendant.kit.background.Background;
 
 /** Help actions: documentation, keys, examples, what this program is and where its logs are. */
 public final class HelpActions {
@@ -87,44 +83,17 @@ public final class HelpActions {
     switch (link) {
       case "folder:logs" -> openFolder(logs);
       case "folder:settings" -> openFolder(settings);
-      default -> open(link, () -> Desktop.getDesktop().browse(URI.create(link)));
+      default -> OtherProgram.open(link, () -> Desktop.getDesktop().browse(URI.create(link)), tell);
     }
   }
 
   private void openFolder(Path folder) {
-    open(
+    OtherProgram.open(
         folder.toString(),
         () -> {
           Files.createDirectories(folder);
           Desktop.getDesktop().open(folder.toFile());
-        });
-  }
-
-  /** What another program of the computer is to open. */
-  private interface Opening {
-    void run() throws IOException;
-  }
-
-  /** Where nothing opens it, the clipboard has it. */
-  private void open(String what, Opening opening) {
-    Background.run(
-        () -> {
-          if (!Desktop.isDesktopSupported()) {
-            throw new IOException("no program of this computer opens it");
-          }
-          try {
-            opening.run();
-          } catch (IllegalArgumentException | UnsupportedOperationException e) {
-            throw new IOException(e.getMessage(), e);
-          }
-          return what;
         },
-        opened -> tell.accept("Opened " + opened),
-        failed -> {
-          Toolkit.getDefaultToolkit()
-              .getSystemClipboard()
-              .setContents(new StringSelection(what), null);
-          tell.accept(what + " was copied to the clipboard: " + failed.getMessage());
-        });
+        tell);
   }
 }

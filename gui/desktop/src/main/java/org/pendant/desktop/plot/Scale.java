@@ -11,7 +11,7 @@ import java.util.Locale;
  * @param high its upper end, above the lower one
  * @param step from one number to the next
  */
-record Scale(double low, double high, double step) {
+public record Scale(double low, double high, double step) {
 
   /** An axis from {@code low} to {@code high} exactly, with about {@code most} numbers at most. */
   static Scale exact(double low, double high, int most) {
@@ -19,7 +19,7 @@ record Scale(double low, double high, double step) {
   }
 
   /** An axis that has {@code low} and {@code high} and ends at round numbers. */
-  static Scale around(double low, double high, int most) {
+  public static Scale around(double low, double high, int most) {
     double margin = high - low < 1e-9 * Math.max(1, Math.abs(high)) ? spread(high) : 0;
     double step = roundStep((high - low + 2 * margin) / Math.max(1, most));
     return new Scale(
@@ -40,7 +40,7 @@ record Scale(double low, double high, double step) {
   }
 
   /** The round numbers on it. */
-  List<Double> ticks() {
+  public List<Double> ticks() {
     List<Double> ticks = new ArrayList<>();
     for (long i = (long) Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) {
       ticks.add(i * step);
@@ -49,7 +49,7 @@ record Scale(double low, double high, double step) {
   }
 
   /** A number on it as text, with the digits that its step needs. */
-  String text(double value) {
+  public String text(double value) {
     int digits = (int) Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
     return String.format(Locale.ROOT, "%." + digits + "f", value + 0.0);
   }

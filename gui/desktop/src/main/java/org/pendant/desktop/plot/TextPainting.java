@@ -6,11 +6,11 @@ import java.awt.Toolkit;
 import java.util.Map;
 
 /** Text painting as the desktop wants it. */
-final class TextPainting {
+public final class TextPainting {
   private TextPainting() {}
 
   /** Has a pen write smooth letters. */
-  static void smooth(Graphics2D pen) {
+  public static void smooth(Graphics2D pen) {
     Object hints = Toolkit.getDefaultToolkit().getDesktopProperty("awt.font.desktophints");
     if (hints instanceof Map<?, ?> wanted) {
       pen.addRenderingHints(wanted);

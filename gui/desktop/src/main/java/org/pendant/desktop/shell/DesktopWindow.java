@@ -35,6 +35,7 @@ import org.pendant.desktop.shell.chrome.Rail;
 import org.pendant.desktop.shell.chrome.StatusLine;
 import org.pendant.desktop.shell.prompt.PromptPanel;
 import org.pendant.desktop.shell.start.StartPanel;
+import org.pendant.desktop.sweep.SweepView;
 import org.pendant.desktop.timeline.TimelineView;
 import org.pendant.desktop.waveform.WaveformView;
 import org.pendant.desktop.workbench.View;
@@ -380,7 +381,7 @@ final class DesktopWindow {
     }
   }
 
-  /** Opens a program, an installation, a scene, a recording or a table of waveforms. */
+  /** Opens a program, an installation, a scene, a recording, a plan or a table of waveforms. */
   void open(Path file) {
     if (InstallationFile.hasEnding(file.toString())) {
       installationFiles.open(file);
@@ -396,6 +397,10 @@ final class DesktopWindow {
     }
     if (WaveformView.isWaveforms(file)) {
       views.waveforms().open(file);
+      return;
+    }
+    if (SweepView.isPlan(file)) {
+      views.sweep().open(file);
       return;
     }
     files.open(file);

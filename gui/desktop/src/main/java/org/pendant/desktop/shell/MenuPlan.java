@@ -326,6 +326,7 @@ final class MenuPlan {
         sub("Speed", "", all("speed")),
         sub("Waveforms", "Waveforms", all("waveforms")),
         sub("What if", "What if", all("whatif")),
+        sub("Sweep", "Sweep", all("sweep")),
         sub("Tests", "Tests", all("tests")),
         line(),
         all("program.ask-start"),

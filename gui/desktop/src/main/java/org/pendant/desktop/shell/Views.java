@@ -27,6 +27,7 @@ import org.pendant.desktop.editor.OutlineView;
 import org.pendant.desktop.editor.PlacesView;
 import org.pendant.desktop.editor.ProblemsView;
 import org.pendant.desktop.editor.ScriptEditor;
+import org.pendant.desktop.help.OtherProgram;
 import org.pendant.desktop.installation.InstallationView;
 import org.pendant.desktop.io.IoView;
 import org.pendant.desktop.io.SignalLabels;
@@ -50,6 +51,7 @@ import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
+import org.pendant.desktop.sweep.SweepView;
 import org.pendant.desktop.tests.TestsView;
 import org.pendant.desktop.timeline.Pin;
 import org.pendant.desktop.waveform.WaveformView;
@@ -88,6 +90,7 @@ final class Views {
   private final StartMove startMove;
   private final WaveformView waveforms;
   private final TestsView tests;
+  private final SweepView sweep;
   private final StartChoice start;
   private final PastViews past;
   private TreeRuns runs;
@@ -205,6 +208,15 @@ final class Views {
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     tests = new TestsView(workbench, programs, editor, installation, runner::startsElsewhere);
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
+    sweep =
+        new SweepView(
+            workbench,
+            programs,
+            installation,
+            sceneDraft,
+            past::open,
+            () -> choosePlan(workbench),
+            page -> OtherProgram.openPage(page, tell));
     RunAsTest.addTo(workbench, programs, past, tests, labels::ofSignal);
     ClientsView clients = new ClientsView(workbench, desktopPorts, past::show);
     past.timeline().markClients(clients::marks, clients::showMessage);
@@ -232,6 +244,7 @@ final class Views {
             panel(new OutlineView(workbench, editor), Side.LOWER),
             panel(ports, Side.LOWER),
             panel(clients, Side.MAIN),
+            panel(sweep, Side.MAIN),
             panel(new ProblemsView(workbench, editor), Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
             panel(past.held(calls), Side.LOWER),
@@ -458,6 +471,21 @@ final class Views {
         new String[] {"csv"},
         workbench.usedFolder(),
         waveforms::open);
+  }
+
+  private void choosePlan(ShellWorkbench workbench) {
+    OpenDialog.show(
+        sweep.component(),
+        "Open plan",
+        "Plans of sweeps",
+        new String[] {"toml"},
+        workbench.usedFolder(),
+        sweep::open);
+  }
+
+  /** The panel in which people run variants of a program by the thousand. */
+  SweepView sweep() {
+    return sweep;
   }
 
   /** The panel in which people draw what happens at the inputs. */

@@ -1,0 +1,290 @@
+package org.pendant.desktop.sweep;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.awt.EventQueue;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.ButtonGroup;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import javax.swing.SwingConstants;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.Programs;
+import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.workbench.View;
+import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.action.Action;
+import org.pendant.kit.background.Background;
+import org.pendant.kit.fault.Faults;
+import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.Markup;
+import org.pendant.kit.theme.Palette;
+import org.pendant.models.arm.ArmLibrary;
+
+/** Sweep view: people plan a sweep of the open program, run it and look at its runs. */
+public final class SweepView implements View {
+  /** Its name in settings and commands. */
+  public static final String ID = "sweep";
+
+  private static final int LOOK_MS = 250;
+  private static final String PLAN = "plan";
+  private static final String RESULTS = "results";
+  private static final String EMPTY = "empty";
+
+  private final Workbench workbench;
+  private final Programs programs;
+  private final ActiveInstallation installation;
+  private final SceneDraft scene;
+  private final SweepPresenter presenter;
+  private final PlanPanel plan;
+  private final ResultsPanel results;
+  private final CardLayout cards = new CardLayout();
+  private final JPanel middle = new JPanel(cards);
+  private final JPanel content = new JPanel(new BorderLayout());
+  private final JToggleButton planTab = new JToggleButton("Plan", true);
+  private final JToggleButton resultsTab = new JToggleButton("Results");
+  private final JButton fresh = button("new", "Sweep of this program", "");
+  private final JButton open;
+  private final JLabel note = new JLabel("", SwingConstants.CENTER);
+  private final Timer look = Faults.timer(LOOK_MS, this::look);
+  private Optional<SavedProgram> seen = Optional.empty();
+  private boolean resultsWanted;
+
+  /**
+   * The panel; it adds its actions to the workbench.
+   *
+   * @param recording opens a recording in the window
+   * @param choose asks for the file of a plan
+   * @param page opens a page of HTML
+   */
+  public SweepView(
+      Workbench workbench,
+      Programs programs,
+      ActiveInstallation installation,
+      SceneDraft scene,
+      Consumer<Path> recording,
+      Runnable choose,
+      Consumer<Path> page) {
+    this.workbench = workbench;
+    this.programs = programs;
+    this.installation = installation;
+    this.scene = scene;
+    presenter = new SweepPresenter(this::subject, Background::run, workbench::notify, recording);
+    plan = new PlanPanel(presenter);
+    results = new ResultsPanel(presenter, page);
+    open = button("open", "Open plan\u2026", "Opens the file of a plan, with its results");
+    open.addActionListener(event -> choose.run());
+    fresh.addActionListener(event -> planThis());
+    content.setName("sweep-view");
+    content.getAccessibleContext().setAccessibleName(title());
+    content.add(head(), BorderLayout.NORTH);
+    content.add(middle, BorderLayout.CENTER);
+    middle.add(empty(), EMPTY);
+    middle.add(plan, PLAN);
+    middle.add(results, RESULTS);
+    presenter.whenChanged(this::show);
+    declareActions(choose, page);
+    show();
+  }
+
+  private static JButton button(String name, String text, String tip) {
+    JButton button = new JButton(text);
+    button.setName("sweep-" + name);
+    button.setToolTipText(tip.isEmpty() ? text : tip);
+    return button;
+  }
+
+  private JComponent head() {
+    JPanel head = new JPanel(new WrappingRow(6));
+    ButtonGroup tabs = new ButtonGroup();
+    for (JToggleButton each : List.of(planTab, resultsTab)) {
+      each.setName("sweep-tab-" + each.getText().toLowerCase(Locale.ROOT));
+      tabs.add(each);
+      head.add(each);
+    }
+    planTab.addActionListener(event -> showResults(false));
+    resultsTab.addActionListener(event -> showResults(true));
+    head.add(fresh);
+    head.add(open);
+    return head;
+  }
+
+  private JComponent empty() {
+    JPanel panel =
+        new JPanel(new MigLayout("insets 12, wrap 1, align center center", "[center, grow]"));
+    note.setName("sweep-note");
+    panel.add(note, "growx, wmin 0");
+    return panel;
+  }
+
+  private void declareActions(Runnable choose, Consumer<Path> page) {
+    var actions = workbench.actions();
+    actions.add(
+        new Action(
+            ID + ".new",
+            "Sweep: plan one of this program\u2026",
+            "",
+            () -> presenter.whyNoPlan().isEmpty(),
+            this::planThis));
+    actions.add(Action.of(ID + ".open", "Sweep: open a plan\u2026", "", choose));
+    actions.add(
+        new Action(
+            ID + ".start",
+            "Sweep: start",
+            "",
+            () -> presenter.whyNotStart().isEmpty(),
+            () -> {
+              workbench.show(ID);
+              plan.start();
+            }));
+    actions.add(
+        new Action(ID + ".cancel", "Sweep: cancel", "", presenter::runs, presenter::cancel));
+    actions.add(
+        new Action(
+            ID + ".open-run",
+            "Sweep: open the selected run",
+            "",
+            results::selected,
+            results::openSelected));
+    actions.add(
+        new Action(
+            ID + ".report",
+            "Sweep: open the report",
+            "",
+            () -> presenter.shown().isPresent(),
+            () -> presenter.report(page)));
+  }
+
+  /** Begins a plan of the program in front. */
+  private void planThis() {
+    workbench.show(ID);
+    showResults(false);
+    presenter.planThis();
+  }
+
+  /** Opens the file of a plan. */
+  public void open(Path file) {
+    workbench.show(ID);
+    presenter.open(file);
+    showResults(false);
+  }
+
+  /** Whether a file is called as plans are. */
+  public static boolean isPlan(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(".toml");
+  }
+
+  private void showResults(boolean wanted) {
+    resultsWanted = wanted;
+    show();
+    if (wanted) {
+      results.focus();
+    }
+  }
+
+  private SweepSubject subject() {
+    ProgramDocument front = programs.current();
+    String robot = workbench.session().options().robotId();
+    List<Path> unsaved = new ArrayList<>();
+    programs.all().stream()
+        .filter(ProgramDocument::modified)
+        .forEach(each -> each.file().ifPresent(unsaved::add));
+    for (ProgramDocument each : List.of(installation.document(), scene.document())) {
+      if (each.modified()) {
+        each.file().ifPresent(unsaved::add);
+      }
+    }
+    return new SweepSubject(
+        front.name(),
+        front.file(),
+        installation.document().file(),
+        scene.document().file(),
+        ArmLibrary.find(robot).isPresent() ? robot : "",
+        unsaved);
+  }
+
+  private void look() {
+    presenter.look();
+    if (!presenter.runs()) {
+      look.stop();
+    }
+  }
+
+  private void show() {
+    if (presenter.runs() && !look.isRunning()) {
+      look.start();
+      resultsWanted = true;
+      EventQueue.invokeLater(results::focus);
+    }
+    boolean there = presenter.draft().isPresent();
+    String why = presenter.trouble().isEmpty() ? presenter.whyNoPlan() : presenter.trouble();
+    note.setText(
+        "<html><center>"
+            + Markup.escaped(
+                presenter.reading()
+                    ? "Reading\u2026"
+                    : why.isEmpty()
+                        ? "Runs the program in thousands of variants, and shows which are good."
+                        : why));
+    note.setForeground(presenter.trouble().isEmpty() ? Palette.quiet() : Palette.error());
+    planTab.setVisible(there);
+    resultsTab.setVisible(there);
+    planTab.setSelected(!resultsWanted);
+    resultsTab.setSelected(resultsWanted);
+    fresh.setEnabled(presenter.whyNoPlan().isEmpty());
+    fresh.setToolTipText(
+        presenter.whyNoPlan().isEmpty()
+            ? "Begins a plan of " + programs.current().name()
+            : presenter.whyNoPlan());
+    open.setEnabled(!presenter.runs());
+    cards.show(middle, !there ? EMPTY : resultsWanted ? RESULTS : PLAN);
+    plan.showDraft();
+    results.showRows();
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String title() {
+    return "Sweep";
+  }
+
+  @Override
+  public JComponent component() {
+    return content;
+  }
+
+  /** What the program offers may be other things once it is saved. */
+  @Override
+  public void refresh(ControllerState state) {
+    Optional<SavedProgram> now =
+        presenter
+            .draft()
+            .flatMap(each -> programs.of(each.files().program()))
+            .flatMap(ProgramDocument::onDisk);
+    if (!now.equals(seen)) {
+      seen = now;
+      presenter.readOffers();
+    }
+    boolean can = presenter.whyNoPlan().isEmpty();
+    if (fresh.isEnabled() != can) {
+      show();
+    }
+  }
+}

@@ -1,0 +1,77 @@
+package org.pendant.desktop.sweep;
+
+import java.awt.Color;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.pendant.kit.theme.Palette;
+import org.pendant.sweep.run.RunOutcome;
+
+/** Words about runs of a sweep, and the colours that go with them. */
+final class SweepWords {
+  private static final int MINUTE_S = 60;
+  private static final int HOUR_S = 3600;
+
+  private SweepWords() {}
+
+  /** A number in few digits; empty for none. */
+  static String brief(double number) {
+    if (Double.isNaN(number)) {
+      return "";
+    }
+    if (number == Math.rint(number) && Math.abs(number) < 1e9) {
+      return Long.toString((long) number);
+    }
+    double size = Math.abs(number);
+    return size >= 1e6 || size < 1e-4
+        ? String.format(Locale.ROOT, "%.3e", number)
+        : String.format(Locale.ROOT, "%.4f", number).replaceFirst("0{1,3}$", "");
+  }
+
+  /** The colour of an outcome. */
+  static Color color(Optional<RunOutcome> outcome) {
+    return outcome
+        .map(
+            each ->
+                switch (each) {
+                  case FINISHED, HALTED -> Palette.ok();
+                  case STOPPED, NEVER_ENDED -> Palette.warning();
+                  case FAILED, DOES_NOT_COMPILE, REFUSED, INTERNAL_ERROR -> Palette.error();
+                })
+        .orElseGet(Palette::quiet);
+  }
+
+  /** How many runs ended in which way. */
+  static String outcomes(Map<String, Integer> counts) {
+    return counts.entrySet().stream()
+        .map(each -> each.getValue() + " " + each.getKey())
+        .collect(Collectors.joining(", "));
+  }
+
+  /** How far a sweep is. */
+  static String progress(RunningSweep sweep) {
+    if (sweep.size() == 0) {
+      return sweep.ended() ? "not started" : "reading the plan";
+    }
+    String done = String.format(Locale.ROOT, "%,d of %,d runs", sweep.done(), sweep.size());
+    double perS = sweep.perS();
+    if (perS <= 0) {
+      return done;
+    }
+    String rate = String.format(Locale.ROOT, "%s, %,.0f a minute", done, perS * MINUTE_S);
+    return sweep.ended()
+        ? rate
+        : rate + ", " + duration(Math.round((sweep.size() - sweep.done()) / perS)) + " left";
+  }
+
+  /** A duration, such as {@code 2 min 5 s}. */
+  static String duration(long seconds) {
+    if (seconds < MINUTE_S) {
+      return seconds + " s";
+    }
+    return seconds < HOUR_S
+        ? seconds / MINUTE_S + " min " + seconds % MINUTE_S + " s"
+        : seconds / HOUR_S + " h " + seconds % HOUR_S / MINUTE_S + " min";
+  }
+}
