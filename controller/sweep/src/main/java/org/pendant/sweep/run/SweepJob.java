@@ -37,14 +37,16 @@ public final class SweepJob {
   private final LoadResult loaded;
   private final String planText;
   private final String identity;
+  private final List<String> files;
 
   private SweepJob(
-      JobInputs inputs, Builtins<ControlBox> builtins, String planText, String identity)
+      JobInputs inputs, Builtins<ControlBox> builtins, String planText, Map<String, byte[]> files)
       throws PlanException {
     this.inputs = inputs;
     this.builtins = builtins;
     this.planText = planText;
-    this.identity = identity;
+    identity = identity(planText, files);
+    this.files = List.copyOf(files.keySet());
     ParseResult parsed = ScriptParser.parseProgram(inputs.program());
     places = new ScriptPlaces(parsed.script(), builtins);
     loaded = ProgramLoader.load(inputs.program(), builtins);
@@ -103,7 +105,7 @@ public final class SweepJob {
   public static SweepJob of(SweepPlan plan, String text, Path folder) throws PlanException {
     PlanFiles files = new PlanFiles(plan, folder);
     JobInputs inputs = files.inputs();
-    return new SweepJob(inputs, StandardBuiltins.create(), text, identity(text, files.read()));
+    return new SweepJob(inputs, StandardBuiltins.create(), text, files.read());
   }
 
   private static String identity(String plan, Map<String, byte[]> files) {
@@ -141,9 +143,19 @@ public final class SweepJob {
     return identity;
   }
 
+  /** The names of the files that it was read from beside the plan, as seen from its folder. */
+  public List<String> files() {
+    return files;
+  }
+
   /** Runs a variant from its start to its end; whatever goes wrong is in the result. */
   public SweepResult run(SweepVariant variant) {
     return run(variant, RunWatcher.NONE);
+  }
+
+  /** The result of a run that nobody could bring to its end, for a reason outside of it. */
+  public static SweepResult lost(SweepVariant variant, String reason) {
+    return SweepRun.failed(variant, RunOutcome.INTERNAL_ERROR, reason);
   }
 
   /** As {@link #run(SweepVariant)}, with somebody who sees every frame. */
