@@ -91,9 +91,13 @@ final class ArchitectureTest {
           .definedBy("org.pendant.kit..")
           .layer("command")
           .definedBy("org.pendant.command..")
+          .layer("spark")
+          .definedBy("org.pendant.spark..")
           .layer("desktop")
           .definedBy("org.pendant.desktop..")
           .whereLayer("desktop")
+          .mayNotBeAccessedByAnyLayer()
+          .whereLayer("spark")
           .mayNotBeAccessedByAnyLayer()
           .whereLayer("kit")
           .mayOnlyBeAccessedByLayers("desktop")
@@ -106,7 +110,7 @@ final class ArchitectureTest {
           .whereLayer("recording")
           .mayOnlyBeAccessedByLayers("junit", "sweep", "editors", "command", "desktop")
           .whereLayer("sweep")
-          .mayOnlyBeAccessedByLayers("command", "desktop")
+          .mayOnlyBeAccessedByLayers("command", "spark", "desktop")
           .whereLayer("junit")
           .mayNotBeAccessedByAnyLayer()
           .whereLayer("testing")
@@ -206,6 +210,16 @@ final class ArchitectureTest {
           .areStatic()
           .should()
           .haveNameMatching("(MOST|LEAST|FARTHEST|LONGEST|LARGEST|HIGHEST|SMALLEST|SHORTEST)_.*");
+
+  /** It is a jar of its own, for those who have Spark. */
+  @ArchTest
+  static final ArchRule onlyTheModuleForSparkKnowsSpark =
+      noClasses()
+          .that()
+          .resideOutsideOfPackage("org.pendant.spark..")
+          .should()
+          .dependOnClassesThat()
+          .resideInAnyPackage("org.apache.spark..", "scala..");
 
   @ArchTest
   static final ArchRule packagesFormNoCycle =

@@ -6,6 +6,13 @@ public final class EngineException extends Exception {
 
   /**
    * @param message what cannot be, and why
+   */
+  public EngineException(String message) {
+    super(message);
+  }
+
+  /**
+   * @param message what cannot be, and why
    * @param cause what it came from
    */
   public EngineException(String message, Throwable cause) {

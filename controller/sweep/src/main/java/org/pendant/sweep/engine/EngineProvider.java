@@ -1,0 +1,26 @@
+package org.pendant.sweep.engine;
+
+import java.nio.file.Path;
+import org.pendant.sweep.run.SweepJob;
+
+/**
+ * Engine provider: an engine that is found on the class path (a {@link java.util.ServiceLoader}).
+ */
+public interface EngineProvider {
+  /** Its name as {@code --engine} has it, such as {@code spark}. */
+  String name();
+
+  /**
+   * Whether this process was started for it, so that it runs variants unless people say otherwise.
+   */
+  boolean available();
+
+  /**
+   * Makes the engine.
+   *
+   * @param plan the file of the plan
+   * @param job what was read of it
+   * @throws EngineException if the engine cannot start, or a file that workers need cannot be read
+   */
+  Engine create(Path plan, SweepJob job) throws EngineException;
+}

@@ -1,0 +1,59 @@
+package org.pendant.spark;
+
+import org.apache.spark.SparkConf;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.pendant.sweep.engine.Engine;
+import org.pendant.sweep.engine.EngineException;
+
+/** The application that a sweep is to Spark. */
+final class SparkApplication {
+  private SparkApplication() {}
+
+  /** Connects to the master that the process was started with, and waits for a first worker. */
+  static Engine start(WorkerJob job) throws EngineException {
+    return start(configuration(), job);
+  }
+
+  static Engine start(SparkConf configuration, WorkerJob job) throws EngineException {
+    JavaSparkContext context;
+    try {
+      context = new JavaSparkContext(configuration);
+    } catch (RuntimeException e) {
+      throw new EngineException("Spark does not start: " + e.getMessage(), e);
+    }
+    boolean made = false;
+    try {
+      SparkEngine engine = new SparkEngine(context, job);
+      made = true;
+      return engine;
+    } finally {
+      if (!made) {
+        context.close();
+      }
+    }
+  }
+
+  /** What people have said, and what is right for sweeps where they have said nothing. */
+  static SparkConf configuration() {
+    SparkConf conf = new SparkConf();
+    conf.setIfMissing("spark.app.name", "pendant sweep");
+    conf.setIfMissing("spark.log.level", "WARN");
+    conf.setIfMissing("spark.ui.enabled", "false");
+    conf.setIfMissing("spark.ui.showConsoleProgress", "false");
+    // A run gives the same result anywhere: what a slow worker has may be run beside by another
+    // one.
+    conf.setIfMissing("spark.speculation", "true");
+    // A worker that dies says nothing against its runs, up to this number.
+    conf.setIfMissing("spark.task.maxFailures", "8");
+    conf.setIfMissing("spark.deploy.maxExecutorRetries", "-1");
+    // Spark remembers so many jobs and tasks for its pages, with or without them; a sweep has many.
+    conf.setIfMissing("spark.ui.retainedJobs", "50");
+    conf.setIfMissing("spark.ui.retainedStages", "50");
+    conf.setIfMissing("spark.ui.retainedTasks", "1000");
+    if (conf.get("spark.master", "").startsWith("local")) {
+      conf.setIfMissing("spark.driver.host", "127.0.0.1");
+      conf.setIfMissing("spark.driver.bindAddress", "127.0.0.1");
+    }
+    return conf;
+  }
+}
