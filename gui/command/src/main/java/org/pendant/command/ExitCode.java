@@ -1,5 +1,8 @@
 package org.pendant.command;
 
+import java.util.Arrays;
+import java.util.Optional;
+
 /** Exit code: what the process answers to the shell; scripts and CI rely on these numbers. */
 enum ExitCode {
   /** Everything asked for was done. */
@@ -34,6 +37,11 @@ enum ExitCode {
 
   int number() {
     return number;
+  }
+
+  /** The first with a number: what another process of Pendant has answered. */
+  static Optional<ExitCode> of(int number) {
+    return Arrays.stream(values()).filter(each -> each.number == number).findFirst();
   }
 
   /** This one, unless it is {@link #DONE}: of several results the first that is not counts. */

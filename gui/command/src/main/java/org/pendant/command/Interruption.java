@@ -1,5 +1,8 @@
 package org.pendant.command;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -47,6 +50,28 @@ final class Interruption implements AutoCloseable {
     Interruption interruption = new Interruption(what, patienceS);
     Runtime.getRuntime().addShutdownHook(new Thread(interruption::shutDown, "interruption"));
     return interruption;
+  }
+
+  /**
+   * The end of a stream counts as a signal: it comes when the process that holds its other end
+   * wants so, and when that has gone.
+   */
+  void listenToEndOf(InputStream in) {
+    Thread.ofPlatform()
+        .daemon()
+        .name("end of input")
+        .start(
+            () -> {
+              try {
+                in.transferTo(OutputStream.nullOutputStream());
+              } catch (IOException e) {
+                // nobody is there any more either
+              }
+              wanted.countDown();
+              if (!held) {
+                Runtime.getRuntime().exit(ExitCode.UNAVAILABLE.number());
+              }
+            });
   }
 
   /** From now on something is under way that has to be brought to its end. */

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.sweep.Sweep;
 import org.pendant.sweep.engine.Engine;
 import org.pendant.sweep.engine.EngineException;
+import org.pendant.sweep.engine.EngineProvider;
 import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.folder.ResultReader;
 import org.pendant.sweep.folder.SweepFolder;
@@ -21,6 +23,9 @@ import org.pendant.sweep.table.RowCondition;
  * the results.
  */
 final class SweepCommand implements Subcommand {
+  /** A table of millions of rows is written once more at the end. */
+  private static final int PATIENCE_S = 120;
+
   private final DesktopServices services;
 
   SweepCommand(DesktopServices services) {
@@ -67,7 +72,15 @@ final class SweepCommand implements Subcommand {
       return ExitCode.WRONG_USAGE;
     }
     try {
-      return run(sweep, options, console);
+      Optional<EngineProvider> cluster = cluster(options);
+      if (cluster.isEmpty() && options.onSpark()) {
+        // what is wrong is told before Spark is started
+        options.conditions(sweep.table());
+        options.kept(sweep.table());
+        return new SparkSubmission(options.spark(), System.getenv())
+            .run(options.wordsForSpark(plan), console);
+      }
+      return run(sweep, plan, cluster, options, console);
     } catch (SweepFolderException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
@@ -78,13 +91,47 @@ final class SweepCommand implements Subcommand {
     }
   }
 
-  private static ExitCode run(Sweep sweep, SweepOptions options, Console console)
+  /** The engine of a cluster, in a process that was started for one. */
+  private static Optional<EngineProvider> cluster(SweepOptions options)
+      throws UsageException, EngineException {
+    Optional<EngineProvider> found =
+        ServiceLoader.load(EngineProvider.class).stream()
+            .map(ServiceLoader.Provider::get)
+            .filter(EngineProvider::available)
+            .findFirst();
+    if (found.isEmpty() && SparkSubmission.submitted()) {
+      throw new EngineException("the jar that Spark was given has no engine for it");
+    }
+    if (found.isPresent() && options.spark().firstGiven().isPresent()) {
+      throw new UsageException(
+          options.spark().firstGiven().get() + " is too late here: spark-submit has read its own");
+    }
+    return found.filter(each -> options.engine().orElse(each.name()).equals(each.name()));
+  }
+
+  private static Engine engine(
+      Sweep sweep, Path plan, Optional<EngineProvider> cluster, SweepOptions options)
+      throws EngineException {
+    return cluster.isPresent()
+        ? cluster.get().create(plan, sweep.job())
+        : sweep.local(options.localWorkers());
+  }
+
+  private static ExitCode run(
+      Sweep sweep,
+      Path plan,
+      Optional<EngineProvider> cluster,
+      SweepOptions options,
+      Console console)
       throws UsageException, IOException, SweepFolderException, EngineException {
     ResultTable table = sweep.table();
     List<RowCondition> conditions = options.conditions(table);
     Optional<KeptRuns> kept = options.kept(table);
-    try (Interruption interruption = Interruption.listen("the sweep")) {
-      try (Engine engine = sweep.local(options.workers())) {
+    try (Interruption interruption = Interruption.listen("the sweep", PATIENCE_S)) {
+      if (SparkSubmission.submitted()) {
+        interruption.listenToEndOf(System.in);
+      }
+      try (Engine engine = engine(sweep, plan, cluster, options)) {
         SweepProgress progress = new SweepProgress(console, engine.description(), interruption);
         long done =
             sweep.run(options.out(), options.start(), engine, progress, interruption::requested);

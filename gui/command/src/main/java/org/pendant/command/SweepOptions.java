@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import org.pendant.sweep.Sweep;
 import org.pendant.sweep.folder.KeptRuns;
 import org.pendant.sweep.table.ResultTable;
@@ -15,7 +16,9 @@ import org.pendant.sweep.table.RowCondition;
  * Options of {@code pendant sweep}.
  *
  * @param out the folder of the results
- * @param workers how many runs there are at a time
+ * @param engine the name of the engine; empty for the one that there is
+ * @param spark what the cluster is told
+ * @param workers how many runs there are at a time; empty for one on each core
  * @param resume whether to go on with results that are there
  * @param force whether to begin anew where there are results
  * @param asserted conditions, as they were written
@@ -23,11 +26,16 @@ import org.pendant.sweep.table.RowCondition;
  */
 record SweepOptions(
     Path out,
-    int workers,
+    Optional<String> engine,
+    SparkOptions spark,
+    OptionalInt workers,
     boolean resume,
     boolean force,
     List<String> asserted,
     Optional<String> kept) {
+  private static final String SPARK = "spark";
+
+  private static final String LOCAL = "local";
   private static final int MAX_WORKERS = 1024;
 
   private static final Option OUT =
@@ -36,6 +44,16 @@ record SweepOptions(
               "results",
               "the folder of the results; default that of the plan with `.sweep` in place of"
                   + " `.toml`, beside the plan");
+  private static final Option ENGINE =
+      Option.of(
+              "--engine",
+              new OptionArgument.Choice(LOCAL, SPARK),
+              "where the runs are: on this machine, or on a Spark cluster; default local")
+          .documented(
+              SPARK,
+              "where the runs are: `local` on the cores of this machine, `spark` on the workers of"
+                  + " [Apache Spark](sweeps.md#on-a-cluster); default `local`, and `spark` where"
+                  + " `spark-submit` runs the command");
   private static final Option WORKERS =
       Option.of(
               "--workers",
@@ -66,7 +84,11 @@ record SweepOptions(
           .documented("begin anew in a folder that has results already");
 
   /** For the usage text. */
-  static final List<Option> ALL = List.of(OUT, WORKERS, RESUME, ASSERT, KEEP, FORCE);
+  static final List<Option> ALL =
+      Stream.concat(
+              Stream.of(OUT, WORKERS, RESUME, ASSERT, KEEP, FORCE, ENGINE),
+              SparkOptions.ALL.stream())
+          .toList();
 
   SweepOptions {
     asserted = List.copyOf(asserted);
@@ -78,14 +100,54 @@ record SweepOptions(
     if (resume && force) {
       throw new UsageException("--resume goes on and --force begins anew, give one of them");
     }
+    SparkOptions spark = SparkOptions.of(arguments);
+    Optional<String> engine = arguments.word(ENGINE);
     OptionalInt workers = arguments.whole(WORKERS);
+    if (workers.isPresent() && engine.equals(Optional.of(SPARK))) {
+      throw new UsageException(
+          "--workers is of --engine local; a cluster runs as many as it has cores, or"
+              + " --spark-conf spark.cores.max=N");
+    }
+    if (!engine.equals(Optional.of(SPARK)) && spark.firstGiven().isPresent()) {
+      throw new UsageException(spark.firstGiven().get() + " goes with --engine spark");
+    }
     return new SweepOptions(
         out(arguments, plan),
-        workers.orElse(Math.min(MAX_WORKERS, Runtime.getRuntime().availableProcessors())),
+        engine,
+        spark,
+        workers,
         resume,
         force,
         arguments.values(ASSERT),
         arguments.value(KEEP));
+  }
+
+  /** Whether it is to run on Spark. */
+  boolean onSpark() {
+    return engine.equals(Optional.of(SPARK));
+  }
+
+  /** The command line that runs a plan with the same options on Spark. */
+  List<String> wordsForSpark(Path plan) {
+    List<String> words =
+        new ArrayList<>(List.of("sweep", ENGINE.name(), SPARK, OUT.name(), out.toString()));
+    if (resume) {
+      words.add(RESUME.name());
+    }
+    if (force) {
+      words.add(FORCE.name());
+    }
+    for (String each : asserted) {
+      words.addAll(List.of(ASSERT.name(), each));
+    }
+    kept.ifPresent(each -> words.addAll(List.of(KEEP.name(), each)));
+    words.addAll(List.of("--", plan.toString()));
+    return words;
+  }
+
+  /** How many runs there are at a time on this machine. */
+  int localWorkers() {
+    return workers.orElse(Math.min(MAX_WORKERS, Runtime.getRuntime().availableProcessors()));
   }
 
   private static Path out(Arguments arguments, Path plan) throws UsageException {

@@ -179,4 +179,14 @@ final class SweepCommandTest {
     assertArrayEquals(whole, Files.readAllBytes(results()));
     assertEquals(ExitCode.DONE, sweep("record", folder.resolve("wait.sweep"), 23));
   }
+
+  @Test
+  void optionsOfOneEngineAreRefusedWithTheOther() {
+    assertEquals(ExitCode.WRONG_USAGE, sweep("--master", "yarn", plan()));
+    assertTrue(errors.toString(UTF_8).contains("--master goes with --engine spark"));
+    assertEquals(ExitCode.WRONG_USAGE, sweep("--engine", "spark", "--workers", "3", plan()));
+    assertTrue(errors.toString(UTF_8).contains("--workers is of --engine local"));
+    assertEquals(ExitCode.WRONG_USAGE, sweep("--engine", "flink", plan()));
+    assertTrue(errors.toString(UTF_8).contains("--engine is flink, must be local or spark"));
+  }
 }
