@@ -94,6 +94,7 @@ final class Shots {
     shoot("palette", theme);
     window.press("ESCAPE");
     window.awaitHidden("palette-query");
+    sweep(theme);
     tree(theme);
     popup(theme);
     question(theme);
@@ -118,6 +119,26 @@ final class Shots {
     window.awaitWords("program-state", "stopped");
     window.perform("Show 3D");
     window.perform("Show the dock at the bottom");
+  }
+
+  /** Where the base may stand, from a copy: the results are beside the plan. */
+  private void sweep(String theme) throws IOException {
+    Path copy = Files.createTempDirectory("pendant-sweep");
+    for (String each : List.of("place_base.toml", "place_base.script")) {
+      Files.copy(examples.resolve("sweeps").resolve(each), copy.resolve(each));
+    }
+    window.perform("Sweep: open a plan");
+    window.awaitFocus("open-dialog");
+    window.type(copy.resolve("place_base.toml") + "\n");
+    window.awaitHidden("open-dialog");
+    window.awaitWords("sweep-count", "169 runs");
+    window.awaitWords("sweep-parameters", "shelf[0]");
+    shoot("sweep-plan", theme);
+    window.raise();
+    window.perform("Sweep: start");
+    window.awaitWords("sweep-progress", "169 of 169");
+    window.clickCell("sweep-rows", "stopped");
+    shoot("sweep", theme);
   }
 
   private void tree(String theme) throws IOException {

@@ -272,7 +272,7 @@ final class PlanPanel extends JPanel {
     search.add(label("Ends after", stall));
     JPanel generations = row();
     generations.add(stall);
-    generations.add(new JLabel("generations without a better one"));
+    generations.add(new JLabel("idle generations"));
     search.add(generations, "wmin 0");
     card.add(search, "wmin 0");
     return card;
@@ -532,7 +532,7 @@ final class PlanPanel extends JPanel {
     long rows = presenter.rowsThere();
     start.setEnabled(ready);
     start.setText(rows == 0 ? "Start" : sure ? "Replace " + rows + " results" : "Start anew\u2026");
-    resume.setVisible(rows > 0);
+    resume.setVisible(presenter.canResume());
     resume.setEnabled(ready);
     resume.setText("Resume behind " + rows);
     save.setEnabled(

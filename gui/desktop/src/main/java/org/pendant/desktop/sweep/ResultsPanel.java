@@ -5,6 +5,7 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -120,8 +121,8 @@ final class ResultsPanel extends JPanel {
     rows.setBorder(BorderFactory.createEmptyBorder());
     JPanel plotted = new JPanel(new BorderLayout());
     JPanel axes = new JPanel(new WrappingRow(6));
-    axis(axes, "Across", across, "across");
-    axis(axes, "Upwards", upwards, "upwards");
+    axis(axes, "x axis", across, "across");
+    axis(axes, "y axis", upwards, "upwards");
     axis(axes, "Colour", colored, "colour");
     plotted.add(axes, BorderLayout.NORTH);
     plotted.add(plot, BorderLayout.CENTER);
@@ -143,7 +144,8 @@ final class ResultsPanel extends JPanel {
   private void axis(JPanel axes, String title, JComboBox<String> choice, String name) {
     JLabel label = new JLabel(title);
     label.setLabelFor(choice);
-    TitledCard.named(choice, "sweep-" + name, title + ": a column of the results");
+    TitledCard.named(
+        choice, "sweep-" + name, "A column of the results for " + title.toLowerCase(Locale.ROOT));
     choice.setPrototypeDisplayValue("torque_share");
     choice.addActionListener(
         event -> {
@@ -256,10 +258,7 @@ final class ResultsPanel extends JPanel {
     cancel.setVisible(runs);
     cancel.setEnabled(presenter.running().filter(RunningSweep::cancelled).isEmpty());
     long rowsThere = rows.map(each -> (long) each.size()).orElse(0L);
-    boolean whole =
-        now.filter(each -> each.plan().search().isEmpty() && rowsThere >= each.plan().size())
-            .isPresent();
-    resume.setVisible(!runs && rowsThere > 0 && !whole);
+    resume.setVisible(!runs && presenter.canResume());
     resume.setEnabled(presenter.whyNotStart().isEmpty());
     report.setEnabled(rowsThere > 0);
     open.setEnabled(table.selected().isPresent());

@@ -37,7 +37,7 @@ final class RunningSweep implements SweepListener {
   private volatile long size;
   private volatile long done;
   private volatile long beganNs;
-  private volatile long endedNs;
+  private volatile long lastNs;
 
   /**
    * What is to be run.
@@ -82,7 +82,6 @@ final class RunningSweep implements SweepListener {
       trouble = "internal error, " + fault;
       Faults.report(fault);
     } finally {
-      endedNs = System.nanoTime();
       ended = true;
     }
   }
@@ -129,7 +128,8 @@ final class RunningSweep implements SweepListener {
     AtomicFile.write(file, (comment + text).getBytes(StandardCharsets.UTF_8));
   }
 
-  private static Optional<SweepPlan> means(String text) {
+  /** The plan that a text is; empty where it is none. */
+  static Optional<SweepPlan> means(String text) {
     try {
       return Optional.of(PlanReader.read("plan", text));
     } catch (PlanException e) {
@@ -148,6 +148,7 @@ final class RunningSweep implements SweepListener {
   @Override
   public void take(SweepResult result, List<Optional<Object>> row) {
     done = result.variant().number() + 1;
+    lastNs = System.nanoTime();
     put(List.of(RunRow.of(sweep.orElseThrow().table().columns(), row)));
   }
 
@@ -202,7 +203,8 @@ final class RunningSweep implements SweepListener {
 
   /** Runs a second since it began; 0 before the first. */
   double perS() {
-    long now = ended ? endedNs : System.nanoTime();
+    // what comes behind the last row, such as Parquet, is no part of it
+    long now = done == size || ended ? lastNs : System.nanoTime();
     double seconds = (now - beganNs) * 1e-9;
     return beganNs == 0 || seconds <= 0 ? 0 : (done - first) / seconds;
   }

@@ -26,9 +26,8 @@ final class ScatterPlot extends JPanel {
   static final int BY_OUTCOME = -1;
 
   private static final int NEAR = 10;
-  private static final int MIN_DOT = 5;
+  private static final int MIN_DOT = 4;
   private static final int MAX_DOT = 9;
-  private static final int MANY = 1000;
 
   private transient Optional<RunRows> rows = Optional.empty();
   private int x;
@@ -239,7 +238,10 @@ final class ScatterPlot extends JPanel {
   private void dots(Graphics2D pen, Rectangle area, Scale across, Scale upwards) {
     RunRows of = rows.orElseThrow();
     Span span = color == BY_OUTCOME ? new Span(0, 1) : span(color);
-    int size = UIScale.scale(of.size() > MANY ? MIN_DOT : MAX_DOT);
+    // so that those of a grid do not touch
+    double apart = Math.min(area.width, area.height) / Math.sqrt(Math.max(1, of.size()));
+    int size =
+        (int) Math.clamp(apart / 2, UIScale.scale((float) MIN_DOT), UIScale.scale((float) MAX_DOT));
     for (int i = 0; i < of.size(); i++) {
       RunRow row = of.get(i);
       if (!Double.isNaN(row.number(x)) && !Double.isNaN(row.number(y))) {

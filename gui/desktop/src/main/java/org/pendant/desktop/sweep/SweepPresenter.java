@@ -42,7 +42,7 @@ final class SweepPresenter {
   private Optional<PlanDraft> draft = Optional.empty();
   private DraftCheck.Outcome check = new DraftCheck.Outcome(Optional.empty(), "", Map.of());
   private Optional<Path> known = Optional.empty();
-  private Found found = new Found(Path.of(""), false, 0);
+  private Found found = Found.NOTHING;
   private Optional<RunningSweep> running = Optional.empty();
   private boolean over = true;
   private Optional<Shown> shown = Optional.empty();
@@ -62,8 +62,11 @@ final class SweepPresenter {
    * @param plan the file that was looked for
    * @param there whether there is such a file
    * @param rows how many results there are beside it; 0 for none
+   * @param of what these are of; empty where that cannot be read
    */
-  record Found(Path plan, boolean there, long rows) {}
+  record Found(Path plan, boolean there, long rows, Optional<SweepPlan> of) {
+    static final Found NOTHING = new Found(Path.of(""), false, 0, Optional.empty());
+  }
 
   /**
    * Results that are looked at.
@@ -250,7 +253,7 @@ final class SweepPresenter {
           known = Optional.of(plan);
           shown = opened.results();
           Path folder = folder(plan);
-          found = new Found(Path.of(""), false, 0);
+          found = Found.NOTHING;
           put(
               PlanDraft.of(
                   new PlanDraft.Files(
@@ -297,13 +300,25 @@ final class SweepPresenter {
         each -> {
           Path plan = each.files().plan();
           elsewhere.run(
-              () -> new Found(plan, Files.exists(plan), rows(Sweep.folderOf(plan))),
+              () -> found(plan),
               now -> {
                 found = now;
                 changed.run();
               },
               failure -> {});
         });
+  }
+
+  private static Found found(Path plan) throws IOException {
+    Path folder = Sweep.folderOf(plan);
+    Path copy = folder.resolve(SweepFolder.PLAN);
+    return new Found(
+        plan,
+        Files.exists(plan),
+        rows(folder),
+        Files.exists(copy)
+            ? RunningSweep.means(Files.readString(copy, StandardCharsets.UTF_8))
+            : Optional.empty());
   }
 
   private static long rows(Path folder) throws IOException {
@@ -320,6 +335,14 @@ final class SweepPresenter {
     return draft.filter(each -> each.files().plan().equals(found.plan())).isPresent()
         ? found.rows()
         : 0;
+  }
+
+  /** Whether the results that there are can go on: they are of this plan, and not all of them. */
+  boolean canResume() {
+    return rowsThere() > 0
+        && check.plan().isPresent()
+        && check.plan().equals(found.of())
+        && (check.plan().get().search().isPresent() || rowsThere() < check.plan().get().size());
   }
 
   /** All that is wrong, by the name of the field. */

@@ -112,6 +112,11 @@ final class SweepPresenterTest {
     presenter.open(folder.resolve("nap.toml"));
     assertEquals(2, presenter.shown().orElseThrow().rows().size());
     assertEquals(2, presenter.rowsThere());
+    assertTrue(presenter.canResume());
+    choose("LONG", Part.STEPS, "5");
+    assertFalse(presenter.canResume(), "of another plan");
+    choose("LONG", Part.STEPS, "4");
+    assertTrue(presenter.canResume());
     assertEquals("LONG", presenter.draft().orElseThrow().parameters().getFirst().title());
     presenter.start(Sweep.Start.RESUME);
     while (presenter.runs()) {
@@ -122,6 +127,7 @@ final class SweepPresenterTest {
     assertTrue(presenter.trouble().contains("another plan"), presenter.trouble());
     Files.writeString(folder.resolve("nap.toml"), plan.replace("# mine\n", ""));
     assertEquals(4, ran(Sweep.Start.RESUME).size());
+    assertFalse(presenter.canResume(), "all have run");
     assertEquals(whole, Files.readString(results));
   }
 
