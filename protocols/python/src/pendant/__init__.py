@@ -10,6 +10,9 @@ Drives and tests URScript programs on Pendant's simulated robots, in virtual tim
         robot.run_until_end()
         print(robot.state.tcp_pose, robot.variables["n"])
 
+    for run in pendant.sweep("place_base.toml"):
+        print(run["x"], run["y"], run.outcome)
+
 :mod:`pendant.aio` has the same for ``async``.
 """
 
@@ -39,6 +42,7 @@ from .state import (
     SafetyStop,
     State,
 )
+from .sweeps import Run, Sweep, SweepError, sweep
 
 __all__ = [
     "CompileError",
@@ -62,8 +66,12 @@ __all__ = [
     "Robot",
     "RobotTimeout",
     "RpcError",
+    "Run",
     "Safety",
     "SafetyStop",
     "State",
+    "Sweep",
+    "SweepError",
     "Variables",
+    "sweep",
 ]

@@ -11,10 +11,10 @@ from .errors import LauncherNotFound
 Launcher = Union[str, "os.PathLike[str]", Sequence[str]]
 
 
-def command(launcher: Optional[Launcher] = None) -> List[str]:
+def program(launcher: Optional[Launcher] = None) -> List[str]:
     """
-    The command line of the process: ``launcher``, or the environment variable ``PENDANT``, or
-    ``pendant`` on the ``PATH``, with ``rpc`` behind it.
+    The words that start the command: ``launcher``, or the environment variable ``PENDANT``, or
+    ``pendant`` on the ``PATH``.
 
     ``launcher`` is a path, or a list of words.
     """
@@ -30,5 +30,10 @@ def command(launcher: Optional[Launcher] = None) -> List[str]:
         found = shutil.which(path)
         if found is None:
             raise LauncherNotFound(f"{path} is no program that can be started")
-        return [found, "rpc"]
-    return [*launcher, "rpc"]
+        return [found]
+    return list(launcher)
+
+
+def command(launcher: Optional[Launcher] = None) -> List[str]:
+    """The command line of the process that answers requests, found as by :func:`program`."""
+    return [*program(launcher), "rpc"]
