@@ -103,6 +103,19 @@ final class FocusWindowTest {
   }
 
   @Test
+  void keysGoToThePanelThatIsDrawn() {
+    window.press("control alt T");
+    window.awaitFocus("timeline-canvas");
+    window.press("HOME");
+    window.awaitShown("past-banner");
+    window.press("ESCAPE");
+    window.awaitHidden("past-banner");
+    window.perform("Show 3D");
+    window.awaitFocus("scene");
+    window.press("control J");
+  }
+
+  @Test
   void whatIsTypedAfterNewComesToTheNewProgram() {
     window.click("rail-log");
     window.perform("New script");

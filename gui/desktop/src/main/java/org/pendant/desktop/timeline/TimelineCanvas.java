@@ -25,6 +25,7 @@ import javax.swing.KeyStroke;
 import javax.swing.Scrollable;
 import javax.swing.SwingUtilities;
 import javax.swing.ToolTipManager;
+import org.pendant.kit.dock.Dockable;
 
 /** Timeline canvas: the tracks over time; the mouse and keys move through it. */
 @SuppressWarnings("serial") // never written to a stream
@@ -46,6 +47,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
     pins = new Pins(lookBack);
     setName("timeline-canvas");
     setFocusable(true);
+    putClientProperty(Dockable.TAKES_KEYS, true);
     setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
     ToolTipManager.sharedInstance().registerComponent(this);
     Mouse mouse = new Mouse();

@@ -21,6 +21,7 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.ToolTipManager;
 import org.pendant.desktop.unit.TimeStep;
+import org.pendant.kit.dock.Dockable;
 
 /** Waveform canvas: the rows over time; the mouse and keys draw in it. */
 @SuppressWarnings("serial") // never written to a stream
@@ -55,6 +56,7 @@ final class WaveformCanvas extends JComponent {
     this.number = number;
     setName("waveform-canvas");
     setFocusable(true);
+    putClientProperty(Dockable.TAKES_KEYS, true);
     setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
     ToolTipManager.sharedInstance().registerComponent(this);
     WaveformMouse mouse = new WaveformMouse(this);

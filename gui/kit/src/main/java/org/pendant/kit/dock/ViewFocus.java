@@ -16,8 +16,8 @@ import javax.swing.text.JTextComponent;
 
 /**
  * View focus: where keys are sent in a view that comes to the front: where they went last, at first
- * to its text, table, tree or list. Never to a button that the user has not chosen: a space would
- * press it.
+ * to its text, table, tree or list, or to what it draws itself ({@link Dockable#TAKES_KEYS}). Never
+ * to a button that the user has not chosen: a space would press it.
  */
 final class ViewFocus {
   private final Map<Dockable, Component> last = new HashMap<>();
@@ -71,6 +71,10 @@ final class ViewFocus {
   }
 
   private static boolean isContent(Component component) {
+    if (component instanceof JComponent drawn
+        && drawn.getClientProperty(Dockable.TAKES_KEYS) == Boolean.TRUE) {
+      return true;
+    }
     boolean kind =
         component instanceof JTable
             || component instanceof JTree

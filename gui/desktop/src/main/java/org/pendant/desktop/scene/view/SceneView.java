@@ -29,6 +29,7 @@ import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.Quality;
 import org.pendant.desktop.scene.gl.SceneUnavailable;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.kit.dock.Dockable;
 import org.pendant.kit.fault.Faults;
 import org.pendant.models.pose.Pose;
 
@@ -79,6 +80,7 @@ public final class SceneView extends JPanel {
     assert EventQueue.isDispatchThread();
     setName("scene");
     setFocusable(true);
+    putClientProperty(Dockable.TAKES_KEYS, true);
     getAccessibleContext().setAccessibleName("3D view");
     getAccessibleContext()
         .setAccessibleDescription(
