@@ -20,7 +20,7 @@ import org.pendant.language.source.ByteText;
 /** Log detail: one message in full, wrapped and selectable. */
 final class LogDetail {
   /** Lines that can be seen at least, the headline among them. */
-  private static final int MIN_LINES = 6;
+  private static final int MIN_LINES = 3;
 
   private final JPanel content = new Lower();
   private final JLabel heading = new JLabel();
@@ -137,7 +137,7 @@ final class LogDetail {
     public Dimension getMinimumSize() {
       int lines = MIN_LINES * getFontMetrics(getFont()).getHeight();
       int room = getParent() == null ? lines : getParent().getHeight();
-      return new Dimension(0, Math.min(lines, room * 2 / 5));
+      return new Dimension(0, Math.min(lines, room * 3 / 10));
     }
   }
 }

@@ -135,13 +135,33 @@ public final class LogView implements View {
   }
 
   private JSplitPane split() {
-    JSplitPane split =
-        new JSplitPane(JSplitPane.VERTICAL_SPLIT, table.component(), detail.component());
+    JSplitPane split = new LogSplit(table.component(), detail.component());
     split.setName("log-split");
-    split.setResizeWeight(0.8);
     split.setBorder(null);
     split.getTopComponent().setMinimumSize(new Dimension(0, 0));
     return split;
+  }
+
+  /** Messages above, one of them below, in a ratio that stays however little room docks leave. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class LogSplit extends JSplitPane {
+    private static final double MESSAGES = 0.7;
+
+    private boolean placed;
+
+    LogSplit(JComponent messages, JComponent message) {
+      super(VERTICAL_SPLIT, messages, message);
+      setResizeWeight(MESSAGES);
+    }
+
+    @Override
+    public void doLayout() {
+      if (!placed && getHeight() > 0) {
+        placed = true;
+        setDividerLocation(MESSAGES);
+      }
+      super.doLayout();
+    }
   }
 
   private void declareActions() {

@@ -8,6 +8,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.Window;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
@@ -18,8 +19,10 @@ import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JSplitPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -134,6 +137,21 @@ final class ViewsTest {
     }
     // listeners hear of a frame after its replies, and before those of the next one
     session.submit(new BoxCommand.SetSpeedFraction(1)).join();
+  }
+
+  @Test
+  void theLogKeepsHalfOfALowWindowForItsMessages()
+      throws InterruptedException, InvocationTargetException {
+    show(
+        LogView::new,
+        view -> {
+          Window window = SwingUtilities.getWindowAncestor(view.component());
+          window.setSize(616, 300);
+          window.validate();
+          JSplitPane split = find(view.component(), "log-split", JSplitPane.class);
+          int messages = split.getTopComponent().getHeight();
+          assertTrue(messages > split.getBottomComponent().getHeight(), () -> messages + " pixels");
+        });
   }
 
   @Test
