@@ -105,8 +105,6 @@ final class VariablesPresenter {
     if (omitted > 0) {
       return omitted + " more variables are shown only while the program is paused";
     }
-    return hiddenCount > 0 && filter.isBlank()
-        ? hiddenCount + " that nodes make are hidden; a right click shows them"
-        : "";
+    return hiddenCount > 0 && filter.isBlank() ? hiddenCount + " that nodes make are hidden" : "";
   }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import javax.swing.BorderFactory;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -81,6 +82,7 @@ public final class VariablesView implements View {
     content.add(omission, BorderLayout.SOUTH);
     content.setName("variables-view");
     omission.setName("variables-omission");
+    omission.setBorder(BorderFactory.createEmptyBorder(2, 8, 2, 8));
     omission.setVisible(false);
     debug.addListener(this::show);
     debug.variables().addListener(this::show);
@@ -228,7 +230,7 @@ public final class VariablesView implements View {
     String omitted = presenter.omission();
     if (!omitted.equals(omission.getText())) {
       omission.setText(omitted);
-      omission.setToolTipText(omitted);
+      omission.setToolTipText(omitted + "; the menu of a right click says what is shown");
       omission.setForeground(Palette.quiet());
       omission.setVisible(!omitted.isEmpty());
     }

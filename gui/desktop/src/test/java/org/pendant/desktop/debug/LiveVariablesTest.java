@@ -107,10 +107,10 @@ final class LiveVariablesTest {
     hidden.start(new GeneratedNames("stack", Set.of("At_p", "At_q")));
     start("def stack():", "  At_p = 1", "  At_q = 2", "  placed = 3", "  sleep(9)", "end");
     assertEquals(List.of("Global", "placed = 3"), rows());
-    assertEquals("2 that nodes make are hidden; a right click shows them", variables.omission());
+    assertEquals("2 that nodes make are hidden", variables.omission());
     favourites.toggle("stack", "At_q");
     assertEquals(List.of("Global", "At_q = 2", "placed = 3"), rows());
-    assertEquals("1 that nodes make are hidden; a right click shows them", variables.omission());
+    assertEquals("1 that nodes make are hidden", variables.omission());
     variables.filter("at_p");
     assertEquals(List.of("Global", "At_p = 1"), rows());
     variables.filter("");

@@ -72,7 +72,7 @@ final class ViewFocus {
 
   private static boolean isContent(Component component) {
     if (component instanceof JComponent drawn
-        && drawn.getClientProperty(Dockable.TAKES_KEYS) == Boolean.TRUE) {
+        && Boolean.TRUE.equals(drawn.getClientProperty(Dockable.TAKES_KEYS))) {
       return true;
     }
     boolean kind =
