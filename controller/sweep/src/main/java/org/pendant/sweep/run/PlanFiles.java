@@ -26,6 +26,7 @@ import org.pendant.controller.io.SignalText;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
@@ -232,13 +233,30 @@ final class PlanFiles {
       return Scene.EMPTY;
     }
     String name = plan.scene().get();
+    Path within = path(name).toAbsolutePath().getParent();
     try {
-      return SceneReader.read(
-          name,
-          new ByteArrayInputStream(bytes("scene", name)),
-          MeshFiles.in(path(name).toAbsolutePath().getParent()));
+      Scene scene =
+          SceneReader.read(
+              name, new ByteArrayInputStream(bytes("scene", name)), MeshFiles.in(within));
+      for (SceneObject each : scene.objects()) {
+        if (each instanceof SceneObject.Mesh mesh) {
+          meshes(name, within, mesh.part().file());
+        }
+      }
+      return scene;
     } catch (JsonException e) {
       throw new PlanException(e.getMessage());
+    }
+  }
+
+  /** Another mesh is another cell: what it is made of counts like the scene that names it. */
+  private void meshes(String scene, Path within, String file) throws PlanException {
+    try {
+      for (String each : MeshFiles.named(within, file)) {
+        bytes("mesh", Path.of(scene).resolveSibling(each).toString().replace('\\', '/'));
+      }
+    } catch (IOException e) {
+      throw wrong("mesh " + file + ": " + e.getMessage());
     }
   }
 

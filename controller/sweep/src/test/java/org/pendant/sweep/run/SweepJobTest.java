@@ -196,4 +196,35 @@ final class SweepJobTest {
     assertNotEquals(before, job(PROGRAM + "\n", values("seed", "1")).identity());
     assertNotEquals(before, job(PROGRAM, values("seed", "2")).identity());
   }
+
+  /** A tetrahedron as OBJ; its size is in the file alone. */
+  private void writeMesh(double size) throws IOException {
+    Files.createDirectories(folder.resolve("cell/parts"));
+    Files.writeString(
+        folder.resolve("cell/parts/stop.obj"),
+        "v 0 0 0\nv "
+            + size
+            + " 0 0\nv 0 "
+            + size
+            + " 0\nv 0 0 "
+            + size
+            + "\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  }
+
+  @Test
+  void aMeshOfTheSceneBelongsToTheIdentity() throws IOException, PlanException {
+    writeMesh(0.1);
+    Files.writeString(
+        folder.resolve("cell/a.scene.json"),
+        """
+        {"objects": [{"type": "mesh", "name": "stop", "pose": [2, 0, 0, 0, 0, 0],
+          "mesh": "parts/stop.obj", "unit": "m"}]}
+        """);
+    String plan = "scene = \"cell/a.scene.json\"\n[[parameter]]\nset = \"slider\"\nvalues = [1]\n";
+    SweepJob before = job(PROGRAM, plan);
+    assertEquals(before.identity(), job(PROGRAM, plan).identity());
+    assertTrue(before.files().contains("cell/parts/stop.obj"), before.files().toString());
+    writeMesh(0.2);
+    assertNotEquals(before.identity(), job(PROGRAM, plan).identity());
+  }
 }
