@@ -182,7 +182,7 @@ final class ParameterTable extends JTable {
           .flatMap(
               part ->
                   Optional.ofNullable(
-                      presenter.errors().get(DraftCheck.field(at(row).target(), part))));
+                      presenter.check().errors().get(DraftCheck.field(at(row).target(), part))));
     }
 
     private static Optional<Part> part(int column) {

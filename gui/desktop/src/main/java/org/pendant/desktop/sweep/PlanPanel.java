@@ -170,7 +170,16 @@ final class PlanPanel extends JPanel {
                             draft.files().installation(),
                             draft.files().scene(),
                             String.valueOf(robot.getSelectedItem())))));
-    shows.add(() -> robot.setSelectedItem(draft().files().robot()));
+    shows.add(
+        () -> {
+          String wanted = draft().files().robot();
+          // a plan may name the file of an arm
+          robot.setSelectedItem(wanted);
+          if (!wanted.equals(robot.getSelectedItem())) {
+            robot.addItem(wanted);
+            robot.setSelectedItem(wanted);
+          }
+        });
     card.add(new JLabel("File"));
     card.add(program, "wrap, wmin 0");
     card.add(new JLabel("With"));

@@ -10,6 +10,8 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
@@ -235,6 +237,15 @@ final class ScatterPlot extends JPanel {
     return (int) Math.round(from + (to - from) * Math.clamp(share, 0, 1));
   }
 
+  private Color color(RunRows of, RunRow row, Span span, Map<String, Color> outcomes) {
+    if (color == BY_OUTCOME) {
+      return outcomes.computeIfAbsent(
+          of.outcome(row), word -> SweepWords.color(RunOutcome.of(word)));
+    }
+    double value = row.number(color);
+    return Double.isNaN(value) ? Palette.quiet() : shade(span.share(value));
+  }
+
   private void dots(Graphics2D pen, Rectangle area, Scale across, Scale upwards) {
     RunRows of = rows.orElseThrow();
     Span span = color == BY_OUTCOME ? new Span(0, 1) : span(color);
@@ -242,19 +253,22 @@ final class ScatterPlot extends JPanel {
     double apart = Math.min(area.width, area.height) / Math.sqrt(Math.max(1, of.size()));
     int size =
         (int) Math.clamp(apart / 2, UIScale.scale((float) MIN_DOT), UIScale.scale((float) MAX_DOT));
+    Map<String, Color> outcomes = new HashMap<>();
+    // of many thousand dots most lie on others of their colour
+    int[] painted = new int[(area.width + 1) * (area.height + 1)];
     for (int i = 0; i < of.size(); i++) {
       RunRow row = of.get(i);
-      if (!Double.isNaN(row.number(x)) && !Double.isNaN(row.number(y))) {
-        double value = color == BY_OUTCOME ? 0 : row.number(color);
-        pen.setColor(
-            color == BY_OUTCOME
-                ? SweepWords.color(RunOutcome.of(of.outcome(row)))
-                : Double.isNaN(value) ? Palette.quiet() : shade(span.share(value)));
-        pen.fillOval(
-            place(across, row.number(x), area.x, area.width) - size / 2,
-            area.y + area.height - place(upwards, row.number(y), 0, area.height) - size / 2,
-            size,
-            size);
+      if (Double.isNaN(row.number(x)) || Double.isNaN(row.number(y))) {
+        continue;
+      }
+      int right = place(across, row.number(x), 0, area.width);
+      int up = place(upwards, row.number(y), 0, area.height);
+      Color wanted = color(of, row, span, outcomes);
+      int at = up * (area.width + 1) + right;
+      if (painted[at] != wanted.getRGB()) {
+        painted[at] = wanted.getRGB();
+        pen.setColor(wanted);
+        pen.fillOval(area.x + right - size / 2, area.y + area.height - up - size / 2, size, size);
       }
     }
     marked

@@ -146,7 +146,7 @@ final class SweepPresenter {
             : "";
   }
 
-  /** Begins a plan of the program in front. */
+  /** Begins a plan of the program in front, unless one is being made that has no file yet. */
   void planThis() {
     SweepSubject now = subject.get();
     if (!whyNoPlan().isEmpty()) {
@@ -155,6 +155,11 @@ final class SweepPresenter {
       return;
     }
     Path program = now.program().orElseThrow();
+    if (known.isEmpty()
+        && draft.filter(each -> each.files().program().equals(program)).isPresent()) {
+      changed.run();
+      return;
+    }
     reading = true;
     elsewhere.run(
         () -> freeName(program),

@@ -62,6 +62,7 @@ public final class SweepView implements View {
   private final Timer look = Faults.timer(LOOK_MS, this::look);
   private Optional<SavedProgram> seen = Optional.empty();
   private boolean resultsWanted;
+  private String shownWhy = "";
 
   /**
    * The panel; it adds its actions to the workbench.
@@ -273,17 +274,19 @@ public final class SweepView implements View {
   /** What the program offers may be other things once it is saved. */
   @Override
   public void refresh(ControllerState state) {
-    Optional<SavedProgram> now =
+    Optional<SavedProgram> disk =
         presenter
             .draft()
             .flatMap(each -> programs.of(each.files().program()))
             .flatMap(ProgramDocument::onDisk);
-    if (!now.equals(seen)) {
-      seen = now;
+    if (!disk.equals(seen)) {
+      seen = disk;
       presenter.readOffers();
     }
-    boolean can = presenter.whyNoPlan().isEmpty();
-    if (fresh.isEnabled() != can) {
+    // a program may have been saved, closed or changed meanwhile
+    String now = presenter.whyNoPlan() + presenter.whyNotStart();
+    if (!now.equals(shownWhy)) {
+      shownWhy = now;
       show();
     }
   }

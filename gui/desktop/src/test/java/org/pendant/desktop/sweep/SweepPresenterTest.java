@@ -97,6 +97,18 @@ final class SweepPresenterTest {
   }
 
   @Test
+  void aPlanThatWasNotSavedIsNotLostWhenOneIsWantedAgain() {
+    presenter.planThis();
+    choose("LONG", Part.STEPS, "3");
+    presenter.planThis();
+    assertEquals(3, presenter.check().plan().orElseThrow().size());
+    presenter.save();
+    presenter.planThis();
+    assertEquals(folder.resolve("nap-2.toml"), presenter.draft().orElseThrow().files().plan());
+    assertEquals(List.of(), presenter.draft().get().chosen());
+  }
+
+  @Test
   void aPlanIsOpenedWithItsResultsAndGoesOn() throws IOException {
     presenter.planThis();
     choose("LONG", Part.STEPS, "4");
