@@ -49,9 +49,16 @@ public final class Cell implements Frames {
    * One of the controllers.
    *
    * @param name what signals, messages and files call it
+   * @param options it was switched on with: what stands around it is in the frame of its base
+   * @param baseInCell where its base stands; the origin for one without an arm
    * @param armless whether it has no arm: it runs the cell's script
    */
-  public record Member(String name, Controller controller, boolean armless) {}
+  public record Member(
+      String name,
+      Controller controller,
+      ControllerOptions options,
+      Pose baseInCell,
+      boolean armless) {}
 
   private final List<Member> members = new ArrayList<>();
   private final CellWorld world;
@@ -100,13 +107,22 @@ public final class Cell implements Frames {
               armless);
       ControllerOptions placed =
           options.get(i).withEquipment(plan.equipment().devices().get(i)).withStation(station);
+      ControllerOptions own =
+          armless
+              ? placed.withScene(Scene.EMPTY).withArm(ArmChoice.IDEAL)
+              : placed.withScene(standing.get(i).scene());
       Controller controller =
           armless
-              ? new Controller(
-                  placed.withScene(Scene.EMPTY).withArm(ArmChoice.IDEAL), ArmlessBuiltins.create())
-              : arm(placed.withScene(standing.get(i).scene()), arms.get(i), builtins);
+              ? new Controller(own, ArmlessBuiltins.create())
+              : arm(own, arms.get(i), builtins);
       controller.determinism().taint("several controllers share the cell");
-      members.add(new Member(names.get(i), controller, armless));
+      members.add(
+          new Member(
+              names.get(i),
+              controller,
+              own,
+              armless ? Pose.ZERO : arms.get(i).baseInCell(),
+              armless));
     }
     rules = new Rules(plan.equipment().rules(), lines, new CellDeviceActions(members));
     wires = new WireBoard(plan.equipment().wires(), lines);

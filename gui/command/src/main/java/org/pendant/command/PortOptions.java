@@ -1,17 +1,17 @@
 package org.pendant.command;
 
-import java.math.BigInteger;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.command.service.PortWishes;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.robotapi.RobotApiServer;
+import org.pendant.protocols.server.AddressRow;
 import org.pendant.protocols.server.PortNumbers;
 
 /** Port options: say where servers listen. */
@@ -111,21 +111,12 @@ final class PortOptions {
 
   /** The address that follows {@code first} after {@code steps}. */
   static InetAddress following(InetAddress first, int steps) throws UsageException {
-    byte[] bytes = first.getAddress();
-    BigInteger following = new BigInteger(1, bytes).add(BigInteger.valueOf(steps));
-    if (first.isAnyLocalAddress() || following.bitLength() > Byte.SIZE * bytes.length) {
+    Optional<InetAddress> following = AddressRow.after(first, steps);
+    if (following.isEmpty()) {
       throw new UsageException(
           "--host is " + first.getHostAddress() + ", must be the first of a row of addresses");
     }
-    byte[] digits = following.toByteArray();
-    Arrays.fill(bytes, (byte) 0);
-    int length = Math.min(digits.length, bytes.length);
-    System.arraycopy(digits, digits.length - length, bytes, bytes.length - length, length);
-    try {
-      return InetAddress.getByAddress(bytes);
-    } catch (UnknownHostException e) {
-      throw new IllegalStateException("the address has as many bytes as the first", e);
-    }
+    return following.get();
   }
 
   private static int offset(Arguments arguments) throws UsageException {

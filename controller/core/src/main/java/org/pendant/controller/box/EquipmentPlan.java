@@ -18,6 +18,10 @@ public record EquipmentPlan(
     List<CellEquipment> devices,
     List<RuleSetup> rules,
     List<SignalWire> wires) {
+  /** Nothing for one controller alone. */
+  public static final EquipmentPlan NONE =
+      new EquipmentPlan(List.of(), List.of(CellEquipment.NONE), List.of(), List.of());
+
   /** The lists are copied. */
   public EquipmentPlan {
     controllers = List.copyOf(controllers);

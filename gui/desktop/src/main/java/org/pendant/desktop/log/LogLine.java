@@ -20,6 +20,7 @@ import org.pendant.script.function.ScriptPlace;
  * @param code such as {@code C153A2}; empty for none
  * @param text may have several lines
  * @param place what a program was at; empty for none
+ * @param controller the one of a cell that it is of; empty where there is one alone
  */
 record LogLine(
     long number,
@@ -29,7 +30,8 @@ record LogLine(
     LogSource source,
     String code,
     String text,
-    Optional<ScriptPlace> place) {
+    Optional<ScriptPlace> place,
+    String controller) {
   /** The name of the text that interpreter mode is fed with: no line of a file. */
   private static final String INTERPRETER = "interpreter";
 
@@ -40,6 +42,12 @@ record LogLine(
       DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT).withZone(ZoneId.systemDefault());
 
   static LogLine of(long number, Instant wall, LogSource source, LogEntry entry) {
+    return of(number, wall, source, entry, "");
+  }
+
+  /** As the other one, of a controller of a cell, by whose name the text begins. */
+  static LogLine of(
+      long number, Instant wall, LogSource source, LogEntry entry, String controller) {
     return new LogLine(
         number,
         entry.timeS(),
@@ -47,8 +55,10 @@ record LogLine(
         entry.level(),
         source,
         entry.code(),
-        ByteText.decoded(entry.text()).stripTrailing(),
-        entry.place());
+        (controller.isEmpty() ? "" : controller + ": ")
+            + ByteText.decoded(entry.text()).stripTrailing(),
+        entry.place(),
+        controller);
   }
 
   /** The first line of the text; a mark at its end says that there are more. */
@@ -59,8 +69,9 @@ record LogLine(
 
   /** The text without the code at its start, for where that stands beside it. */
   String withoutCode() {
-    return !shortCode().isEmpty() && text.startsWith(code + " ")
-        ? text.substring(code.length() + 1)
+    String before = controller.isEmpty() ? "" : controller + ": ";
+    return !shortCode().isEmpty() && text.startsWith(before + code + " ")
+        ? before + text.substring(before.length() + code.length() + 1)
         : text;
   }
 

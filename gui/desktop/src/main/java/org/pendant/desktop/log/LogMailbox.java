@@ -2,34 +2,38 @@ package org.pendant.desktop.log;
 
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.LongFunction;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.CellListener;
 import org.pendant.desktop.session.FrameListener;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.vm.RecentEntries;
 
 /**
  * Log mailbox: keeps the newest messages of every frame, what changes in it, and what the window
  * tells, until the screen asks for them, so that none is lost while it is hidden. Any thread reads.
- * Messages are numbered anew, from 1 and without gaps, also across a restart of the controller.
+ * Messages of all controllers of a cell are in it, each with the name of its own. They are numbered anew, from 1 and without gaps, also across a restart of the controller.
  */
-final class LogMailbox implements FrameListener {
+final class LogMailbox implements FrameListener, CellListener {
   /** The longest text of a message, bytes: all that are kept must find room. */
   static final int MAX_TEXT = 4096;
 
   private final RecentEntries<Mail> recent;
   private final LongFunction<List<LogEntry>> controllerLog;
   private final InstantSource clock;
-  private final StateChanges changes = new StateChanges();
   private volatile double timeS;
 
-  private long lastFrame;
-  private long lastNumber;
+  /** What has been seen of each controller, by its name; the frame loop alone. */
+  private final Map<String, Followed> followed = new HashMap<>();
 
   /** A message as it came; it becomes text for people when the user asks for it. */
-  private record Mail(long number, Instant wall, LogSource source, LogEntry entry) {}
+  private record Mail(
+      long number, Instant wall, LogSource source, LogEntry entry, String controller) {}
 
   /**
    * An empty mailbox.
@@ -48,28 +52,65 @@ final class LogMailbox implements FrameListener {
 
   @Override
   public void frame(ControllerState state) {
-    if (state.frame() < lastFrame) {
-      // another controller has been switched on; what one said that repeats the run is here already
-      lastNumber = state.frame() == 1 ? 0 : state.newestEntry() - state.newEntries().size();
-    }
-    lastFrame = state.frame();
-    timeS = state.timeS();
-    if (state.newestEntry() > lastNumber) {
-      List<LogEntry> fresh = state.newEntries();
-      boolean complete = lastNumber + fresh.size() == state.newestEntry();
-      (complete ? fresh : controllerLog.apply(lastNumber)).forEach(this::take);
-      lastNumber = state.newestEntry();
-    }
-    changes.in(state).forEach(this::happened);
+    followed("", controllerLog).frame(state);
   }
 
-  private void take(LogEntry entry) {
-    long missed = entry.number() - lastNumber - 1;
-    if (missed > 0) {
-      told(missed + " lines of the controller were not shown in time");
+  @Override
+  public void frame(SessionMember member, ControllerState state) {
+    Followed known = followed.get(member.name());
+    if (known == null || known.member != member) {
+      known = followed(member.name(), number -> member.robot().logSince(number));
+      known.member = member;
     }
-    put(LogSource.of(entry.origin()), entry.shortened(MAX_TEXT));
-    lastNumber = entry.number();
+    known.frame(state);
+  }
+
+  private Followed followed(String controller, LongFunction<List<LogEntry>> log) {
+    Followed known = followed.computeIfAbsent(controller, Followed::new);
+    known.log = log;
+    return known;
+  }
+
+  /** A controller that is followed. */
+  private final class Followed {
+    private final String controller;
+    private final StateChanges changes = new StateChanges();
+    private SessionMember member;
+    private LongFunction<List<LogEntry>> log = number -> List.of();
+    private long lastFrame;
+    private long lastNumber;
+
+    Followed(String controller) {
+      this.controller = controller;
+    }
+
+    void frame(ControllerState state) {
+      timeS = state.timeS();
+      if (state.frame() < lastFrame) {
+        // another one has been switched on; what one said that repeats the run is here already
+        lastNumber = state.frame() == 1 ? 0 : state.newestEntry() - state.newEntries().size();
+      }
+      lastFrame = state.frame();
+      if (state.newestEntry() > lastNumber) {
+        List<LogEntry> fresh = state.newEntries();
+        boolean complete = lastNumber + fresh.size() == state.newestEntry();
+        (complete ? fresh : log.apply(lastNumber)).forEach(this::take);
+        lastNumber = state.newestEntry();
+      }
+      changes.in(state).forEach(text -> put(LogSource.ROBOT, entry(text), controller));
+    }
+
+    private void take(LogEntry entry) {
+      long missed = entry.number() - lastNumber - 1;
+      if (missed > 0) {
+        put(
+            LogSource.WINDOW,
+            entry(missed + " lines of the controller were not shown in time"),
+            controller);
+      }
+      put(LogSource.of(entry.origin()), entry.shortened(MAX_TEXT), controller);
+      lastNumber = entry.number();
+    }
   }
 
   /** Keeps what the window tells; the dispatch thread. */
@@ -83,15 +124,17 @@ final class LogMailbox implements FrameListener {
   }
 
   private void put(LogSource source, String text) {
-    put(
-        source,
-        new LogEntry(
-            0, timeS, LogEntry.Level.INFO, LogEntry.Origin.CONTROLLER, ByteText.asBytes(text)));
+    put(source, entry(text), "");
+  }
+
+  private LogEntry entry(String text) {
+    return new LogEntry(
+        0, timeS, LogEntry.Level.INFO, LogEntry.Origin.CONTROLLER, ByteText.asBytes(text));
   }
 
   /** The frame loop, the dispatch thread and those of clients write, all rarely. */
-  private synchronized void put(LogSource source, LogEntry entry) {
-    recent.add(new Mail(recent.newest() + 1, clock.instant(), source, entry));
+  private synchronized void put(LogSource source, LogEntry entry, String controller) {
+    recent.add(new Mail(recent.newest() + 1, clock.instant(), source, entry, controller));
   }
 
   /** The number of the newest message, 0 for none. */
@@ -102,7 +145,8 @@ final class LogMailbox implements FrameListener {
   /** Messages after number {@code number} that are still kept, oldest first. */
   List<LogLine> since(long number) {
     return recent.between(number, Long.MAX_VALUE).stream()
-        .map(mail -> LogLine.of(mail.number(), mail.wall(), mail.source(), mail.entry()))
+        .map(mail -> LogLine.of(
+                    mail.number(), mail.wall(), mail.source(), mail.entry(), mail.controller()))
         .toList();
   }
 }

@@ -59,7 +59,7 @@ public final class LogView implements View {
     mailbox =
         new LogMailbox(
             LogPresenter.KEPT, number -> session.robot().logSince(number), InstantSource.system());
-    session.addFrameListener(mailbox);
+    session.addCellListener(mailbox);
     detail = new LogDetail(this::showSource);
     LogColumns columns = new LogColumns(workbench.settings());
     table = new LogTable(presenter, columns, this::selected, this::showSource);
@@ -271,6 +271,10 @@ public final class LogView implements View {
   }
 
   private void showSource(LogLine line) {
+    RobotSession session = workbench.session();
+    if (session.members().stream().anyMatch(each -> each.name().equals(line.controller()))) {
+      session.show(line.controller());
+    }
     line.sourceLine().ifPresent(showLine);
   }
 

@@ -66,6 +66,11 @@ public final class PlotView implements View {
       public void switchedOn() {
         history.anotherController();
       }
+
+      @Override
+      public void shown() {
+        history.anotherController();
+      }
     };
   }
 

@@ -184,7 +184,7 @@ final class ClientsPresenter {
   private List<ClientRow> rows(long nowNs) {
     List<Connection> connections =
         ports.state() instanceof PortsState.Open open
-            ? open.ports().stream().flatMap(port -> port.connections().stream()).toList()
+            ? open.ports().stream().flatMap(each -> each.port().connections().stream()).toList()
             : List.of();
     traffic.keySet().retainAll(connections);
     Map<Peers, MessageCounts> counts = trace.map(LiveTrace::counts).orElse(Map.of());

@@ -6,16 +6,23 @@ import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.desktop.ports.PortsState.Trouble;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.protocols.modbus.ModbusServer;
 import org.pendant.protocols.net.WireTap;
+import org.pendant.protocols.server.AddressRow;
+import org.pendant.protocols.server.MissingPort;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.PrivilegedPort;
 import org.pendant.protocols.server.RemoteControl;
@@ -35,7 +42,7 @@ public final class DesktopPorts implements SwitchListener {
 
   // guarded by the lock
   private Optional<Wanted> wanted = Optional.empty();
-  private Optional<OpenPorts> open = Optional.empty();
+  private List<OpenPorts> open = List.of();
   private boolean off;
 
   /**
@@ -87,7 +94,7 @@ public final class DesktopPorts implements SwitchListener {
         () -> {
           lock.lock();
           try {
-            open.ifPresent(each -> each.tap(tap));
+            open.forEach(each -> each.tap(tap));
           } finally {
             lock.unlock();
           }
@@ -146,8 +153,8 @@ public final class DesktopPorts implements SwitchListener {
   }
 
   private void closeNow() {
-    open.ifPresent(OpenPorts::close);
-    open = Optional.empty();
+    open.forEach(OpenPorts::close);
+    open = List.of();
   }
 
   private static Optional<InetAddress> local(String name) {
@@ -177,28 +184,63 @@ public final class DesktopPorts implements SwitchListener {
     }
     InetAddress host = now.host().get();
     RemoteControl control = new RemoteControl(true, wishes.remote());
-    OpenPorts ports =
-        OpenPorts.open(
-            session,
-            numbers(host, wishes),
-            control,
-            ProgramsFolder.at(wishes.programs()),
-            logs,
-            visits,
-            () -> inBackground(this::switchingOff));
-    if (ports.ports().isEmpty()) {
-      ports.close();
-      return trouble(PortField.OFFSET, ports.missing().getFirst().why());
+    List<OpenPorts> made = new ArrayList<>();
+    List<PortsState.OpenPort> ports = new ArrayList<>();
+    List<MissingPort> missing = new ArrayList<>();
+    Set<InetAddress> taken = new HashSet<>();
+    // the controller of a cell's script has none
+    for (SessionMember member : session.members().stream().filter(each -> !each.armless()).toList()) {
+      Optional<InetAddress> own = address(member, host, made.size());
+      if (own.isEmpty() || !taken.add(own.get())) {
+        made.forEach(OpenPorts::close);
+        return trouble(
+            PortField.HOST,
+            own.map(each -> each.getHostAddress() + " is the address of another arm too")
+                .orElse(wishes.host() + " must be the first of a row of addresses, one an arm"));
+      }
+      OpenPorts each =
+          OpenPorts.open(
+              member,
+              numbers(own.get(), wishes),
+              control,
+              ProgramsFolder.at(wishes.programs()),
+              session.inCell() ? logs.resolve(member.name()) : logs,
+              visits,
+              () -> inBackground(this::switchingOff));
+      made.add(each);
+      each.ports()
+          .forEach(
+              port -> ports.add(new PortsState.OpenPort(member.name(), words(own.get()), port)));
+      missing.addAll(each.missing());
     }
-    ports.tap(tap);
-    open = Optional.of(ports);
+    if (ports.isEmpty()) {
+      made.forEach(OpenPorts::close);
+      return trouble(PortField.OFFSET, missing.getFirst().why());
+    }
+    made.forEach(each -> each.tap(tap));
+    open = List.copyOf(made);
     remote = control;
-    String address = host.getHostAddress();
     return new PortsState.Open(
-        address.contains(":") ? "[" + address + "]" : address,
-        !host.isLoopbackAddress(),
-        ports.ports(),
-        ports.missing());
+        words(host),
+        taken.stream().anyMatch(each -> !each.isLoopbackAddress()),
+        ports,
+        missing);
+  }
+
+  private static String words(InetAddress host) {
+    String address = host.getHostAddress();
+    return address.contains(":") ? "[" + address + "]" : address;
+  }
+
+  /**
+   * Where an arm has its ports: where the file of the cell wants them, or else at the first address
+   * and those that follow it; empty where none follows. Ports of all interfaces are not those of a
+   * file, which names addresses of this computer alone.
+   */
+  private static Optional<InetAddress> address(SessionMember member, InetAddress first, int number) {
+    return member.address().isPresent() && first.isLoopbackAddress()
+        ? member.address().map(InetAddress::ofLiteral)
+        : number == 0 ? Optional.of(first) : AddressRow.after(first, number);
   }
 
   private static PortsState trouble(PortField field, String text) {

@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.externalcontrol.Drivers;
@@ -34,13 +34,13 @@ final class OpenPorts implements AutoCloseable {
   }
 
   /**
-   * Opens the ports of the session's present controller, as far as they can be had.
+   * Opens the ports of a controller, as far as they can be had.
    *
    * @param visits takes which client has come or left; any thread
    * @param shutDown runs once when the controller shuts itself down, in a thread that must not wait
    */
   static OpenPorts open(
-      RobotSession session,
+      SessionMember member,
       PortNumbers numbers,
       RemoteControl remote,
       ProgramsFolder programs,
@@ -51,21 +51,21 @@ final class OpenPorts implements AutoCloseable {
         new PeerLog(
             (level, text) -> {
               // a line that finds no place among the commands of a frame is lost
-              var _ = session.submit(new MessageCommand.WriteLog(level, text));
+              var _ = member.submit(new MessageCommand.WriteLog(level, text));
             },
             visits);
-    StateBroadcaster frames = new StateBroadcaster(session.robot().feed(), log);
-    ServerContext serverContext = new ServerContext(session.robot(), frames, log, remote);
+    StateBroadcaster frames = new StateBroadcaster(member.robot().feed(), log);
+    ServerContext serverContext = new ServerContext(member.robot(), frames, log, remote);
     RemotePendant remotePendant =
         new RemotePendant(
-            session.robot(),
+            member.robot(),
             new PendantSetup(
-                session.options().robotId(),
+                member.options().robotId(),
                 programs,
                 logs,
                 new Drivers(AllowedHosts.ANY, Optional.empty())));
-    BoxPorts box = BoxPorts.open(serverContext, numbers, remotePendant, session.toolSerial());
-    var _ = session.submit(new ProgramCommand.SetProgramsFolder(programs));
+    BoxPorts box = BoxPorts.open(serverContext, numbers, remotePendant, member.toolSerial());
+    var _ = member.submit(new ProgramCommand.SetProgramsFolder(programs));
     AtomicBoolean told = new AtomicBoolean();
     frames.add(
         state -> {

@@ -167,7 +167,7 @@ final class PortsPresenter {
   }
 
   private static String clients(PortsState.Open open) {
-    int count = open.ports().stream().mapToInt(each -> each.connections().size()).sum();
+    int count = open.ports().stream().mapToInt(each -> each.port().connections().size()).sum();
     return switch (count) {
       case 0 -> "Open, nobody is connected";
       case 1 -> "Open, 1 client";
@@ -202,15 +202,16 @@ final class PortsPresenter {
   /** The open ports. */
   List<Row> rows() {
     return ports.state() instanceof PortsState.Open open
-        ? open.ports().stream().map(each -> row(open.address(), each)).toList()
+        ? open.ports().stream().map(PortsPresenter::row).toList()
         : List.of();
   }
 
-  private static Row row(String address, TcpPort port) {
+  private static Row row(PortsState.OpenPort open) {
+    TcpPort port = open.port();
     List<Connection> clients = port.connections();
     return new Row(
-        port.name(),
-        address + ":" + port.number(),
+        open.controller().isEmpty() ? port.name() : open.controller() + ": " + port.name(),
+        open.address() + ":" + port.number(),
         clients.size(),
         String.join(", ", clients.stream().map(PortsPresenter::who).sorted().toList()));
   }

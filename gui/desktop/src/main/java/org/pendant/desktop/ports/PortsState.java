@@ -20,18 +20,26 @@ sealed interface PortsState {
   /** No server listens. */
   record Closed(Optional<Trouble> trouble) implements PortsState {}
 
+  /**
+   * A port.
+   *
+   * @param controller whose it is; empty where there is one alone
+   * @param address of its interface, as people write it before a colon
+   */
+  record OpenPort(String controller, String address, TcpPort port) {}
+
   /** They are being opened. */
   record Opening() implements PortsState {}
 
   /**
    * They listen, as far as they can be had.
    *
-   * @param address of the interface, as people write it before a colon
+   * @param address of the interface, as people write it before a colon; the first of a cell
    * @param exposed whether other computers reach it
    * @param ports in the order of the real box's documentation
    * @param missing those that cannot be had
    */
-  record Open(String address, boolean exposed, List<TcpPort> ports, List<MissingPort> missing)
+  record Open(String address, boolean exposed, List<OpenPort> ports, List<MissingPort> missing)
       implements PortsState {
     public Open {
       ports = List.copyOf(ports);

@@ -31,7 +31,9 @@ public final class DeviceHandles {
         case Zone.Area area -> addTwo(handles, each.name(), "min", area.min(), "max", area.max());
       }
     }
-    return handles;
+    return handles.stream()
+        .map(each -> new Handle(each.device(), each.key(), devices.placed(each.placeM())))
+        .toList();
   }
 
   /** Those of both ends, and one in the middle that moves both. */

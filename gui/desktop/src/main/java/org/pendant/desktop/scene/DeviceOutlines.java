@@ -1,9 +1,11 @@
 package org.pendant.desktop.scene;
 
+import org.joml.Matrix4f;
 import org.joml.Vector3f;
 import org.pendant.controller.device.Zone;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.mesh.Lines;
+import org.pendant.models.pose.Pose;
 
 /** Device outlines: where sensors see something, in a colour that says whether they do. */
 public final class DeviceOutlines {
@@ -11,12 +13,15 @@ public final class DeviceOutlines {
   private static final double FAINT = 0.5;
 
   private final Lines lines = new Lines();
+  private final Matrix4f cellInBase;
 
-  private DeviceOutlines() {}
+  private DeviceOutlines(Pose cellInBase) {
+    this.cellInBase = LinkPlaces.matrix(cellInBase);
+  }
 
   /** The lines of all sensors. */
   public static Lines of(DeviceSight devices, SceneTheme theme) {
-    DeviceOutlines made = new DeviceOutlines();
+    DeviceOutlines made = new DeviceOutlines(devices.cellInBase());
     for (DeviceSight.Sensor each : devices.sensors()) {
       made.add(each.zone(), rgb(each.sees(), theme), each.sees() ? 1 : FAINT);
     }
@@ -33,7 +38,11 @@ public final class DeviceOutlines {
   }
 
   /** Where the name of a sensor stands. */
-  public static Vector3 namePlace(Zone zone) {
+  public static Vector3 namePlace(DeviceSight devices, Zone zone) {
+    return devices.placed(namePlace(zone));
+  }
+
+  private static Vector3 namePlace(Zone zone) {
     return switch (zone) {
       case Zone.Beam beam -> vector(beam.from());
       case Zone.Ball ball ->
@@ -107,7 +116,9 @@ public final class DeviceOutlines {
   private void circle(Vector3f middle, Vector3f u, Vector3f v, int rgb, double opacity) {
     for (int i = 0; i <= ROUND; i++) {
       double a = 2 * Math.PI * i / ROUND;
-      Vector3f p = new Vector3f(middle).fma((float) Math.cos(a), u).fma((float) Math.sin(a), v);
+      Vector3f p =
+          cellInBase.transformPosition(
+              new Vector3f(middle).fma((float) Math.cos(a), u).fma((float) Math.sin(a), v));
       if (i == 0) {
         lines.from(p.x, p.y, p.z, rgb, opacity);
       } else {
@@ -117,7 +128,9 @@ public final class DeviceOutlines {
   }
 
   private void line(Vector3f from, Vector3f to, int rgb, double opacity) {
-    lines.from(from.x, from.y, from.z, rgb, opacity).to(to.x, to.y, to.z, rgb, opacity);
+    Vector3f a = cellInBase.transformPosition(from, new Vector3f());
+    Vector3f b = cellInBase.transformPosition(to, new Vector3f());
+    lines.from(a.x, a.y, a.z, rgb, opacity).to(b.x, b.y, b.z, rgb, opacity);
   }
 
   private static Vector3f point(Zone.Place place) {

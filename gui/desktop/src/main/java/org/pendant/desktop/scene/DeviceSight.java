@@ -6,11 +6,14 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
 import org.pendant.controller.world.GripperSetup;
+import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 
 /**
  * Device sight: what is to be seen of the devices of the cell; immutable.
@@ -20,16 +23,19 @@ import org.pendant.models.pose.Pose;
  * @param doors which have no place: they are told beside the picture
  * @param belts which carry what lies on them
  * @param lamps that have a place
+ * @param cellInBase the frame of the places of sensors, in that of the picture
  */
 public record DeviceSight(
     List<Gripper> grippers,
     List<Sensor> sensors,
     List<Door> doors,
     List<Belt> belts,
-    List<Lamp> lamps) {
+    List<Lamp> lamps,
+    Pose cellInBase) {
   /** None. */
   public static final DeviceSight NONE =
-      new DeviceSight(List.of(), List.of(), List.of(), List.of(), List.of());
+      new DeviceSight(
+          List.of(), List.of(), List.of(), List.of(), List.of(), Pose.ZERO);
 
   /** Copies the lists. */
   public DeviceSight {
@@ -100,7 +106,51 @@ public record DeviceSight(
                         each.backwards(),
                         travelM.getOrDefault(each.name(), 0.0)))
             .toList(),
-        lamps);
+        lamps,
+        cellInBase);
+  }
+
+  /** The same with what is to be seen of the devices of another controller, its grippers apart. */
+  public DeviceSight and(DeviceSight other) {
+    return new DeviceSight(
+        grippers,
+        joined(sensors, other.sensors),
+        joined(doors, other.doors),
+        joined(belts, other.belts),
+        joined(lamps, other.lamps),
+        cellInBase);
+  }
+
+  private static <T> List<T> joined(List<T> first, List<T> second) {
+    return Stream.concat(first.stream(), second.stream()).toList();
+  }
+
+  /**
+   * The same for a picture in the frame of a base that stands somewhere in the cell.
+   *
+   * @param cell the frame of the cell in that of the base
+   */
+  public DeviceSight seenFrom(Pose cell) {
+    return cell.equals(Pose.ZERO)
+        ? this
+        : new DeviceSight(
+            grippers,
+            sensors,
+            doors,
+            belts,
+            lamps.stream()
+                .map(each -> new Lamp(each.name(), Poses.trans(cell, each.inBase()), each.lit()))
+                .toList(),
+            cell);
+  }
+
+  /** A place of the cell in the frame of the picture, m. */
+  Vector3 placed(Vector3 inCellM) {
+    if (cellInBase.equals(Pose.ZERO)) {
+      return inCellM;
+    }
+    Pose at = Poses.trans(cellInBase, new Pose(inCellM.x(), inCellM.y(), inCellM.z(), 0, 0, 0));
+    return new Vector3(at.x(), at.y(), at.z());
   }
 
   /**
@@ -160,7 +210,7 @@ public record DeviceSight(
         doors.add(new Door(door.name(), share(state, begins)));
       }
     }
-    return new DeviceSight(grippers, sensors, doors, belts, lamps);
+    return new DeviceSight(grippers, sensors, doors, belts, lamps, Pose.ZERO);
   }
 
   private static Gripper gripper(DeviceSetup setup, Optional<DeviceState> state, boolean begins) {

@@ -3,6 +3,7 @@ package org.pendant.desktop.scene;
 import java.util.List;
 import org.joml.Matrix4f;
 import org.pendant.desktop.scene.mesh.Link;
+import org.pendant.models.pose.Pose;
 
 /** Gripper places: where the meshes of a gripper are, in the base frame. */
 public final class GripperPlaces {
@@ -15,14 +16,20 @@ public final class GripperPlaces {
    * @param places of the links of the arm
    */
   public static List<List<Matrix4f>> of(SceneModel model, LinkPlaces places) {
-    return model.devices().grippers().stream()
-        .map(gripper -> of(gripper, new Matrix4f(places.of(Link.WRIST_3)), model))
+    return of(model.devices().grippers(), model.tcpInFlange(), places);
+  }
+
+  /** As {@link #of(SceneModel, LinkPlaces)}, of the grippers of one arm. */
+  static List<List<Matrix4f>> of(
+      List<DeviceSight.Gripper> grippers, Pose tcpInFlange, LinkPlaces places) {
+    return grippers.stream()
+        .map(gripper -> of(gripper, new Matrix4f(places.of(Link.WRIST_3)), tcpInFlange))
         .toList();
   }
 
-  private static List<Matrix4f> of(DeviceSight.Gripper gripper, Matrix4f flange, SceneModel model) {
-    Matrix4f hand =
-        new Matrix4f(flange).mul(LinkPlaces.matrix(gripper.inFlange(model.tcpInFlange())));
+  private static List<Matrix4f> of(
+      DeviceSight.Gripper gripper, Matrix4f flange, Pose tcpInFlange) {
+    Matrix4f hand = new Matrix4f(flange).mul(LinkPlaces.matrix(gripper.inFlange(tcpInFlange)));
     return List.of(
         flange,
         hand,

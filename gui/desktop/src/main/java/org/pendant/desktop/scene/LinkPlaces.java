@@ -34,6 +34,12 @@ public final class LinkPlaces {
     places.put(Link.WRIST_3, matrix(frames[5]));
   }
 
+  /** As the other one, of an arm whose base stands somewhere: the frames are those of its place. */
+  LinkPlaces(ForwardKinematics kinematics, DhLengths dh, Joints positionRad, Matrix4fc base) {
+    this(kinematics, dh, positionRad);
+    places.replaceAll((link, place) -> new Matrix4f(base).mul(place));
+  }
+
   /** The frame of one body in the base frame. */
   public Matrix4fc of(Link link) {
     return places.get(link);

@@ -3,8 +3,10 @@ package org.pendant.desktop.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.joml.Vector3f;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.models.arm.DhLengths;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.mesh.TriangleMesh;
@@ -35,7 +37,7 @@ public record SceneBounds(List<Ball> balls) {
   /** The outline of the arm of a model as it stands. */
   public static SceneBounds of(SceneModel model) {
     DhLengths dh = model.arm().dh();
-    double housingM = HOUSING_SHARE * (dh.d1() - dh.a2() - dh.a3() + dh.d5());
+    double housingM = housingM(dh);
     double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
     model.kinematics().frames(model.positionRad().toArray(), frames);
     List<Ball> balls = new ArrayList<>();
@@ -50,11 +52,25 @@ public record SceneBounds(List<Ball> balls) {
     Pose tcp = model.tcpInBase();
     balls.add(new Ball(new Vector3(tcp.x(), tcp.y(), tcp.z()), housingM));
     addObjects(model, balls);
+    model.others().forEach(each -> addArm(each, balls));
     TcpTrace trace = model.trace();
     for (int i = 0; i < trace.size(); i += 1 + trace.size() / MAX_OF_TRACE) {
       balls.add(new Ball(new Vector3(trace.x(i), trace.y(i), trace.z(i)), 0));
     }
     return new SceneBounds(balls);
+  }
+
+  private static double housingM(DhLengths dh) {
+    return HOUSING_SHARE * (dh.d1() - dh.a2() - dh.a3() + dh.d5());
+  }
+
+  private static void addArm(OtherArm arm, List<Ball> balls) {
+    LinkPlaces places = arm.places();
+    double radiusM = housingM(arm.arm().dh());
+    for (Link link : Link.values()) {
+      Vector3f at = places.of(link).getTranslation(new Vector3f());
+      balls.add(new Ball(new Vector3(at.x, at.y, at.z), radiusM));
+    }
   }
 
   /** What stands so near that it belongs to the picture. */

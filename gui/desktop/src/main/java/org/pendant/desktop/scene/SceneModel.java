@@ -29,6 +29,7 @@ import org.pendant.models.pose.Pose;
  * @param safety what is to be seen of the safety functions
  * @param compared ways of the tool in variants of a run
  * @param devices what is to be seen of the devices of the cell
+ * @param others the other arms of the cell
  */
 public record SceneModel(
     ArmDescription arm,
@@ -45,12 +46,14 @@ public record SceneModel(
     WaypointMarkers waypointMarkers,
     SafetySight safety,
     ComparedWays compared,
-    DeviceSight devices) {
+    DeviceSight devices,
+    List<OtherArm> others) {
 
   /** Copies the collections. */
   public SceneModel {
     framesInBase = List.copyOf(framesInBase);
     touched = Set.copyOf(touched);
+    others = List.copyOf(others);
   }
 
   /** An arm alone, its tool centre point on the flange. */
@@ -70,7 +73,8 @@ public record SceneModel(
         WaypointMarkers.NONE,
         SafetySight.NONE,
         ComparedWays.NONE,
-        DeviceSight.NONE);
+        DeviceSight.NONE,
+        List.of());
   }
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
@@ -90,7 +94,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
@@ -109,7 +114,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withTool(Pose tcp) {
@@ -128,7 +134,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
@@ -147,7 +154,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withPayload(Optional<Ball> ball) {
@@ -166,7 +174,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
@@ -185,7 +194,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withTrace(TcpTrace way) {
@@ -204,7 +214,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withTheme(SceneTheme colours) {
@@ -223,7 +234,8 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withWaymarks(WaypointMarkers marks) {
@@ -242,7 +254,8 @@ public record SceneModel(
         marks,
         safety,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withSafety(SafetySight sight) {
@@ -261,7 +274,8 @@ public record SceneModel(
         waypointMarkers,
         sight,
         compared,
-        devices);
+        devices,
+        others);
   }
 
   public SceneModel withDevices(DeviceSight sight) {
@@ -280,7 +294,28 @@ public record SceneModel(
         waypointMarkers,
         safety,
         compared,
-        sight);
+        sight,
+        others);
+  }
+
+  public SceneModel withOthers(List<OtherArm> arms) {
+    return new SceneModel(
+        arm,
+        kinematics,
+        positionRad,
+        ghostRad,
+        tcpInFlange,
+        framesInBase,
+        payload,
+        world,
+        touched,
+        trace,
+        theme,
+        waypointMarkers,
+        safety,
+        compared,
+        devices,
+        arms);
   }
 
   /** Pose of the tool centre point in the base frame. */

@@ -24,6 +24,7 @@ public final class ActiveInstallation {
   private String problem = "";
   private String waiting = "";
   private boolean writing;
+  private boolean ofArm;
 
   /** Nothing is set up. */
   public ActiveInstallation() {
@@ -70,6 +71,16 @@ public final class ActiveInstallation {
   /** Says why the controller is not set up so yet; empty if it is. */
   public void setWaiting(String why) {
     waiting = why;
+  }
+
+  /** Whether it is that of an arm of a cell, and comes with the scene. */
+  public boolean ofArm() {
+    return ofArm;
+  }
+
+  /** Says whether those to come are of arms of a cell. */
+  public void setOfArm(boolean of) {
+    ofArm = of;
   }
 
   /** Sets it up anew. */

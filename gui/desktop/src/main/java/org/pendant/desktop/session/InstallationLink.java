@@ -167,4 +167,17 @@ public final class InstallationLink implements FrameListener, SwitchListener {
     between = false;
     dispatch.execute(this::send);
   }
+
+  @Override
+  public void leaving() {
+    between = true;
+  }
+
+  /** It is set up as it is; who shows it shows its installation. */
+  @Override
+  public void shown() {
+    sent = Optional.empty();
+    switched = true;
+    between = false;
+  }
 }

@@ -8,6 +8,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
@@ -26,10 +28,10 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.json.JsonException;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.NumberStore;
 import org.pendant.recording.Recording;
-import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.ParkedRuns;
@@ -53,21 +55,33 @@ import org.pendant.script.vm.Program;
 public final class RobotSession implements AutoCloseable {
   private final List<FrameListener> listeners = new CopyOnWriteArrayList<>();
   private final List<SwitchListener> switchListeners = new CopyOnWriteArrayList<>();
-  private final ProgramOrigin origin = new ProgramOrigin();
-  private final RunClock runClock = new RunClock();
-  private final LineProfiler profiler = new LineProfiler(this::startedSource, this::safety);
+  private final List<CellListener> cellListeners = new CopyOnWriteArrayList<>();
   private final AtomicReference<String> trouble = new AtomicReference<>();
   private final NumberStore store = new NumberStore(this::staysInMemory);
   private final ReentrantLock switching = new ReentrantLock();
-  private volatile DrivenController driven;
+  private volatile DrivenControllers driven;
+
+  /** How the controllers of a cell were switched on; empty for one that is alone. */
+  private volatile Optional<CellSetup> cell = Optional.empty();
+
+  /** How the one that is alone is, or was before there was a cell. */
+  private volatile ControllerOptions alone;
+
   private volatile Optional<Branching> branching = Optional.empty();
   private boolean closed;
 
   private RobotSession(ControllerOptions options) {
-    listeners.add(origin);
-    listeners.add(runClock);
-    listeners.add(profiler::see);
-    driven = new DrivenController(SwitchedOn.with(options, store), Pace.REAL_TIME, listeners);
+    alone = options;
+    driven = drive(SwitchedOn.with(options, store), Pace.REAL_TIME);
+  }
+
+  private DrivenControllers drive(SwitchedOn on, Pace pace) {
+    return drive(SessionMember.alone(on), pace);
+  }
+
+  private DrivenControllers drive(SessionMember member, Pace pace) {
+    return new DrivenControllers(
+        member.on().controller(), List.of(member), 0, pace, listeners, cellListeners);
   }
 
   /**
@@ -79,21 +93,73 @@ public final class RobotSession implements AutoCloseable {
     return new RobotSession(options);
   }
 
+  /** The controllers: one that is alone, or those of a cell in their order. */
+  public List<SessionMember> members() {
+    return driven.members();
+  }
+
+  /** The one that people look at: all that is asked here is asked of it. */
+  public SessionMember shown() {
+    return driven.shown();
+  }
+
+  /** How the controllers of a cell were switched on; empty for one that is alone. */
+  public Optional<CellSetup> cell() {
+    return cell;
+  }
+
+  /** Whether several controllers share a cell. */
+  public boolean inCell() {
+    return cell.isPresent();
+  }
+
+  /**
+   * Shows another controller of the cell; all of them continue.
+   *
+   * @throws IllegalArgumentException if there is none of that name
+   */
+  public void show(String name) {
+    switching.lock();
+    try {
+      List<String> names = members().stream().map(SessionMember::name).toList();
+      int number = names.indexOf(name);
+      if (number < 0) {
+        throw new IllegalArgumentException(
+            "controller is " + name + ", must be one of " + String.join(", ", names));
+      }
+      if (!shown().name().equals(name)) {
+        driven.between(
+            () -> {
+              switchListeners.forEach(each -> Faults.guard(each::leaving));
+              driven.show(number);
+            });
+        switchListeners.forEach(each -> Faults.guard(each::shown));
+      }
+    } finally {
+      switching.unlock();
+    }
+  }
+
+  /** Runs something between two frames: what it leaves for controllers comes in the same one. */
+  public void between(Runnable work) {
+    driven.between(work);
+  }
+
   /** How the controller was switched on. */
   public ControllerOptions options() {
-    return driven.options();
+    return shown().options();
   }
 
   /** The robot; another one after {@link #restart}, so nobody should keep it. */
   public Robot robot() {
-    return driven.robot();
+    return shown().robot();
   }
 
   /**
    * The newest snapshot. After {@link #restart} frames, log lines and popups count from 0 again.
    */
   public ControllerState state() {
-    return driven.robot().state();
+    return shown().state();
   }
 
   /**
@@ -102,7 +168,7 @@ public final class RobotSession implements AutoCloseable {
    * one, which begins with the new controller; that of a branch has the run up to its frame.
    */
   public Recording recording() {
-    return driven.ring().recording();
+    return shown().recording();
   }
 
   /** That the recording stays in memory because its file cannot be written; told once. */
@@ -122,57 +188,70 @@ public final class RobotSession implements AutoCloseable {
 
   /** Leaves a command for the next frame; while robot time is paused it is carried out at once. */
   public CompletableFuture<Reply> submit(Command command) {
-    return driven.submit(command);
+    return driven.submit(shown(), command);
   }
 
   /** Parses, checks and compiles a program; slow, so not for the dispatch thread. */
   public LoadResult load(Source source) {
-    return driven.robot().load(source);
+    return robot().load(source);
   }
 
   /**
    * Starts a program from its beginning; a secondary one runs to its end beside the present one.
    */
   public CompletableFuture<Reply> run(Program program) {
+    return run(shown(), program);
+  }
+
+  /** As {@link #run(Program)}, on one of the controllers. */
+  public CompletableFuture<Reply> run(SessionMember member, Program program) {
     Optional<ProgramsFolder> folder = Optional.of(ProgramsFolder.of(program.source().name()));
     return program.secondary()
-        ? submit(new ProgramCommand.RunSecondary(program, folder))
-        : origin.expect(() -> submit(new ProgramCommand.StartProgram(program, folder)));
+        ? driven.submit(member, new ProgramCommand.RunSecondary(program, folder))
+        : member
+            .runs()
+            .origin()
+            .expect(() -> driven.submit(member, new ProgramCommand.StartProgram(program, folder)));
+  }
+
+  /** Leaves a command for one of the controllers. */
+  public CompletableFuture<Reply> submit(SessionMember member, Command command) {
+    return driven.submit(member, command);
   }
 
   /** The commands that came into force after the end of a frame, as far as they are kept. */
   public List<Journal.Noted> commandsAfter(long frame) {
-    return driven.journal().after(frame);
+    return shown().journal().after(frame);
   }
 
   /** How many programs have started that {@link #run} did not start: others have sent them. */
   public long strangersStarted() {
-    return origin.strangers();
+    return shown().runs().origin().strangers();
   }
 
   /** The text of the program that was started last; empty if it is not known any more. */
   public Optional<Source> startedSource() {
-    return driven.journal().newestProgram().map(Program::source);
+    return shown().startedSource();
   }
 
   /** The text of the program that runs, or ran last; only for what is asked in the frame loop. */
   Optional<Source> programSource() {
-    return driven.on().controller().programSource();
+    return shown().on().controller().programSource();
   }
 
   /** Whether the program that runs, or ran last, came from others. */
   public boolean strangerLast() {
-    return origin.strangerLast();
+    return shown().runs().origin().strangerLast();
   }
 
   /** How long the program that was started last has run. */
   public RunTime runTime() {
-    return runClock.time();
+    return shown().runs().runClock().time();
   }
 
   /** What the lines of the program that was started last have taken so far. */
   public RunProfile profile() {
-    return profiler.profile();
+    return shown().runs().profiler().profile();
   }
 
   /** The safety limits and planes that hold. */
@@ -236,6 +315,11 @@ public final class RobotSession implements AutoCloseable {
     listeners.remove(listener);
   }
 
+  /** Has {@code listener} see every frame of each controller, also of those to come. */
+  public void addCellListener(CellListener listener) {
+    cellListeners.add(listener);
+  }
+
   /** Has {@code listener} told when the controller is switched off and another one on. */
   public void addSwitchListener(SwitchListener listener) {
     switchListeners.add(listener);
@@ -243,7 +327,7 @@ public final class RobotSession implements AutoCloseable {
 
   /** The serial line of the tool connector; another one after {@link #restart}. */
   public ToolSerialLine toolSerial() {
-    return driven.tool();
+    return shown().toolSerial();
   }
 
   /** What ended the frame loop although nobody asked for it: a fault of ours. */
@@ -265,10 +349,58 @@ public final class RobotSession implements AutoCloseable {
     switching.lock();
     try {
       exchange(next, pace());
-      var _ = driven.submit(new BoxCommand.SetSpeedFraction(speedFraction));
+      alone = options;
+      var _ = submit(new BoxCommand.SetSpeedFraction(speedFraction));
     } finally {
       switching.unlock();
     }
+  }
+
+  /**
+   * Switches the controllers off and those of a cell on, of which the first is shown. Not for the
+   * dispatch thread.
+   *
+   * @throws IllegalArgumentException if the cell cannot be as its file says; nothing has changed
+   */
+  public void restart(CellSetup setup) {
+    SwitchedOn.OfCell next;
+    try {
+      next = SwitchedOn.with(setup, store);
+    } catch (JsonException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+    cancelBranch();
+    switching.lock();
+    try {
+      List<String> names = next.members().stream().map(SessionMember::name).toList();
+      int before = Math.max(0, names.indexOf(shown().name()));
+      exchange(
+          Optional.of(setup),
+          () ->
+              new DrivenControllers(
+                  next.cell(), next.members(), before, pace(), listeners, cellListeners));
+    } finally {
+      switching.unlock();
+    }
+  }
+
+  /**
+   * Switches what there is off and on, each controller with other options.
+   *
+   * @throws IllegalArgumentException as {@link #restart(ControllerOptions)}
+   */
+  public void restartWith(UnaryOperator<ControllerOptions> change) {
+    Optional<CellSetup> shared = cell;
+    if (shared.isPresent()) {
+      restart(shared.get().with(change));
+    } else {
+      restart(change.apply(options()));
+    }
+  }
+
+  /** How the controller that is alone is switched on, or was before there was a cell. */
+  public ControllerOptions aloneOptions() {
+    return inCell() ? alone : options();
   }
 
   /**
@@ -289,31 +421,42 @@ public final class RobotSession implements AutoCloseable {
       switching.unlock();
     }
     // what people have drawn for their own robot is not for this one
-    var _ = driven.submit(new IoCommand.PlayInputs(InputWaveforms.NONE));
+    var _ = submit(new IoCommand.PlayInputs(InputWaveforms.NONE));
   }
 
   /** Starts a program for the user: it is none of those that others send. */
   public CompletableFuture<Reply> start(ProgramCommand.StartProgram command) {
-    return origin.expect(() -> submit(command));
+    SessionMember member = shown();
+    return member.runs().origin().expect(() -> driven.submit(member, command));
   }
 
   private void exchange(SwitchedOn next, Pace pace) {
+    SessionMember before = shown();
+    boolean wasAlone = !inCell();
+    exchange(
+        Optional.empty(),
+        () -> {
+          DrivenControllers made =
+              drive(wasAlone ? before.replacedBy(next) : SessionMember.alone(next), pace);
+          // clients that had taken signals are gone with the ports; a new controller knows of none
+          for (String owner : next.journal().owners()) {
+            var _ = made.submit(made.shown(), new IoCommand.ReleaseSignals(owner));
+          }
+          return made;
+        });
+  }
+
+  private void exchange(Optional<CellSetup> setup, Supplier<DrivenControllers> next) {
     switchListeners.forEach(each -> Faults.guard(each::switchingOff));
     driven.close();
-    origin.goBack(next.controller().state().frame());
-    runClock.goBack(next.controller().state());
-    profiler.clear();
-    driven = new DrivenController(next, pace, listeners);
-    // clients that had taken signals are gone with the ports; a new controller knows of none
-    for (String owner : next.journal().owners()) {
-      var _ = driven.submit(new IoCommand.ReleaseSignals(owner));
-    }
+    cell = setup;
+    driven = next.get();
     switchListeners.forEach(each -> Faults.guard(each::switchedOn));
   }
 
   /** Why there can be no branch from the end of a frame; empty if there can. */
   public Optional<String> branchRefusal(long frame) {
-    return driven.journal().refusal(frame);
+    return shown().journal().refusal(frame);
   }
 
   /**
@@ -323,7 +466,7 @@ public final class RobotSession implements AutoCloseable {
    * @param frame empty for now
    */
   public void look(OptionalLong frame) {
-    driven.on().parked().look(frame);
+    shown().on().parked().look(frame);
   }
 
   /**
@@ -337,8 +480,8 @@ public final class RobotSession implements AutoCloseable {
    * @throws RerunRefused if the run cannot be repeated so far; nothing has changed
    */
   public Branching branch(long frame) throws RerunRefused {
-    DrivenController from = driven;
-    return branch(from, Rerun.to(frame, from.journal()));
+    DrivenControllers from = driven;
+    return branch(from, Rerun.to(frame, from.shown().journal()));
   }
 
   /**
@@ -348,19 +491,19 @@ public final class RobotSession implements AutoCloseable {
    * @param recorded a snapshot of the present run
    */
   public Branching branch(ControllerState recorded) throws RerunRefused {
-    DrivenController from = driven;
-    return branch(from, Rerun.to(recorded, from.journal()));
+    DrivenControllers from = driven;
+    return branch(from, Rerun.to(recorded, from.shown().journal()));
   }
 
-  private Branching branch(DrivenController from, Rerun rerun) {
+  private Branching branch(DrivenControllers from, Rerun rerun) {
     cancelBranch();
     Branching begun = Branching.begin(rerun, () -> branchOff(from, rerun));
     branching = Optional.of(begun);
     return begun;
   }
 
-  private void branchOff(DrivenController from, Rerun rerun) throws RerunRefused {
-    SwitchedOn next = SwitchedOn.again(from.on(), rerun, from.ring().recording(), store);
+  private void branchOff(DrivenControllers from, Rerun rerun) throws RerunRefused {
+    SwitchedOn next = SwitchedOn.again(from.shown().on(), rerun, from.shown().recording(), store);
     switching.lock();
     try {
       if (closed || driven != from) {
@@ -382,7 +525,7 @@ public final class RobotSession implements AutoCloseable {
    */
   public VariantRun variant(OptionalLong frame, Variant variant, VariantLimits limits)
       throws RerunRefused {
-    ParkedRuns parked = driven.on().parked();
+    ParkedRuns parked = shown().on().parked();
     parked.follow();
     return frame.isPresent()
         ? VariantRun.from(frame.getAsLong(), parked, variant, limits)
@@ -391,7 +534,7 @@ public final class RobotSession implements AutoCloseable {
 
   /** Whether a program has been started that is still known. */
   public boolean programKnown() {
-    return driven.journal().newestProgram().isPresent();
+    return startedSource().isPresent();
   }
 
   private void cancelBranch() {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
@@ -64,7 +65,7 @@ public final class SceneDraft {
   }
 
   /** Devices, and what says so. */
-  private record Read(Content content, List<DeviceSetup> devices) {
+  private record Read(Content content, List<List<DeviceSetup>> devices) {
     static final Read NOTHING = new Read(Content.EMPTY, List.of());
 
     static Read of(Content content) {
@@ -72,8 +73,12 @@ public final class SceneDraft {
         return new Read(
             content,
             SceneFile.of("scene", content.text(), MeshFiles.of(content.scene()))
+                .plan()
                 .equipment()
-                .devices());
+                .devices()
+                .stream()
+                .map(CellEquipment::devices)
+                .toList());
       } catch (IOException e) {
         throw new IllegalStateException("a draft has devices that cannot be", e);
       }
@@ -106,8 +111,8 @@ public final class SceneDraft {
     return Collections.unmodifiableMap(now.equipment());
   }
 
-  /** What the members for devices say. */
-  public List<DeviceSetup> devices() {
+  /** What the members for devices say of each controller; of one where it is alone. */
+  public List<List<DeviceSetup>> devices() {
     if (!read.content().equals(now)) {
       read = Read.of(now);
     }

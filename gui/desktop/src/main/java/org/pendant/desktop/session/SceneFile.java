@@ -13,10 +13,11 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.CellEquipment;
-import org.pendant.controller.box.EquipmentReader;
+import org.pendant.controller.box.CellPlan;
+import org.pendant.controller.box.EquipmentPlan;
+import org.pendant.controller.layout.CellLayout;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
-import org.pendant.controller.world.SceneReader;
 import org.pendant.controller.world.SceneWriter;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonMembers;
@@ -28,11 +29,9 @@ import org.pendant.models.json.JsonValues;
  * @param name for people; empty for no scene
  * @param onDisk the file; empty for a text that has none
  * @param text the file's text
- * @param scene what it says of objects and load
- * @param equipment what it says of devices and rules
+ * @param plan what it says
  */
-public record SceneFile(
-    String name, Optional<SavedProgram> onDisk, String text, Scene scene, CellEquipment equipment) {
+public record SceneFile(String name, Optional<SavedProgram> onDisk, String text, CellPlan plan) {
   /** How names of scenes end. */
   public static final String ENDING = ".scene.json";
 
@@ -40,7 +39,11 @@ public record SceneFile(
 
   /** Empty space. */
   public static final SceneFile NONE =
-      new SceneFile("", Optional.empty(), "{}\n", Scene.EMPTY, CellEquipment.NONE);
+      new SceneFile(
+          "",
+          Optional.empty(),
+          "{}\n",
+          new CellPlan("", Scene.EMPTY, CellLayout.ALONE, EquipmentPlan.NONE));
 
   /** Whether a file is called as scenes are. */
   public static boolean hasEnding(Path file) {
@@ -60,8 +63,7 @@ public record SceneFile(
         String.valueOf(whole.getFileName()),
         Optional.of(read),
         read.text(),
-        scene(whole.toString(), read.text(), MeshFiles.in(whole.getParent())),
-        equipment(whole.toString(), read.text()));
+        plan(whole.toString(), read.text(), MeshFiles.in(whole.getParent())));
   }
 
   /**
@@ -80,8 +82,7 @@ public record SceneFile(
    * @throws IOException if it is no scene; its message has the place and the reason
    */
   public static SceneFile of(String name, String text, MeshFiles meshes) throws IOException {
-    return new SceneFile(
-        name, Optional.empty(), text, scene(name, text, meshes), equipment(name, text));
+    return new SceneFile(name, Optional.empty(), text, plan(name, text, meshes));
   }
 
   /**
@@ -101,26 +102,18 @@ public record SceneFile(
         Stream.concat(there.isEmpty() ? Stream.of() : Stream.of(there), more)
             .collect(Collectors.joining(",\n    ", "[\n    ", "\n  ]")));
     String known = isNone() ? SceneDraft.UNTITLED : name;
-    String next = SceneWriter.write(scene, members);
-    return new SceneFile(known, onDisk, next, scene, equipment(known, next));
+    String next = SceneWriter.write(scene(), members);
+    return new SceneFile(known, onDisk, next, plan(known, next, MeshFiles.of(scene())));
   }
 
   /** The same, known by another file. */
   public SceneFile at(String newName, Optional<SavedProgram> file) {
-    return new SceneFile(newName, file, text, scene, equipment);
+    return new SceneFile(newName, file, text, plan);
   }
 
-  private static Scene scene(String name, String text, MeshFiles meshes) throws IOException {
+  private static CellPlan plan(String name, String text, MeshFiles meshes) throws IOException {
     try {
-      return SceneReader.read(name, bytes(text), meshes);
-    } catch (JsonException e) {
-      throw new IOException(e.getMessage(), e);
-    }
-  }
-
-  private static CellEquipment equipment(String name, String text) throws IOException {
-    try {
-      return EquipmentReader.read(name, bytes(text));
+      return CellPlan.read(name, bytes(text), meshes);
     } catch (JsonException e) {
       throw new IOException(e.getMessage(), e);
     }
@@ -130,9 +123,24 @@ public record SceneFile(
     return new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8));
   }
 
-  /** A controller with all of it. */
+  /** What it says of objects and load, in the frame of the cell. */
+  public Scene scene() {
+    return plan.scene();
+  }
+
+  /** What it says of devices and rules of the first controller. */
+  public CellEquipment equipment() {
+    return plan.equipment().ofFirst();
+  }
+
+  /** Whether there is one controller alone. */
+  public boolean alone() {
+    return plan.layout().alone();
+  }
+
+  /** A controller that is alone with all of it. */
   public ControllerOptions in(ControllerOptions options) {
-    return options.withScene(scene).withEquipment(equipment);
+    return options.withScene(scene()).withEquipment(equipment());
   }
 
   /** Where it is on disk. */
@@ -147,16 +155,14 @@ public record SceneFile(
 
   /** What is in it, in words. */
   public String words() {
-    int devices = equipment.devices().size();
-    List<String> controllers = equipment.controllers();
+    int devices = plan.equipment().devices().stream().mapToInt(each -> each.devices().size()).sum();
+    List<String> controllers = plan.layout().names();
     return name
         + ", "
-        + count(scene.objects().size(), "object")
+        + count(scene().objects().size(), "object")
         + (devices > 0 ? ", " + count(devices, "device") : "")
-        + (scene.load().isPresent() ? " and a load" : "")
-        + (controllers.size() > 1
-            ? "; of " + String.join(", ", controllers) + " this shows " + controllers.getFirst()
-            : "");
+        + (scene().load().isPresent() ? " and a load" : "")
+        + (controllers.isEmpty() ? "" : "; controllers: " + String.join(", ", controllers));
   }
 
   private static String count(int count, String what) {

@@ -28,4 +28,11 @@ public final class SessionAccess implements SwitchListener {
   public void switchedOn() {
     access.show(session.robot(), session::programSource);
   }
+
+  /** Others follow to the controller that is shown. */
+  @Override
+  public void shown() {
+    access.hide();
+    switchedOn();
+  }
 }

@@ -1,9 +1,14 @@
 package org.pendant.desktop.session;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import org.pendant.controller.Cell;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.builtin.StandardBuiltins;
+import org.pendant.models.json.JsonException;
 import org.pendant.protocols.ScriptConnectors;
 import org.pendant.protocols.egress.AllowedHosts;
 import org.pendant.protocols.toolserial.ToolSerialLine;
@@ -65,6 +70,56 @@ record SwitchedOn(
       if (!made) {
         scriptConnectors.close();
         tool.close();
+      }
+    }
+  }
+
+  /** Controllers that share a cell, and what lets time pass for all of them. */
+  record OfCell(Cell cell, List<SessionMember> members) {}
+
+  /**
+   * Switches the controllers of a cell on.
+   *
+   * @param store for what they do
+   * @throws JsonException if the cell cannot be as its file says
+   */
+  static OfCell with(CellSetup setup, NumberStore store) throws JsonException {
+    List<ScriptConnectors> scriptConnectors = new ArrayList<>();
+    List<ToolSerialLine> tools = new ArrayList<>();
+    List<ControllerOptions> options = new ArrayList<>();
+    for (ControllerOptions each : setup.options()) {
+      ScriptConnectors own = new ScriptConnectors(AllowedHosts.ANY);
+      ToolSerialLine tool = new ToolSerialLine();
+      scriptConnectors.add(own);
+      tools.add(tool);
+      options.add(each.withOutside(own.connectors().withToolSerial(tool)));
+    }
+    boolean made = false;
+    try {
+      Cell cell = new Cell(setup.plan(), options, StandardBuiltins.create());
+      List<SessionMember> members = new ArrayList<>();
+      for (Cell.Member each : cell.members()) {
+        Controller controller = each.controller();
+        SwitchedOn on =
+            of(
+                each.options(),
+                scriptConnectors.get(members.size()),
+                tools.get(members.size()),
+                Journal.of(controller),
+                new RecordingRing(controller.state(), controller::programSource, store),
+                state -> {});
+        Optional<String> address =
+            each.armless()
+                ? Optional.empty()
+                : setup.plan().arms().get(members.size()).address();
+        members.add(SessionMember.of(each, address, on));
+      }
+      made = true;
+      return new OfCell(cell, List.copyOf(members));
+    } finally {
+      if (!made) {
+        scriptConnectors.forEach(ScriptConnectors::close);
+        tools.forEach(ToolSerialLine::close);
       }
     }
   }

@@ -15,6 +15,7 @@ import org.pendant.command.service.RobotAccess;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.command.service.StateFolder;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.help.Example;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
@@ -22,6 +23,7 @@ import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RecoveryFolder;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.session.SceneMemory;
 import org.pendant.desktop.session.SessionAccess;
 import org.pendant.kit.fault.FaultFile;
@@ -43,6 +45,9 @@ public final class Desktop {
 
   /** What is around the arm; written before the window is made. */
   private volatile StartScene scene = StartScene.of(Optional.empty());
+
+  /** What the controllers of a cell begin with; written before the window is made. */
+  private volatile Optional<CellStart> cell = Optional.empty();
 
   private final Consumer<DesktopWindow> shown;
 
@@ -131,8 +136,7 @@ public final class Desktop {
                       desktop.settings, desktop.start, installation.isPresent(), wishes);
               desktop.missing.addAll(options.troubles());
               desktop.scene = desktop.sceneOf(wishes);
-              RobotSession begun =
-                  RobotSession.start(desktop.scene.scene().in(options.controller()));
+              RobotSession begun = desktop.begin(options.controller());
               access.ifPresent(each -> SessionAccess.lead(each, begun));
               return begun;
             });
@@ -149,6 +153,23 @@ public final class Desktop {
           }
         });
     return desktop;
+  }
+
+  /** One controller in its scene, or those of a cell. */
+  private RobotSession begin(ControllerOptions options) {
+    SceneFile file = scene.scene();
+    if (file.alone()) {
+      return RobotSession.start(file.in(options));
+    }
+    RobotSession begun = RobotSession.start(options);
+    try {
+      CellStart start = CellStart.of(file, settings);
+      begun.restart(start.setup());
+      cell = Optional.of(start);
+    } catch (IOException | IllegalArgumentException e) {
+      scene = new StartScene(scene.wanted(), SceneFile.NONE, e.getMessage());
+    }
+    return begun;
   }
 
   /** The installation that was open at the end. */
@@ -222,6 +243,7 @@ public final class Desktop {
     settings.notice().ifPresent(window::warn);
     settings.onTrouble(text -> EventQueue.invokeLater(() -> window.warn(text)));
     start.ifPresent(window::begin);
+    cell.ifPresent(window::begin);
     window.begin(scene);
     missing.forEach(window::warn);
     files.forEach(window::open);

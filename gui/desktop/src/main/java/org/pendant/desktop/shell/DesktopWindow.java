@@ -28,6 +28,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.session.SceneMemory;
 import org.pendant.desktop.session.StillArm;
+import org.pendant.desktop.shell.chrome.ArmBar;
 import org.pendant.desktop.shell.chrome.Footer;
 import org.pendant.desktop.shell.chrome.Header;
 import org.pendant.desktop.shell.chrome.ProgramMenu;
@@ -80,6 +81,8 @@ final class DesktopWindow {
   private final Notices notices = new Notices();
   private final StatusLine status = new StatusLine(text -> notices.tell(Notices.WHOLE, text));
   private final Header header;
+  private final CellArms arms;
+  private final ArmBar armBar;
   private final RobotChange robot;
   private final StillArm stillArm = new StillArm();
   private final Footer footer;
@@ -122,6 +125,10 @@ final class DesktopWindow {
     workbench.openFilesAre(
         () -> EditedFiles.of(programs, views.installation(), views.sceneDraft()));
     status.alsoTell(views::told);
+    // before whoever sets controllers up
+    arms = new CellArms(session, programs, views.installation(), runner, this::showRobot);
+    CellActions.addTo(actions, session, arms, runner, status::tell);
+    armBar = new ArmBar(actions, session::show, CellActions.TOGETHER);
     var _ =
         new InstallationLink(
             session,
@@ -163,7 +170,7 @@ final class DesktopWindow {
     header =
         new Header(
             new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
-    robot = new RobotChange(session, settings, notices, status::tell, header::showRobot);
+    robot = new RobotChange(session, arms::expect, settings, notices, status::tell, header::showRobot);
     scenes =
         new SceneFiles(
             views.installation(),
@@ -276,6 +283,7 @@ final class DesktopWindow {
     JPanel middle = new JPanel(new BorderLayout());
     JPanel above = new JPanel(new BorderLayout());
     above.add(notices, BorderLayout.NORTH);
+    above.add(armBar, BorderLayout.CENTER);
     above.add(views.past().banner(), BorderLayout.SOUTH);
     middle.add(above, BorderLayout.NORTH);
     middle.add(docks.component(), BorderLayout.CENTER);
@@ -408,7 +416,17 @@ final class DesktopWindow {
 
   /** Takes the installation that the controller has begun with. */
   void begin(StartInstallation start) {
-    installationFiles.begin(start);
+    if (session.inCell()) {
+      arms.whenAlone(() -> installationFiles.begin(start));
+    } else {
+      installationFiles.begin(start);
+    }
+  }
+
+  /** Takes what the controllers of a cell have begun with. */
+  void begin(CellStart start) {
+    arms.begin(start);
+    start.troubles().forEach(this::warn);
   }
 
   /** Takes the scene that the controller has begun with. */
@@ -450,12 +468,15 @@ final class DesktopWindow {
     ControllerState state = stillArm.shown(session.state());
     if (seen.test(docks.component())) {
       Faults.guard(() -> header.refresh(state));
+      Faults.guard(
+          () -> armBar.refresh(session.inCell() ? session.members() : List.of(), session.shown()));
       Faults.guard(() -> footer.refresh(state));
     }
     Faults.guard(
         () ->
             status.refresh(
                 session.lateness(), session.pace(), state.behindS(), state.debug().held()));
+    Faults.guard(arms::refresh);
     Faults.guard(() -> prompts.refresh(state));
     Faults.guard(() -> stopNotice.refresh(state));
     Faults.guard(() -> views.follow(state));
@@ -481,6 +502,10 @@ final class DesktopWindow {
     Faults.guard(views.keeper()::look);
     Faults.guard(() -> session.newTrouble().ifPresent(this::warn));
     Faults.guard(() -> heap.look(HeapCare.Doing.of(session.robot())));
+  }
+
+  private void showRobot(String id) {
+    header.showRobot(id);
   }
 
   private void chooseRobot(String id) {

@@ -18,6 +18,8 @@ import org.pendant.project.installation.text.InstallationText;
  * Example files: opens copies of the programs that come with Pendant, and of what belongs to them.
  */
 final class ExampleFiles {
+  private static final String SCRIPT = ".script";
+
   private final ProgramFiles files;
   private final InstallationFiles installations;
   private final SceneFiles scenes;
@@ -56,9 +58,19 @@ final class ExampleFiles {
   private void bring(Example example, String companion) {
     if (companion.endsWith(SceneFile.ENDING) && scenes.current().isNone()) {
       surround(companion);
+    } else if (companion.endsWith(SCRIPT)) {
+      openBeside(companion);
     } else {
       offer(example, companion);
     }
+  }
+
+  /** The program of another controller of the cell. */
+  private void openBeside(String companion) {
+    Background.run(
+        () -> Example.companion(companion),
+        text -> files.openCopy(companion, text),
+        failed -> tell.accept("Not opened: " + failed.getMessage()));
   }
 
   private void surround(String companion) {

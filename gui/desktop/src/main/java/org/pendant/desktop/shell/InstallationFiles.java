@@ -355,8 +355,10 @@ final class InstallationFiles {
 
   /** It is opened again at the next start. */
   private void rememberOpen() {
-    settings.put(
-        OPEN, active.document().file().map(file -> file.toAbsolutePath().toString()).orElse(""));
+    if (!active.ofArm()) {
+      settings.put(
+          OPEN, active.document().file().map(file -> file.toAbsolutePath().toString()).orElse(""));
+    }
   }
 
   private void remember(Path file) {

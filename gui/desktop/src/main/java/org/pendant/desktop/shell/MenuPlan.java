@@ -363,6 +363,7 @@ final class MenuPlan {
         all("robot.ports", "robot.clients", "robot.ports-switch"),
         sub("Messages of clients", "", all("clients")),
         line(),
+        sub("Controllers of the cell", "", all("controllers")),
         all("robot.noise", "robot.start-ramp", "robot"));
   }
 

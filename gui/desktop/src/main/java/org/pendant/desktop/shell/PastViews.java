@@ -109,6 +109,11 @@ final class PastViews {
             }
           });
     }
+
+    @Override
+    public void shown() {
+      switchedOn();
+    }
   }
 
   /** The panel with the timeline. */

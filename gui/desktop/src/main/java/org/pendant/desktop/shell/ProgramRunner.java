@@ -2,6 +2,10 @@ package org.pendant.desktop.shell;
 
 import java.awt.EventQueue;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
@@ -16,6 +20,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.kit.background.Background;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
@@ -27,6 +32,7 @@ import org.pendant.protocols.externalcontrol.NoScript;
 import org.pendant.protocols.externalcontrol.ScriptRequest;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.LoadResult;
+import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
 /**
@@ -37,12 +43,16 @@ final class ProgramRunner {
   private final Programs programs;
   private final Consumer<String> tell;
   private final SourcePlace showSource;
-  private Optional<Running> running = Optional.empty();
+
+  /** What was started last on each controller, by its name. */
+  private final Map<String, Running> running = new HashMap<>();
+
   private BiConsumer<ProgramDocument, RunScript> beforeRun = (document, script) -> {};
   private Gate gate = (document, from, run) -> run.run();
   private Texts texts =
       (document, from) -> ProgramLaunch.of(RunScript.whole(document.script().source()));
   private Runnable stepOver = () -> {};
+  private Runnable forgotten = () -> {};
   private final Drivers drivers = new Drivers(AllowedHosts.ANY, Optional.empty());
   private Optional<ScriptRequest> asked = Optional.empty();
   private boolean loading;
@@ -51,7 +61,14 @@ final class ProgramRunner {
   private boolean stopped;
 
   /** A program and its text when it was started. */
-  private record Running(ProgramDocument document, Source source) {}
+  private record Running(ProgramDocument document, RunScript script) {
+    Source source() {
+      return script.source();
+    }
+  }
+
+  /** A program and the controller that runs it. */
+  record Assigned(SessionMember member, ProgramDocument document) {}
 
   /** What became of a text that is to run. */
   private record Compiled(RunScript script, LoadResult loadResult) {}
@@ -173,10 +190,12 @@ final class ProgramRunner {
    */
   private void load(long from, Runnable then) {
     ProgramDocument document = programs.current();
-    gate.pass(document, from, () -> load(document, texts.of(document, from), then));
+    Assigned assigned = new Assigned(session.shown(), document);
+    gate.pass(document, from, () -> load(assigned, texts.of(document, from), then));
   }
 
-  private void load(ProgramDocument document, ProgramLaunch plan, Runnable then) {
+  private void load(Assigned assigned, ProgramLaunch plan, Runnable then) {
+    ProgramDocument document = assigned.document();
     loading = true;
     stopped = false;
     asked =
@@ -185,14 +204,14 @@ final class ProgramRunner {
             : Optional.of(drivers.request(plan.installation(), plan.waitingNodes()).begin());
     Optional<ScriptRequest> request = asked;
     Background.run(
-        () -> compiled(plan, request),
+        () -> compiled(assigned.member(), plan, request),
         compiled -> {
           asked = Optional.empty();
           if (stopped) {
             loading = false;
             return;
           }
-          start(document, compiled.script(), compiled.loadResult(), then);
+          start(assigned, compiled.script(), compiled.loadResult(), then);
         },
         failed -> {
           asked = Optional.empty();
@@ -202,13 +221,14 @@ final class ProgramRunner {
   }
 
   /** Waits for the driver if there is one to wait for. */
-  private Compiled compiled(ProgramLaunch plan, Optional<ScriptRequest> request)
+  private static Compiled compiled(
+      SessionMember member, ProgramLaunch plan, Optional<ScriptRequest> request)
       throws IOException {
     try {
       Optional<ControlScript> sent =
           request.isPresent() ? Optional.of(request.get().await()) : Optional.empty();
       RunScript script = plan.script().apply(sent);
-      return new Compiled(script, session.load(script.source()));
+      return new Compiled(script, member.robot().load(script.source()));
     } catch (NoScript e) {
       throw new IOException(e.getMessage(), e);
     } catch (InterruptedException e) {
@@ -217,39 +237,116 @@ final class ProgramRunner {
     }
   }
 
-  private void start(
-      ProgramDocument document, RunScript script, LoadResult loadResult, Runnable then) {
+  private void start(Assigned assigned, RunScript script, LoadResult loadResult, Runnable then) {
     loading = false;
+    if (refused(assigned, script, loadResult)) {
+      return;
+    }
+    starts(assigned, script, loadResult.program().orElseThrow());
+    tellRefusal(session.run(assigned.member(), loadResult.program().orElseThrow()));
+    then.run();
+  }
+
+  /** Whether a program does not compile, which is told. */
+  private boolean refused(Assigned assigned, RunScript script, LoadResult loadResult) {
     Source source = script.source();
     Optional<Diagnostic> error =
         loadResult.diagnostics().stream().filter(Diagnostic::isError).findFirst();
-    if (error.isPresent()) {
-      int start = error.get().range().start();
-      int runLine = source.line(start);
-      int line = script.lines().toShown(runLine);
-      long count = loadResult.diagnostics().stream().filter(Diagnostic::isError).count();
-      String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
-      tell.accept(
-          document.name()
-              + " cannot run, "
-              + script.lines().origin(runLine).orElse("line " + line)
-              + ": "
-              + ByteText.decoded(error.get().message())
-              + others);
-      showSource.show(line, source.column(start));
-      return;
+    if (error.isEmpty()) {
+      return false;
     }
-    running = Optional.of(new Running(document, source));
-    if (!loadResult.program().orElseThrow().secondary()) {
-      beforeRun.accept(document, script);
+    int start = error.get().range().start();
+    int runLine = source.line(start);
+    int line = script.lines().toShown(runLine);
+    long count = loadResult.diagnostics().stream().filter(Diagnostic::isError).count();
+    String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
+    tell.accept(
+        assigned.document().name()
+            + " cannot run, "
+            + script.lines().origin(runLine).orElse("line " + line)
+            + ": "
+            + ByteText.decoded(error.get().message())
+            + others);
+    programs.select(assigned.document());
+    showSource.show(line, source.column(start));
+    return true;
+  }
+
+  private void starts(Assigned assigned, RunScript script, Program program) {
+    running.put(assigned.member().name(), new Running(assigned.document(), script));
+    if (!program.secondary() && assigned.member().name().equals(session.shown().name())) {
+      beforeRun.accept(assigned.document(), script);
     }
-    tellRefusal(session.run(loadResult.program().orElseThrow()));
-    then.run();
+  }
+
+  /** Starts programs in the same frame, unless one of them does not compile. */
+  void runTogether(List<Assigned> all) {
+    List<ProgramLaunch> plans = all.stream().map(each -> texts.of(each.document(), 0)).toList();
+    for (int i = 0; i < plans.size(); i++) {
+      if (plans.get(i).waitingNodes() > 0) {
+        tell.accept(
+            all.get(i).document().name()
+                + " asks a driver for its script: run it by itself, on "
+                + all.get(i).member().name());
+        return;
+      }
+    }
+    loading = true;
+    Background.run(
+        () -> {
+          List<Compiled> compiled = new ArrayList<>();
+          for (int i = 0; i < all.size(); i++) {
+            compiled.add(compiled(all.get(i).member(), plans.get(i), Optional.empty()));
+          }
+          return compiled;
+        },
+        compiled -> startTogether(all, compiled),
+        failed -> {
+          loading = false;
+          tell.accept("Nothing runs: " + failed.getMessage());
+        });
+  }
+
+  private void startTogether(List<Assigned> all, List<Compiled> compiled) {
+    loading = false;
+    for (int i = 0; i < all.size(); i++) {
+      if (refused(all.get(i), compiled.get(i).script(), compiled.get(i).loadResult())) {
+        return;
+      }
+    }
+    List<Program> loaded =
+        compiled.stream().map(each -> each.loadResult().program().orElseThrow()).toList();
+    for (int i = 0; i < all.size(); i++) {
+      starts(all.get(i), compiled.get(i).script(), loaded.get(i));
+    }
+    List<CompletableFuture<Reply>> replies = new ArrayList<>();
+    session.between(
+        () -> {
+          for (int i = 0; i < all.size(); i++) {
+            replies.add(session.run(all.get(i).member(), loaded.get(i)));
+          }
+        });
+    replies.forEach(this::tellRefusal);
+  }
+
+  /** Another controller of the cell is shown: what runs there is what was started there. */
+  void shown() {
+    Running known = running.get(session.shown().name());
+    if (known == null) {
+      forgotten.run();
+    } else {
+      beforeRun.accept(known.document(), known.script());
+    }
+  }
+
+  /** Has {@code action} follow when nothing is known of a program that was started. */
+  void whenForgotten(Runnable action) {
+    forgotten = action;
   }
 
   /** A program is about to be started by somebody else, for the user, as {@code script}. */
   void startsElsewhere(ProgramDocument document, RunScript script) {
-    running = Optional.of(new Running(document, script.source()));
+    running.put(session.shown().name(), new Running(document, script));
     beforeRun.accept(document, script);
   }
 
@@ -269,19 +366,23 @@ final class ProgramRunner {
             });
   }
 
+  private Optional<Running> running() {
+    return Optional.ofNullable(running.get(session.shown().name()));
+  }
+
   /** The program that was started last. */
   Optional<ProgramDocument> program() {
-    return running.map(Running::document);
+    return running().map(Running::document);
   }
 
   /** The program that runs is none of the open ones. */
   void forget() {
-    running = Optional.empty();
+    running.remove(session.shown().name());
   }
 
   /** The text of a line of the program that was started last; empty where there is none. */
   String line(int number) {
-    return running
+    return running()
         .map(Running::source)
         .filter(source -> number >= 1 && number <= source.lineCount())
         .map(source -> source.lineText(number))

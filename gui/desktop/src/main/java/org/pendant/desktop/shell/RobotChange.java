@@ -1,7 +1,10 @@
 package org.pendant.desktop.shell;
 
+import java.awt.EventQueue;
+import java.io.IOException;
 import java.util.List;
 import java.util.function.Consumer;
+import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.session.ProgramControls;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SceneFile;
@@ -18,6 +21,7 @@ final class RobotChange {
   private static final String START_RAMP = "robot.start-ramp";
 
   private final RobotSession session;
+  private final Consumer<CellStart> begins;
   private final Settings settings;
   private final Notices notices;
   private final Consumer<String> tell;
@@ -26,15 +30,18 @@ final class RobotChange {
   /**
    * Changes of the session's robot.
    *
+   * @param begins told what a cell begins with, before it does; any thread
    * @param showRobot told the id of the robot that there is
    */
   RobotChange(
       RobotSession session,
+      Consumer<CellStart> begins,
       Settings settings,
       Notices notices,
       Consumer<String> tell,
       Consumer<String> showRobot) {
     this.session = session;
+    this.begins = begins;
     this.settings = settings;
     this.notices = notices;
     this.tell = tell;
@@ -63,6 +70,11 @@ final class RobotChange {
 
   /** Another robot; nothing happens if it is there already. */
   void choose(String id) {
+    if (session.inCell()) {
+      tell.accept("The scene says which arms there are; another arm is written there, as \"robot\"");
+      showRobot.accept(session.options().robotId());
+      return;
+    }
     if (!id.equals(session.options().robotId())) {
       ask("Another robot ends the program that runs.", "Change robot", () -> change(id));
     }
@@ -80,7 +92,7 @@ final class RobotChange {
   private void switchOffAndOn() {
     Background.run(
         () -> {
-          session.restart(session.options());
+          session.restartWith(each -> each);
           return session.options().robotId();
         },
         done -> tell.accept("The controller was switched off and on"),
@@ -99,7 +111,7 @@ final class RobotChange {
   private void setNoise(boolean on) {
     Background.run(
         () -> {
-          session.restart(session.options().withMeasuredNoise(on));
+          session.restartWith(each -> each.withMeasuredNoise(on));
           return on;
         },
         done -> {
@@ -121,7 +133,7 @@ final class RobotChange {
   private void setStartRamp(boolean on) {
     Background.run(
         () -> {
-          session.restart(session.options().withStartRamp(on));
+          session.restartWith(each -> each.withStartRamp(on));
           return on;
         },
         done -> {
@@ -140,7 +152,9 @@ final class RobotChange {
    * @param then runs when it has them
    */
   void surround(SceneFile scene, Runnable then) {
-    if (scene.scene().equals(session.options().scene())
+    if (!session.inCell()
+        && scene.alone()
+        && scene.scene().equals(session.options().scene())
         && scene.equipment().equals(session.options().equipment())) {
       then.run();
       return;
@@ -150,19 +164,33 @@ final class RobotChange {
         "Change scene",
         () ->
             Background.run(
-                () -> {
-                  session.restart(
-                      scene
-                          .in(session.options())
-                          .withStart(session.state().arm().actualPositionRad()));
-                  return scene;
-                },
-                done -> then.run(),
-                failed -> tell.accept(failed.getMessage())));
+                () -> surround(scene), done -> then.run(), failed -> tell.accept(failed.getMessage())));
+  }
+
+  private SceneFile surround(SceneFile scene) throws IOException {
+    if (scene.alone()) {
+      ControllerOptions alone = session.aloneOptions();
+      session.restart(
+          scene.in(
+              session.inCell() ? alone : alone.withStart(session.state().arm().actualPositionRad())));
+      return scene;
+    }
+    CellStart start = CellStart.of(scene, settings);
+    begins.accept(start);
+    try {
+      session.restart(start.setup());
+    } catch (IllegalArgumentException e) {
+      throw new IOException(e.getMessage(), e);
+    }
+    if (!start.troubles().isEmpty()) {
+      EventQueue.invokeLater(() -> start.troubles().forEach(tell));
+    }
+    return scene;
   }
 
   private void ask(String question, String yes, Runnable change) {
-    if (!ProgramControls.of(session.state()).canStop()) {
+    if (session.members().stream()
+        .noneMatch(each -> ProgramControls.of(each.state()).canStop())) {
       change.run();
       return;
     }

@@ -385,6 +385,9 @@ final class SceneFiles {
 
   /** Another installation brings the scene that was there with it last. */
   private void followInstallation() {
+    if (installation.ofArm()) {
+      return;
+    }
     ProgramDocument document = installation.document();
     Optional<Path> file = document.file();
     boolean saved = document.equals(known);

@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import java.util.function.LongConsumer;
@@ -38,11 +39,11 @@ import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.move.BodyPull;
 import org.pendant.desktop.move.GhostArm;
 import org.pendant.desktop.scene.ArmTrace;
-import org.pendant.desktop.scene.BeltTravel;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.JointFrames;
 import org.pendant.desktop.scene.Lens;
+import org.pendant.desktop.scene.OtherArm;
 import org.pendant.desktop.scene.PayloadBall;
 import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneModel;
@@ -105,7 +106,7 @@ final class ScenePanel implements View, GhostArm {
   private final TouchedAtStop touchedAtStop = new TouchedAtStop();
   private final ArmPull pull;
   private final BodyPull carry;
-  private final BeltTravel belts = new BeltTravel();
+  private final CellScene cell;
   private final SceneBar bar;
   private final Timer moving = Faults.timer(MOVING_MS, this::follow);
   private Optional<Joints> ghostRad = Optional.empty();
@@ -123,7 +124,7 @@ final class ScenePanel implements View, GhostArm {
   private Optional<Near> margins = Optional.empty();
   private Supplier<ComparedWays> compared = () -> ComparedWays.NONE;
   private Supplier<Optional<Scene>> proposed = Optional::empty;
-  private Supplier<Optional<List<DeviceSetup>>> proposedDevices = Optional::empty;
+  private Supplier<Optional<List<List<DeviceSetup>>>> proposedDevices = Optional::empty;
   private long changedNs;
 
   /** An arm and what is around it: people may change both at any time. */
@@ -150,16 +151,20 @@ final class ScenePanel implements View, GhostArm {
       SafetySight safety,
       Set<String> hit,
       ComparedWays compared,
-      DeviceSight devices) {}
+      DeviceSight devices,
+      List<OtherArm> others) {}
 
   /**
    * The arm.
    *
    * @param past the moment that people look at; empty for now
+   * @param ofFile whether that is of a recording of a file
    */
-  ScenePanel(Workbench workbench, Supplier<Optional<ControllerState>> past) {
+  ScenePanel(
+      Workbench workbench, Supplier<Optional<ControllerState>> past, BooleanSupplier ofFile) {
     this.workbench = workbench;
     this.past = past;
+    cell = new CellScene(workbench.session(), ofFile);
     shows = new SceneShows(workbench.settings());
     safety = new SafetyScene(workbench.session(), shows);
     pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
@@ -283,7 +288,12 @@ final class ScenePanel implements View, GhostArm {
   /** Places objects of the scene from now on when they are dragged, unless they are carried. */
   void setObjectHand(ObjectHand hand) {
     picture.setObjectHand(
-        new CarryingHand(hand, carry, () -> past.get().isPresent(), pull::wanted, this::canMove));
+        new CarryingHand(
+            new CellHand(hand, () -> cell.seen().baseInCell()),
+            carry,
+            () -> past.get().isPresent(),
+            pull::wanted,
+            this::canMove));
   }
 
   /** Whether an object of that name, or a copy, has a mass and is there. */
@@ -298,7 +308,7 @@ final class ScenePanel implements View, GhostArm {
   }
 
   /** Where to ask for the devices that people change and have not applied yet. */
-  void setProposedDevices(Supplier<Optional<List<DeviceSetup>>> draft) {
+  void setProposedDevices(Supplier<Optional<List<List<DeviceSetup>>>> draft) {
     proposedDevices = draft;
   }
 
@@ -344,10 +354,11 @@ final class ScenePanel implements View, GhostArm {
   }
 
   private void see(ControllerState newest) {
-    ControllerState state = stillArm.shown(newest);
+    boolean back = past.get().isPresent();
+    ControllerState state = stillArm.shown(cell.state(newest, back));
     Surroundings around = surroundings(state.arm().description().id(), state.moved());
     ArmState arm = state.arm();
-    if (past.get().isEmpty()) {
+    if (!back) {
       trace.add(state, margins(state));
     }
     trace.colourBy(shows.traceBy());
@@ -365,7 +376,8 @@ final class ScenePanel implements View, GhostArm {
             safety.sight(state, arm.actualPositionRad()),
             hit(state, around.scene),
             compared.get(),
-            devices(state));
+            cell.devices(state, back, proposedDevices.get()),
+            cell.others(state, back));
     if (seen.equals(Optional.of(now))) {
       return;
     }
@@ -373,13 +385,6 @@ final class ScenePanel implements View, GhostArm {
     changedNs = System.nanoTime();
     moving.start();
     picture.setModel(model(now, arm));
-  }
-
-  private DeviceSight devices(ControllerState state) {
-    List<DeviceSetup> real = workbench.session().options().equipment().devices();
-    Optional<List<DeviceSetup>> draft = proposedDevices.get().filter(each -> !each.equals(real));
-    DeviceSight sight = DeviceSight.of(draft.orElse(real), state.devices(), draft.isPresent());
-    return sight.withTravel(belts.at(state.timeS(), real, state.devices()));
   }
 
   /** How near the arm is to the limits that hold now. */
@@ -437,7 +442,8 @@ final class ScenePanel implements View, GhostArm {
         now.waypointMarkers,
         now.safety,
         now.compared,
-        now.devices);
+        now.devices,
+        now.others);
   }
 
   /** What the tool touches, and what it ran into when it was stopped. */
@@ -455,14 +461,18 @@ final class ScenePanel implements View, GhostArm {
   }
 
   private Surroundings surroundings(String id, List<MovedObject> moved) {
-    Scene real = workbench.session().options().scene();
+    Scene real = cell.real();
     if (!real.equals(realScene)) {
       realScene = real;
       trace.clear();
     }
     // what is proposed as it is already is shown as it moves
     Scene scene =
-        proposed.get().filter(each -> !each.equals(real)).orElseGet(() -> movedScene(real, moved));
+        proposed
+            .get()
+            .filter(each -> !cell.isReal(each))
+            .map(cell::seenFromBase)
+            .orElseGet(() -> movedScene(real, moved));
     boolean otherArm = surroundings.isEmpty() || !surroundings.get().arm.id().equals(id);
     if (otherArm || !surroundings.get().scene.equals(scene)) {
       if (otherArm) {

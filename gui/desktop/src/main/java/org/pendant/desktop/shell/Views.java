@@ -97,6 +97,9 @@ final class Views {
   private final ReceivedProgram received;
   private long strangers;
 
+  /** The controller whose programs are followed. */
+  private String followed = "";
+
   /**
    * A view and where it belongs at first.
    *
@@ -134,7 +137,7 @@ final class Views {
     editor.addToHead(scriptBar);
     DebugBar treeBar = new DebugBar("debug-bar-tree", workbench, debug, past.steps());
     debugBars = List.of(scriptBar, treeBar);
-    ScenePanel scene = new ScenePanel(workbench, past::past);
+    ScenePanel scene = new ScenePanel(workbench, past::past, past::ofFile);
     MoveView move =
         new MoveView(workbench, scene, line -> insertLine(programs.current().isTree(), line));
     runner.beforeEachRun(
@@ -162,6 +165,7 @@ final class Views {
     startMove = new StartMove(session, this::forgetRun);
     start = new StartChoice(startMove, workbench.settings());
     runner.setGate(this::gate);
+    runner.whenForgotten(this::forgetRun);
     runner.setTexts(runs::plan);
     RunFrom.addTo(workbench.actions(), session, runs, program::selected, runner, start, tell);
     workbench.showSourceIn(
@@ -436,7 +440,11 @@ final class Views {
 
   /** Has debugger and editor follow the program, whatever is in front. */
   void follow(ControllerState state) {
-    if (session.strangersStarted() != strangers) {
+    boolean sameController = session.shown().name().equals(followed);
+    followed = session.shown().name();
+    if (!sameController) {
+      strangers = session.strangersStarted();
+    } else if (session.strangersStarted() != strangers) {
       strangers = session.strangersStarted();
       runner.forget();
       Optional<ProgramDocument> shown = received.show(session.startedSource());

@@ -96,6 +96,10 @@ final class TestDebugger implements SwitchListener {
       tell.accept(own.get().test().id().name() + " is being debugged");
       return;
     }
+    if (session.inCell()) {
+      tell.accept("Not debugged: several controllers share the cell; close the scene first");
+      return;
+    }
     ControllerState state = session.state();
     if (ProgramControls.of(state).canStop()) {
       tell.accept("Not debugged: a program runs; stop it first");

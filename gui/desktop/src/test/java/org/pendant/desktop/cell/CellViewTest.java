@@ -218,12 +218,12 @@ final class CellViewTest {
           type(view, "cell-device-name", "left");
           type(view, "cell-device-gripper-stroke", "60");
           signals(view, "cell-device-gripper-close").setSelectedItem("digital_out[1]");
-          DeviceSetup.Driven gripper = (DeviceSetup.Driven) draft.devices().getFirst();
+          DeviceSetup.Driven gripper = (DeviceSetup.Driven) draft.devices().getFirst().getFirst();
           assertEquals("left", gripper.name());
           assertEquals(0.06, gripper.strokeM());
           assertEquals("digital_out[1]", gripper.close().toString());
           type(view, "cell-device-gripper-stroke", "");
-          assertEquals(0.05, draft.devices().getFirst().strokeM());
+          assertEquals(0.05, draft.devices().getFirst().getFirst().strokeM());
           press(view, "cell-device-remove");
           assertTrue(draft.equipment().isEmpty());
         });
@@ -265,7 +265,7 @@ final class CellViewTest {
           assertEquals(
               "is 70 s, must be 0.01 to 60 s", problem(view, "cell-device-door-time-problem"));
           type(view, "cell-device-door-time", "4");
-          assertEquals(4, ((DeviceSetup.Driven) draft.devices().get(1)).timeS());
+          assertEquals(4, ((DeviceSetup.Driven) draft.devices().getFirst().get(1)).timeS());
           JTextField name = find(view, "cell-device-name", JTextField.class);
           name.setText("two-finger");
           assertEquals(
@@ -282,7 +282,7 @@ final class CellViewTest {
           type(view, "cell-device-two-finger-fingers-width", "30");
           press(view, "cell-device-two-finger-fingers-at-the-active-tcp");
           type(view, "cell-device-two-finger-fingers-at-z", "170");
-          GripperSetup gripper = draft.devices().getFirst().gripper().orElseThrow();
+          GripperSetup gripper = draft.devices().getFirst().getFirst().gripper().orElseThrow();
           assertEquals(new Pose(0, 0, 0.17, 0, 0, 0), gripper.atInFlange().orElseThrow());
           assertEquals(new GripperSetup.Grip.Pads(0.03, 0.022), gripper.grip());
           press(view, "cell-device-two-finger-fingers-at-the-active-tcp");
@@ -326,7 +326,7 @@ final class CellViewTest {
           add(view, "belt");
           assertEquals(1, draft.devices().size());
           type(view, "cell-object-name", "conveyor");
-          assertEquals("conveyor", ((DeviceSetup.Belt) draft.devices().getFirst()).object());
+          assertEquals("conveyor", ((DeviceSetup.Belt) draft.devices().getFirst().getFirst()).object());
           press(view, "cell-object-remove");
           assertEquals(
               "object is \"conveyor\", must be the name of a box that stands still",

@@ -6,11 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
+import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.session.SharedCell;
+import org.pendant.script.vm.Program;
 import org.pendant.script.vm.ProgramState;
 
 final class LogMailboxTest {
@@ -106,5 +111,24 @@ final class LogMailboxTest {
     assertEquals(LogSource.WINDOW, told.source());
     assertEquals(controller.state().timeS(), told.timeS());
     assertEquals(now, told.wall());
+  }
+
+  @Test
+  void messagesOfACellAreOfAllItsControllersAndSayOfWhich() throws Exception {
+    LogMailbox mailbox = new LogMailbox(100, number -> List.of(), InstantSource.system());
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
+      session.restart(SharedCell.setup());
+      session.addCellListener(mailbox);
+      for (SessionMember each : session.members()) {
+        Program program = TestController.program(each.robot(), "textmsg(\"here\")\n");
+        session.run(each, program).get(30, TimeUnit.SECONDS);
+      }
+      while (texts(mailbox, 0).size() < 3) {
+        Thread.onSpinWait();
+      }
+    }
+    assertEquals(
+        List.of("cell: here", "left: here", "right: here"),
+        texts(mailbox, 0).stream().sorted().toList());
   }
 }

@@ -28,6 +28,7 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SharedCell;
 import org.pendant.script.vm.ProgramState;
 
 @Tag("slow")
@@ -201,5 +202,21 @@ final class DesktopPortsTest {
     }
     assertTrue(session.strangerLast());
     assertEquals(1, session.strangersStarted());
+  }
+
+  @Test
+  void eachArmOfACellHasItsPortsWhereTheFileWantsThem() throws Exception {
+    String row = wishes.host().substring(0, wishes.host().lastIndexOf('.'));
+    session.restart(SharedCell.setup(SharedCell.SCENE.replace("127.0.0", row)));
+    ports.want(Optional.of(wishes));
+    PortsState.Open open = assertInstanceOf(PortsState.Open.class, ports.state());
+    assertEquals(
+        List.of("left " + row + ".2", "right " + row + ".3"),
+        open.ports().stream()
+            .map(each -> each.controller() + " " + each.address())
+            .distinct()
+            .toList());
+    session.show("right");
+    assertEquals(open, ports.state(), "who looks at another arm disturbs no client");
   }
 }

@@ -22,6 +22,7 @@ import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 
 final class DeviceSightTest {
   private static final DeviceSetup GRIPPER = new DeviceSetup.TwoFinger("left", false, true, 0);
@@ -178,5 +179,37 @@ final class DeviceSightTest {
     DeviceSight sight = DeviceSight.of(lamps, List.of(state("busy", 0, 0, true)), false);
     assertEquals(List.of(new DeviceSight.Lamp("busy", at, true)), sight.lamps());
     assertFalse(DeviceSight.of(lamps, List.of(), true).lamps().getFirst().lit());
+  }
+
+  @Test
+  void placesOfTheCellAreInTheFrameOfTheBaseFromWhichTheyAreSeen() {
+    DeviceSight sight =
+        DeviceSight.of(List.of(GATE), List.of(), true)
+            .seenFrom(Poses.inverse(new Pose(1, 0, 0, 0, 0, Math.PI)));
+    Vector3 name = DeviceOutlines.namePlace(sight, sight.sensors().getFirst().zone());
+    assertEquals(0.6, name.x(), 1e-12);
+    assertEquals(0.3, name.y(), 1e-12);
+    assertEquals(0.6, DeviceHandles.of(sight).getFirst().placeM().x(), 1e-12);
+  }
+
+  @Test
+  void anotherArmStandsAtItsBaseAndBelongsToThePicture() {
+    SceneModel model = Models.of("ur5e");
+    OtherArm other =
+        new OtherArm(
+            "right",
+            model.arm(),
+            model.kinematics(),
+            model.positionRad(),
+            Pose.ZERO,
+            new Pose(3, 0, 0, 0, 0, 0),
+            List.of());
+    LinkPlaces own = new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad());
+    Vector3f wrist = own.of(Link.WRIST_3).getTranslation(new Vector3f());
+    Vector3f otherWrist = other.places().of(Link.WRIST_3).getTranslation(new Vector3f());
+    assertEquals(3, otherWrist.x - wrist.x, 1e-5);
+    assertTrue(
+        SceneBounds.of(model.withOthers(List.of(other))).balls().stream()
+            .anyMatch(each -> each.centreM().x() > 2.5));
   }
 }

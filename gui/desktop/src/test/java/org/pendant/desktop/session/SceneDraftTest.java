@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -46,12 +45,10 @@ final class SceneDraftTest {
   void whoUndoesEverythingHasTheFileAsItIsWrittenOnDisk() throws Exception {
     String odd = "{ \"objects\" :[] }";
     draft.open(
-        new SceneFile(
-            "odd.scene.json",
-            Optional.of(SavedProgram.create(Path.of("odd.scene.json"), odd)),
-            odd,
-            Scene.EMPTY,
-            CellEquipment.NONE));
+        SceneFile.of("odd.scene.json", odd)
+            .at(
+                "odd.scene.json",
+                Optional.of(SavedProgram.create(Path.of("odd.scene.json"), odd))));
     draft.set(ball(0.1));
     draft.undo();
     assertEquals(odd, draft.document().text());

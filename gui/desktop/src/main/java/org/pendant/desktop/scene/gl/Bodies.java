@@ -3,6 +3,8 @@ package org.pendant.desktop.scene.gl;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -11,6 +13,7 @@ import org.pendant.controller.world.GripperSetup;
 import org.pendant.controller.world.Scene;
 import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.LinkPlaces;
+import org.pendant.desktop.scene.OtherArm;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.mesh.ArmMeshes;
 import org.pendant.desktop.scene.mesh.Detail;
@@ -19,6 +22,7 @@ import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.desktop.scene.mesh.Marks;
 import org.pendant.desktop.scene.mesh.Mesh;
 import org.pendant.desktop.scene.mesh.WorldMesh;
+import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.shape.ArmShapes;
 
@@ -31,14 +35,21 @@ final class Bodies implements AutoCloseable {
   private final GpuMesh rod;
   private final GpuMesh ball;
   private String armId = "";
-  private ArmMeshes armMeshes;
-  private final Map<Link, Mesh.Box> armBoxes = new EnumMap<>(Link.class);
-  private GpuMesh arm = new GpuMesh(List.of());
+
+  /** The arm and the others of the cell, by their ids. */
+  private final Map<String, LoadedArm> arms = new HashMap<>();
+
   private Scene scene = Scene.EMPTY;
   private Set<String> touched = Set.of();
   private Mesh.Box worldBox = new Mesh.Box(0, 0, 0, -1, -1, -1);
   private GpuMesh world = new GpuMesh(List.of());
   private final List<LoadedGripper> grippers = new ArrayList<>();
+
+  /** The grippers of other arms. */
+  private final Map<GripperOf, LoadedGripper> others = new HashMap<>();
+
+  /** An arm in the memory of the graphics, and how far its links reach. */
+  private record LoadedArm(ArmMeshes meshes, Map<Link, Mesh.Box> boxes, GpuMesh mesh) {}
 
   /** A gripper in the memory of the graphics, and how far its meshes reach. */
   private record LoadedGripper(GripperOf of, List<Mesh.Box> boxes, GpuMesh mesh) {}
@@ -66,15 +77,20 @@ final class Bodies implements AutoCloseable {
 
   /** Has what this model needs. */
   void load(SceneModel model) {
-    if (!armId.equals(model.arm().id())) {
-      armId = model.arm().id();
-      armMeshes = new ArmMeshes(ArmShapes.load(armId), model.arm().dh(), detail);
-      for (Link link : Link.values()) {
-        armBoxes.put(link, armMeshes.of(link).box());
-      }
-      arm.close();
-      arm = new GpuMesh(Arrays.stream(Link.values()).map(armMeshes::of).toList());
-    }
+    armId = model.arm().id();
+    Set<String> ids = new HashSet<>(Set.of(armId));
+    model.others().forEach(each -> ids.add(each.arm().id()));
+    arms.entrySet()
+        .removeIf(
+            each -> {
+              boolean gone = !ids.contains(each.getKey());
+              if (gone) {
+                each.getValue().mesh.close();
+              }
+              return gone;
+            });
+    load(model.arm());
+    model.others().forEach(each -> load(each.arm()));
     if (!scene.equals(model.world()) || !touched.equals(model.touched())) {
       scene = model.world();
       touched = model.touched();
@@ -90,12 +106,46 @@ final class Bodies implements AutoCloseable {
     if (!wanted.equals(grippers.stream().map(LoadedGripper::of).toList())) {
       grippers.forEach(each -> each.mesh.close());
       grippers.clear();
-      for (GripperOf each : wanted) {
-        List<Mesh> meshes = each.meshes(detail);
-        grippers.add(
-            new LoadedGripper(each, meshes.stream().map(Mesh::box).toList(), new GpuMesh(meshes)));
-      }
+      wanted.forEach(each -> grippers.add(load(each)));
     }
+    loadGrippers(model.others());
+  }
+
+  private void load(ArmDescription arm) {
+    arms.computeIfAbsent(
+        arm.id(),
+        id -> {
+          ArmMeshes meshes = new ArmMeshes(ArmShapes.load(id), arm.dh(), detail);
+          Map<Link, Mesh.Box> boxes = new EnumMap<>(Link.class);
+          for (Link link : Link.values()) {
+            boxes.put(link, meshes.of(link).box());
+          }
+          return new LoadedArm(
+              meshes, boxes, new GpuMesh(Arrays.stream(Link.values()).map(meshes::of).toList()));
+        });
+  }
+
+  private LoadedGripper load(GripperOf of) {
+    List<Mesh> meshes = of.meshes(detail);
+    return new LoadedGripper(of, meshes.stream().map(Mesh::box).toList(), new GpuMesh(meshes));
+  }
+
+  private void loadGrippers(List<OtherArm> arms) {
+    Set<GripperOf> wanted = new HashSet<>();
+    for (OtherArm each : arms) {
+      each.grippers().forEach(sight -> wanted.add(GripperOf.of(sight, each.tcpInFlange())));
+    }
+    others
+        .values()
+        .removeIf(
+            each -> {
+              boolean gone = !wanted.contains(each.of);
+              if (gone) {
+                each.mesh.close();
+              }
+              return gone;
+            });
+    wanted.forEach(each -> others.computeIfAbsent(each, this::load));
   }
 
   /**
@@ -104,9 +154,7 @@ final class Bodies implements AutoCloseable {
    * @param gripperPlaces of the meshes of each gripper
    */
   void addTo(ShadowReach reach, LinkPlaces places, List<List<Matrix4f>> gripperPlaces) {
-    for (Link link : Link.values()) {
-      reach.add(armBoxes.get(link), places.of(link));
-    }
+    addTo(reach, arms.get(armId), places);
     reach.add(worldBox, new Matrix4f());
     for (int i = 0; i < gripperPlaces.size(); i++) {
       List<Mesh.Box> boxes = grippers.get(i).boxes;
@@ -116,14 +164,46 @@ final class Bodies implements AutoCloseable {
     }
   }
 
+  /** As the other one, of another arm. */
+  void addTo(
+      ShadowReach reach, OtherArm other, LinkPlaces places, List<List<Matrix4f>> gripperPlaces) {
+    addTo(reach, arms.get(other.arm().id()), places);
+    for (int i = 0; i < gripperPlaces.size(); i++) {
+      List<Mesh.Box> boxes = loaded(other, i).boxes;
+      for (int j = 0; j < boxes.size(); j++) {
+        reach.add(boxes.get(j), gripperPlaces.get(i).get(j));
+      }
+    }
+  }
+
+  private static void addTo(ShadowReach reach, LoadedArm arm, LinkPlaces places) {
+    for (Link link : Link.values()) {
+      reach.add(arm.boxes.get(link), places.of(link));
+    }
+  }
+
+  private LoadedGripper loaded(OtherArm other, int number) {
+    return others.get(GripperOf.of(other.grippers().get(number), other.tcpInFlange()));
+  }
+
   /** The meshes of the arm that was loaded last. */
   ArmMeshes armMeshes() {
-    return armMeshes;
+    return arms.get(armId).meshes;
   }
 
   /** The arm, one place for each link. */
   GpuMesh arm() {
-    return arm;
+    return arms.get(armId).mesh;
+  }
+
+  /** Another arm, one place for each link. */
+  GpuMesh arm(OtherArm other) {
+    return arms.get(other.arm().id()).mesh;
+  }
+
+  /** A gripper of another arm, one place for each of its meshes. */
+  GpuMesh gripper(OtherArm other, int number) {
+    return loaded(other, number).mesh;
   }
 
   /** Boxes and balls, in place 0. */
@@ -153,7 +233,8 @@ final class Bodies implements AutoCloseable {
 
   @Override
   public void close() {
-    arm.close();
+    arms.values().forEach(each -> each.mesh.close());
+    others.values().forEach(each -> each.mesh.close());
     world.close();
     grippers.forEach(each -> each.mesh.close());
     frame.close();

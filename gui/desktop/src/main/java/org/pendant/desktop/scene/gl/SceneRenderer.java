@@ -18,6 +18,7 @@ import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.GripperPlaces;
 import org.pendant.desktop.scene.Ground;
 import org.pendant.desktop.scene.LinkPlaces;
+import org.pendant.desktop.scene.OtherArm;
 import org.pendant.desktop.scene.SafetyColours;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.SceneTheme;
@@ -70,7 +71,16 @@ final class SceneRenderer implements AutoCloseable {
       Object world,
       Object grippers,
       Pose tcpInFlange,
+      List<OtherArm> others,
       Detail detail) {}
+
+  /** Another arm, and where its links and grippers are. */
+  private record Other(OtherArm arm, LinkPlaces places, List<List<Matrix4f>> gripperPlaces) {
+    static Other of(OtherArm arm) {
+      LinkPlaces places = arm.places();
+      return new Other(arm, places, arm.gripperPlaces(places));
+    }
+  }
 
   /** What stays the same while one picture is drawn. */
   private record Sight(
@@ -80,6 +90,7 @@ final class SceneRenderer implements AutoCloseable {
       Bodies bodies,
       LinkPlaces places,
       List<List<Matrix4f>> gripperPlaces,
+      List<Other> others,
       Ground ground,
       Matrix4fc toClip,
       Matrix4fc toMap) {}
@@ -104,6 +115,7 @@ final class SceneRenderer implements AutoCloseable {
             loaded(quality.detail(), model),
             places,
             GripperPlaces.of(model, places),
+            model.others().stream().map(Other::of).toList(),
             Ground.of(model),
             toClip,
             ShadowMap.toMap(toShadow));
@@ -159,6 +171,7 @@ final class SceneRenderer implements AutoCloseable {
             model.world(),
             model.devices().grippers(),
             model.tcpInFlange(),
+            model.others(),
             sight.quality.detail());
     if (inShadow.equals(Optional.of(caster))) {
       return;
@@ -174,6 +187,7 @@ final class SceneRenderer implements AutoCloseable {
     depth.set("places", 0, new Matrix4f());
     sight.bodies.world().draw();
     drawGrippers(sight, depth);
+    drawOthers(sight, depth);
     shadow.end();
   }
 
@@ -183,6 +197,9 @@ final class SceneRenderer implements AutoCloseable {
     float reachM = (float) model.arm().reachM();
     ShadowReach reach = new ShadowReach(TO_SUN, (float) sight.ground.heightM(), LIT_SHARE * reachM);
     sight.bodies.addTo(reach, sight.places, sight.gripperPlaces);
+    for (Other each : sight.others) {
+      sight.bodies.addTo(reach, each.arm, each.places, each.gripperPlaces);
+    }
     float[] shaded = reach.rectangle(2 * SHADOW_OFFSET_SHARE * reachM);
     boolean fromAbove = sight.camera.looksDownOn(sight.ground.heightM());
     if (!fromAbove) {
@@ -237,6 +254,7 @@ final class SceneRenderer implements AutoCloseable {
     solid.set("places", 0, new Matrix4f());
     bodies.world().draw();
     drawGrippers(sight, solid);
+    drawOthers(sight, solid);
     float length = frameLengthM(model);
     Matrix4f tcp = LinkPlaces.matrix(model.tcpInBase());
     drawFrame(sight, solid, new Matrix4f(), length);
@@ -262,6 +280,20 @@ final class SceneRenderer implements AutoCloseable {
         program.set("places", i, places.get(i));
       }
       sight.bodies.gripper(gripper).draw();
+    }
+  }
+
+  private static void drawOthers(Sight sight, ShaderProgram program) {
+    for (Other other : sight.others) {
+      place(program, other.places);
+      sight.bodies.arm(other.arm).draw();
+      for (int gripper = 0; gripper < other.gripperPlaces.size(); gripper++) {
+        List<Matrix4f> places = other.gripperPlaces.get(gripper);
+        for (int i = 0; i < places.size(); i++) {
+          program.set("places", i, places.get(i));
+        }
+        sight.bodies.gripper(other.arm, gripper).draw();
+      }
     }
   }
 

@@ -230,7 +230,7 @@ final class SceneOverlay {
 
   private void addSensors(List<LabelPlaces.Label> labels, PictureRequest shown) {
     for (DeviceSight.Sensor each : shown.model().devices().sensors()) {
-      Vector3 place = DeviceOutlines.namePlace(each.zone());
+      Vector3 place = DeviceOutlines.namePlace(shown.model().devices(), each.zone());
       if (inSight(shown, place)) {
         add(labels, shown, each.name(), place, -1, each.sees());
       }

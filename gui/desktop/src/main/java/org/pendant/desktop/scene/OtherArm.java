@@ -1,0 +1,43 @@
+package org.pendant.desktop.scene;
+
+import java.util.List;
+import org.joml.Matrix4f;
+import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
+import org.pendant.models.kinematics.ForwardKinematics;
+import org.pendant.models.pose.Pose;
+
+/**
+ * Another arm of the cell, as it stands beside the one that the picture is about; immutable.
+ *
+ * @param name what the cell calls it
+ * @param arm its shape is known by its id
+ * @param kinematics of this very arm, calibration included
+ * @param positionRad where its joints are, rad
+ * @param tcpInFlange its tool centre point, m and rad
+ * @param baseInScene where its base stands, in the frame of the picture
+ * @param grippers on its flange
+ */
+public record OtherArm(
+    String name,
+    ArmDescription arm,
+    ForwardKinematics kinematics,
+    Joints positionRad,
+    Pose tcpInFlange,
+    Pose baseInScene,
+    List<DeviceSight.Gripper> grippers) {
+  /** Copies the list. */
+  public OtherArm {
+    grippers = List.copyOf(grippers);
+  }
+
+  /** Where its links are, in the frame of the picture. */
+  public LinkPlaces places() {
+    return new LinkPlaces(kinematics, arm.dh(), positionRad, LinkPlaces.matrix(baseInScene));
+  }
+
+  /** Where the meshes of its grippers are. */
+  public List<List<Matrix4f>> gripperPlaces(LinkPlaces places) {
+    return GripperPlaces.of(grippers, tcpInFlange, places);
+  }
+}

@@ -1,0 +1,172 @@
+package org.pendant.desktop.session;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.locks.ReentrantLock;
+import org.pendant.controller.FrameLoop;
+import org.pendant.controller.Frames;
+import org.pendant.controller.Pace;
+import org.pendant.controller.SteerableClock;
+import org.pendant.controller.command.Command;
+import org.pendant.controller.command.Reply;
+import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.fault.Faults;
+import org.pendant.models.time.FrameTime;
+import org.pendant.script.vm.ProgramState;
+
+/**
+ * Driven controllers: one, or those of a cell, with the thread that drives them, until they are
+ * switched off.
+ */
+final class DrivenControllers implements AutoCloseable {
+  private static final int FOLLOWED_FRAMES = 5 * FrameTime.FRAMES_PER_SECOND;
+
+  private final Frames frames;
+  private final List<SessionMember> members;
+  private final List<FrameListener> listeners;
+  private final List<CellListener> cellListeners;
+  private final SteerableClock clock;
+  private final FrameLoop loop;
+
+  /** Held while a frame runs or is told of: what happens between two frames takes it. */
+  private final ReentrantLock frame = new ReentrantLock();
+
+  private volatile int shown;
+
+  /** Whether there is anything to repeat since the repetitions followed last. */
+  private boolean happened;
+
+  /**
+   * Starts driving.
+   *
+   * @param frames lets time pass for all members
+   * @param shown number of the member whose frames are told
+   * @param listeners told of every frame of the member that is shown; may change at any time, so it
+   *     must allow that
+   * @param cellListeners told of every frame of each member; likewise
+   */
+  DrivenControllers(
+      Frames frames,
+      List<SessionMember> members,
+      int shown,
+      Pace pace,
+      List<FrameListener> listeners,
+      List<CellListener> cellListeners) {
+    this.frames = frames;
+    this.members = List.copyOf(members);
+    this.shown = shown;
+    this.listeners = listeners;
+    this.cellListeners = cellListeners;
+    clock = new SteerableClock(pace);
+    loop = FrameLoop.start(new GuardedFrames(frames, frame), clock, this::tell);
+  }
+
+  private void tell() {
+    frame.lock();
+    try {
+      for (int i = 0; i < members.size(); i++) {
+        SessionMember member = members.get(i);
+        ControllerState state = member.on().controller().state();
+        tell(member.record(), state);
+        tell(member.on().guest(), state);
+        tell(member.runs(), state);
+        if (i == shown) {
+          for (FrameListener each : listeners) {
+            tell(each, state);
+          }
+        }
+        for (CellListener each : cellListeners) {
+          tell(each, member, state);
+        }
+      }
+      if (members.size() == 1) {
+        followBehind(members.getFirst());
+      }
+    } finally {
+      frame.unlock();
+    }
+  }
+
+  /** A fault here would end the loop, and with it the robot. */
+  private static void tell(FrameListener listener, ControllerState state) {
+    try {
+      listener.frame(state);
+    } catch (RuntimeException | Error fault) {
+      Faults.report(fault);
+    }
+  }
+
+  private static void tell(CellListener listener, SessionMember member, ControllerState state) {
+    try {
+      listener.frame(member, state);
+    } catch (RuntimeException | Error fault) {
+      Faults.report(fault);
+    }
+  }
+
+  /** Has the repetitions follow the run, unless people are in a hurry or nothing happens. */
+  private void followBehind(SessionMember alone) {
+    ControllerState state = alone.on().controller().state();
+    happened |= state.program().state() == ProgramState.RUNNING || !state.arm().rests();
+    if (state.frame() % FOLLOWED_FRAMES == 0
+        && happened
+        && clock.pace() instanceof Pace.Times(double factor)
+        && factor <= 1) {
+      happened = false;
+      try {
+        alone.on().parked().follow(alone.on().ring().recording().firstFrame());
+      } catch (RuntimeException | Error fault) {
+        Faults.report(fault);
+      }
+    }
+  }
+
+  List<SessionMember> members() {
+    return members;
+  }
+
+  /** The member whose frames are told. */
+  SessionMember shown() {
+    return members.get(shown);
+  }
+
+  /** Has the frames of another member told from now on. */
+  void show(int number) {
+    between(() -> shown = number);
+  }
+
+  /** Runs something between two frames. */
+  void between(Runnable work) {
+    frame.lock();
+    try {
+      work.run();
+    } finally {
+      frame.unlock();
+    }
+  }
+
+  SteerableClock clock() {
+    return clock;
+  }
+
+  FrameLoop loop() {
+    return loop;
+  }
+
+  /** Leaves a command for the next frame. */
+  CompletableFuture<Reply> submit(SessionMember member, Command command) {
+    loop.failure().ifPresent(fault -> member.end("has failed: " + fault.getMessage()));
+    return member.submit(command);
+  }
+
+  /** Switches off; every command that has arrived has its reply then. */
+  @Override
+  public void close() {
+    loop.close();
+    members.forEach(each -> each.end("is switched off"));
+    if (loop.failure().isEmpty()) {
+      frames.applyCommands();
+    }
+    members.forEach(each -> each.on().close());
+  }
+}
