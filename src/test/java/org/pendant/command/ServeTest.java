@@ -266,6 +266,29 @@ final class ServeTest {
   }
 
   @Test
+  void eachArmOfACellHasItsProgramLoaded() throws Exception {
+    Files.writeString(folder.resolve("left.script"), "textmsg(\"here\")\n");
+    Files.writeString(folder.resolve("right.script"), "textmsg(\"there\")\n");
+    Files.writeString(
+        folder.resolve("two.scene.json"),
+        """
+        {"arms": [
+          {"name": "left", "program": "left.script"},
+          {"name": "right", "base": [2, 0, 0, 0, 0, 0], "program": "right.script"}
+        ]}
+        """);
+    Process process = serve("--ready", "--scene", "two.scene.json");
+    try (BufferedReader output = process.inputReader(StandardCharsets.ISO_8859_1)) {
+      untilReady(output);
+      assertEquals("Loaded program: /programs/left.script", dashboard("get loaded program"));
+      assertEquals("Starting program", ask("127.0.0.2", DASHBOARD + offset, "play"));
+      assertEquals("right: there", output.readLine());
+    } finally {
+      process.destroy();
+    }
+  }
+
+  @Test
   void aPortThatIsTakenIsNamed() throws IOException {
     try (ServerSocket taken =
         new ServerSocket(DASHBOARD + offset, 1, InetAddress.getLoopbackAddress())) {

@@ -14,6 +14,7 @@ import org.pendant.models.json.JsonException;
 
 /** Served cell: controllers that share a cell, driven by one thread, each with its own ports. */
 final class ServedCell implements AutoCloseable {
+  private final List<CellFile.Member> members;
   private final List<ServeOptions> options;
   private final List<Doors> doors = new ArrayList<>();
   private final Cell cell;
@@ -31,6 +32,7 @@ final class ServedCell implements AutoCloseable {
   ServedCell(
       CellFile file, List<CellFile.Member> members, List<ServeOptions> options, Console console)
       throws UsageException {
+    this.members = members;
     this.options = options;
     this.console = console;
     List<ControllerOptions> switchedOn = new ArrayList<>();
@@ -70,6 +72,11 @@ final class ServedCell implements AutoCloseable {
         loop.orElseThrow(),
         console,
         member.name() + ": ");
+  }
+
+  /** The file of the program that the scene names for a controller; empty for none. */
+  Optional<String> program(int number) {
+    return members.get(number).program().map(RunnableFile::file);
   }
 
   /** Prints from now on what the script says. */

@@ -1,6 +1,7 @@
 package org.pendant.command;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -16,6 +17,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
 import org.pendant.controller.WallClock;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 import org.pendant.protocols.BoxPorts;
 import org.pendant.protocols.ScriptConnectors;
@@ -30,6 +32,7 @@ import org.pendant.protocols.server.MissingPort;
 import org.pendant.protocols.server.PortNumbers;
 import org.pendant.protocols.server.PrivilegedPort;
 import org.pendant.protocols.server.ServerContext;
+import org.pendant.protocols.teachpendant.LoadTrouble;
 import org.pendant.protocols.teachpendant.RemotePendant;
 import org.pendant.protocols.teachpendant.StartWatch;
 import org.pendant.protocols.toolserial.ToolSerialLine;
@@ -212,9 +215,27 @@ final class ServedRobot implements AutoCloseable {
     }
   }
 
-  /** Loads the program that its installation names, if any. */
-  void load() {
-    remotePendant.loadAtStart();
+  /**
+   * Loads a program, or else the one that its installation names, if any.
+   *
+   * @param wanted file of the program that the scene names for it
+   */
+  void load(Optional<String> wanted) {
+    if (wanted.isEmpty()) {
+      remotePendant.loadAtStart();
+      return;
+    }
+    String file = Path.of(wanted.get()).toAbsolutePath().normalize().toString();
+    try {
+      var _ = remotePendant.load(ByteText.asBytes(file));
+    } catch (LoadTrouble e) {
+      console.complain(
+          "pendant serve: warning: "
+              + prefix
+              + wanted.get()
+              + " is not loaded: "
+              + ByteText.decoded(e.getMessage()));
+    }
   }
 
   /** Prints from now on what it says. */

@@ -67,7 +67,9 @@ final class Service {
       robot.trace();
       robot.letAttach();
     }
-    robots.forEach(ServedRobot::load);
+    for (int i = 0; i < robots.size(); i++) {
+      robots.get(i).load(cell.isPresent() ? cell.get().program(i) : Optional.empty());
+    }
     robots.forEach(ServedRobot::announce);
     console.print("ready");
     console.flush();
