@@ -283,8 +283,9 @@ final class ServeTest {
       assertEquals("Loaded program: /programs/left.script", dashboard("get loaded program"));
       assertEquals("Starting program", ask("127.0.0.2", DASHBOARD + offset, "play"));
       assertEquals("right: there", output.readLine());
-    } finally {
-      process.destroy();
+      assertEquals("Shutting down", dashboard("shutdown"));
+      assertEquals("Shutting down", ask("127.0.0.2", DASHBOARD + offset, "shutdown"));
+      assertEquals(0, Launcher.await(process));
     }
   }
 

@@ -112,9 +112,7 @@ public final class Cell implements Frames {
               ? placed.withScene(Scene.EMPTY).withArm(ArmChoice.IDEAL)
               : placed.withScene(standing.get(i).scene());
       Controller controller =
-          armless
-              ? new Controller(own, ArmlessBuiltins.create())
-              : arm(own, arms.get(i), builtins);
+          armless ? new Controller(own, ArmlessBuiltins.create()) : arm(own, arms.get(i), builtins);
       controller.determinism().taint("several controllers share the cell");
       members.add(
           new Member(

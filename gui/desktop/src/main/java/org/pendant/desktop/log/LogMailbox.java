@@ -17,7 +17,8 @@ import org.pendant.script.vm.RecentEntries;
 /**
  * Log mailbox: keeps the newest messages of every frame, what changes in it, and what the window
  * tells, until the screen asks for them, so that none is lost while it is hidden. Any thread reads.
- * Messages of all controllers of a cell are in it, each with the name of its own. They are numbered anew, from 1 and without gaps, also across a restart of the controller.
+ * Messages of all controllers of a cell are in it, each with the name of its own. They are numbered
+ * anew, from 1 and without gaps, also across a restart of the controller.
  */
 final class LogMailbox implements FrameListener, CellListener {
   /** The longest text of a message, bytes: all that are kept must find room. */
@@ -145,7 +146,9 @@ final class LogMailbox implements FrameListener, CellListener {
   /** Messages after number {@code number} that are still kept, oldest first. */
   List<LogLine> since(long number) {
     return recent.between(number, Long.MAX_VALUE).stream()
-        .map(mail -> LogLine.of(
+        .map(
+            mail ->
+                LogLine.of(
                     mail.number(), mail.wall(), mail.source(), mail.entry(), mail.controller()))
         .toList();
   }

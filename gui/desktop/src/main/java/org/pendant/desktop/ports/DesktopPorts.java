@@ -189,7 +189,8 @@ public final class DesktopPorts implements SwitchListener {
     List<MissingPort> missing = new ArrayList<>();
     Set<InetAddress> taken = new HashSet<>();
     // the controller of a cell's script has none
-    for (SessionMember member : session.members().stream().filter(each -> !each.armless()).toList()) {
+    for (SessionMember member :
+        session.members().stream().filter(each -> !each.armless()).toList()) {
       Optional<InetAddress> own = address(member, host, made.size());
       if (own.isEmpty() || !taken.add(own.get())) {
         made.forEach(OpenPorts::close);
@@ -221,10 +222,7 @@ public final class DesktopPorts implements SwitchListener {
     open = List.copyOf(made);
     remote = control;
     return new PortsState.Open(
-        words(host),
-        taken.stream().anyMatch(each -> !each.isLoopbackAddress()),
-        ports,
-        missing);
+        words(host), taken.stream().anyMatch(each -> !each.isLoopbackAddress()), ports, missing);
   }
 
   private static String words(InetAddress host) {
@@ -237,7 +235,8 @@ public final class DesktopPorts implements SwitchListener {
    * and those that follow it; empty where none follows. Ports of all interfaces are not those of a
    * file, which names addresses of this computer alone.
    */
-  private static Optional<InetAddress> address(SessionMember member, InetAddress first, int number) {
+  private static Optional<InetAddress> address(
+      SessionMember member, InetAddress first, int number) {
     return member.address().isPresent() && first.isLoopbackAddress()
         ? member.address().map(InetAddress::ofLiteral)
         : number == 0 ? Optional.of(first) : AddressRow.after(first, number);

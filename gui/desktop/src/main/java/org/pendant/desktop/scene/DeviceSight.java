@@ -34,8 +34,7 @@ public record DeviceSight(
     Pose cellInBase) {
   /** None. */
   public static final DeviceSight NONE =
-      new DeviceSight(
-          List.of(), List.of(), List.of(), List.of(), List.of(), Pose.ZERO);
+      new DeviceSight(List.of(), List.of(), List.of(), List.of(), List.of(), Pose.ZERO);
 
   /** Copies the lists. */
   public DeviceSight {

@@ -27,8 +27,7 @@ public final class GripperPlaces {
         .toList();
   }
 
-  private static List<Matrix4f> of(
-      DeviceSight.Gripper gripper, Matrix4f flange, Pose tcpInFlange) {
+  private static List<Matrix4f> of(DeviceSight.Gripper gripper, Matrix4f flange, Pose tcpInFlange) {
     Matrix4f hand = new Matrix4f(flange).mul(LinkPlaces.matrix(gripper.inFlange(tcpInFlange)));
     return List.of(
         flange,

@@ -60,8 +60,7 @@ public final class SessionMember {
 
   /** One that is alone. */
   static SessionMember alone(SwitchedOn on) {
-    return new SessionMember(
-        ALONE, Pose.ZERO, false, Optional.empty(), on, new MemberRuns(on));
+    return new SessionMember(ALONE, Pose.ZERO, false, Optional.empty(), on, new MemberRuns(on));
   }
 
   /** Another controller in the place of this one, which nobody drives any more. */
@@ -125,7 +124,8 @@ public final class SessionMember {
     CompletableFuture<Reply> reply = robot().submit(command);
     // What was left too late for the last frame gets its answer here.
     ended.ifPresent(
-        why -> reply.complete(new Reply.Refused(Refusal.Code.SWITCHED_OFF, "the controller " + why)));
+        why ->
+            reply.complete(new Reply.Refused(Refusal.Code.SWITCHED_OFF, "the controller " + why)));
     return reply;
   }
 

@@ -109,9 +109,7 @@ record SwitchedOn(
                 new RecordingRing(controller.state(), controller::programSource, store),
                 state -> {});
         Optional<String> address =
-            each.armless()
-                ? Optional.empty()
-                : setup.plan().arms().get(members.size()).address();
+            each.armless() ? Optional.empty() : setup.plan().arms().get(members.size()).address();
         members.add(SessionMember.of(each, address, on));
       }
       made = true;

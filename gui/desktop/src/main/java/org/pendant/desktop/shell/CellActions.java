@@ -72,7 +72,9 @@ final class CellActions {
   }
 
   private Optional<SessionMember> member(int number) {
-    return session.inCell() ? session.members().stream().skip(number - 1L).findFirst() : Optional.empty();
+    return session.inCell()
+        ? session.members().stream().skip(number - 1L).findFirst()
+        : Optional.empty();
   }
 
   private String whyNoRun() {

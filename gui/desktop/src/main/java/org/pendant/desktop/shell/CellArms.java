@@ -140,8 +140,7 @@ final class CellArms implements SwitchListener {
   }
 
   private void open(String controller, SavedProgram file) {
-    ProgramDocument document =
-        programs.of(file.path()).orElseGet(() -> ProgramDocument.of(file));
+    ProgramDocument document = programs.of(file.path()).orElseGet(() -> ProgramDocument.of(file));
     programOf.put(controller, document);
     programs.open(document);
   }

@@ -17,7 +17,6 @@ import org.pendant.desktop.scene.OtherArm;
 import org.pendant.desktop.session.CellSetup;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SessionMember;
-import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
@@ -122,8 +121,7 @@ final class CellScene {
     SessionMember seen = seen();
     int first = members.indexOf(seen);
     List<DeviceState> states = new ArrayList<>(ofSeen.devices());
-    DeviceSight sight =
-        DeviceSight.of(setups.get(first), ofSeen.devices(), changed.isPresent());
+    DeviceSight sight = DeviceSight.of(setups.get(first), ofSeen.devices(), changed.isPresent());
     for (int i = 0; i < members.size(); i++) {
       if (i != first && !ofFile.getAsBoolean()) {
         List<DeviceState> now = state(members.get(i), ofSeen, past).devices();

@@ -84,8 +84,7 @@ record CellStart(
         Path file = beside(named);
         try {
           installation =
-              Optional.of(
-                  new StartInstallation(file, InstallationFiles.load(file).installation()));
+              Optional.of(new StartInstallation(file, InstallationFiles.load(file).installation()));
           if (InstallationFiles.isOurs(file)) {
             installations.put(arm.name(), SavedProgram.read(file));
           }
@@ -117,8 +116,7 @@ record CellStart(
     }
 
     void script(NamedFile script) throws IOException {
-      add(
-          StartOptions.of(settings, Optional.empty(), false, SimulationWishes.NONE).controller());
+      add(StartOptions.of(settings, Optional.empty(), false, SimulationWishes.NONE).controller());
       program(scene.plan().layout().names().getLast(), script);
     }
 
@@ -143,7 +141,9 @@ record CellStart(
       Optional<Path> file = scene.path();
       if (file.isEmpty()) {
         throw new IOException(
-            named.place().refusal("\"" + named.name() + "\" is beside no file: save the scene first")
+            named
+                .place()
+                .refusal("\"" + named.name() + "\" is beside no file: save the scene first")
                 .getMessage());
       }
       return file.get().resolveSibling(named.name());

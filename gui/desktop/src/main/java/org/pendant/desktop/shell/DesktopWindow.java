@@ -170,7 +170,8 @@ final class DesktopWindow {
     header =
         new Header(
             new ProgramMenu(actions, programs, files::recent, files::open), this::chooseRobot);
-    robot = new RobotChange(session, arms::expect, settings, notices, status::tell, header::showRobot);
+    robot =
+        new RobotChange(session, arms::expect, settings, notices, status::tell, header::showRobot);
     scenes =
         new SceneFiles(
             views.installation(),

@@ -71,7 +71,8 @@ final class RobotChange {
   /** Another robot; nothing happens if it is there already. */
   void choose(String id) {
     if (session.inCell()) {
-      tell.accept("The scene says which arms there are; another arm is written there, as \"robot\"");
+      tell.accept(
+          "The scene says which arms there are; another arm is written there, as \"robot\"");
       showRobot.accept(session.options().robotId());
       return;
     }
@@ -164,7 +165,9 @@ final class RobotChange {
         "Change scene",
         () ->
             Background.run(
-                () -> surround(scene), done -> then.run(), failed -> tell.accept(failed.getMessage())));
+                () -> surround(scene),
+                done -> then.run(),
+                failed -> tell.accept(failed.getMessage())));
   }
 
   private SceneFile surround(SceneFile scene) throws IOException {
@@ -172,7 +175,9 @@ final class RobotChange {
       ControllerOptions alone = session.aloneOptions();
       session.restart(
           scene.in(
-              session.inCell() ? alone : alone.withStart(session.state().arm().actualPositionRad())));
+              session.inCell()
+                  ? alone
+                  : alone.withStart(session.state().arm().actualPositionRad())));
       return scene;
     }
     CellStart start = CellStart.of(scene, settings);
@@ -189,8 +194,7 @@ final class RobotChange {
   }
 
   private void ask(String question, String yes, Runnable change) {
-    if (session.members().stream()
-        .noneMatch(each -> ProgramControls.of(each.state()).canStop())) {
+    if (session.members().stream().noneMatch(each -> ProgramControls.of(each.state()).canStop())) {
       change.run();
       return;
     }

@@ -326,7 +326,8 @@ final class CellViewTest {
           add(view, "belt");
           assertEquals(1, draft.devices().size());
           type(view, "cell-object-name", "conveyor");
-          assertEquals("conveyor", ((DeviceSetup.Belt) draft.devices().getFirst().getFirst()).object());
+          assertEquals(
+              "conveyor", ((DeviceSetup.Belt) draft.devices().getFirst().getFirst()).object());
           press(view, "cell-object-remove");
           assertEquals(
               "object is \"conveyor\", must be the name of a box that stands still",

@@ -124,7 +124,9 @@ final class RobotSessionCellTest {
   @Test
   void aRunInACellIsNotBranchedFromAndTheReasonIsTold() {
     RerunRefused refused = assertThrows(RerunRefused.class, () -> session.branch(0));
-    assertTrue(refused.getMessage().contains("several controllers share the cell"), () -> refused.getMessage());
+    assertTrue(
+        refused.getMessage().contains("several controllers share the cell"),
+        () -> refused.getMessage());
   }
 
   @Test

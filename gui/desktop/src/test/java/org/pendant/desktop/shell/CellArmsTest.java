@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -137,8 +138,9 @@ final class CellArmsTest {
                 List.of(
                     new ProgramRunner.Assigned(member("left"), arms.program(member("left")).get()),
                     new ProgramRunner.Assigned(member("right"), wrong))));
-    while (runner.loading()) {
-      dispatch(() -> {});
+    AtomicBoolean loading = new AtomicBoolean(true);
+    while (loading.get()) {
+      dispatch(() -> loading.set(runner.loading()));
     }
     assertTrue(told.getFirst().startsWith("wrong.script cannot run"), told::toString);
     assertEquals(ProgramState.STOPPED, member("left").state().program().state());

@@ -159,7 +159,8 @@ final class StartOptionsTest {
             .controller();
     CompletableFuture<String> told = new CompletableFuture<>();
     try (RobotSession session = RobotSession.start(options)) {
-      new RobotChange(session, start -> {}, UR3E_LAST_TIME, new Notices(), told::complete, id -> {}).restart();
+      new RobotChange(session, start -> {}, UR3E_LAST_TIME, new Notices(), told::complete, id -> {})
+          .restart();
 
       assertEquals("The controller was switched off and on", told.get(60, TimeUnit.SECONDS));
       assertEquals(options.arm(), session.options().arm());
