@@ -26,6 +26,7 @@ import org.pendant.desktop.editor.text.RichText;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.background.WorkQueue;
+import org.pendant.kit.theme.LookFollower;
 import org.pendant.language.service.Hover;
 import org.pendant.language.signature.Catalogue;
 
@@ -33,7 +34,7 @@ import org.pendant.language.signature.Catalogue;
  * Program editor: the editor of one open program: its text, and everything that helps to write it.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class ProgramEditor extends JPanel {
+final class ProgramEditor extends JPanel implements LookFollower {
   private final ProgramDocument program;
   private final ProgramDocument script;
   private final EditorHost editorHost;
@@ -413,12 +414,8 @@ final class ProgramEditor extends JPanel {
   }
 
   @Override
-  public void updateUI() {
-    super.updateUI();
-    if (scroll != null) {
-      // The parts of this panel get their new look after it.
-      EventQueue.invokeLater(this::applyTheme);
-    }
+  public void lookChanged() {
+    applyTheme();
   }
 
   private void textChanged() {

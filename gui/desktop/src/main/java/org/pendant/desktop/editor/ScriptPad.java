@@ -18,12 +18,13 @@ import javax.swing.text.BadLocationException;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.pendant.desktop.editor.text.LineColours;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.theme.LookFollower;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.signature.Catalogue;
 
 /** Script pad: lines of URScript in their colours, inside of something else; Tab leaves it. */
 @SuppressWarnings("serial") // never written to a stream
-public final class ScriptPad extends JPanel {
+public final class ScriptPad extends JPanel implements LookFollower {
   private final ScriptArea area;
   private final RTextScrollPane scroll;
   private final transient List<Object> marked = new ArrayList<>();
@@ -167,11 +168,7 @@ public final class ScriptPad extends JPanel {
   }
 
   @Override
-  public void updateUI() {
-    super.updateUI();
-    if (scroll != null) {
-      // The parts of this panel get their new look after it.
-      EventQueue.invokeLater(this::applyTheme);
-    }
+  public void lookChanged() {
+    applyTheme();
   }
 }

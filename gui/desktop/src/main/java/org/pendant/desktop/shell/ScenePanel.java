@@ -61,7 +61,6 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
 import org.pendant.kit.fault.Faults;
-import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -371,7 +370,7 @@ final class ScenePanel implements View, GhostArm {
             shows.payload() ? Optional.of(state.readings().payload()) : Optional.empty(),
             shows.frames(),
             shows.trace() ? trace.trace(shows.elbow()) : TcpTrace.EMPTY,
-            Palette.dark() ? SceneTheme.DARK : SceneTheme.LIGHT,
+            SceneView.colours(),
             marks(),
             safety.sight(state, arm.actualPositionRad()),
             hit(state, around.scene),

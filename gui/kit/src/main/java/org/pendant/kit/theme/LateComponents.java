@@ -5,7 +5,6 @@ import java.awt.Toolkit;
 import java.awt.event.AWTEventListener;
 import java.awt.event.ContainerEvent;
 import javax.swing.JComponent;
-import javax.swing.SwingUtilities;
 
 /**
  * Late components: a change of the look reaches what is in a window. What is not, a part that comes
@@ -33,7 +32,7 @@ final class LateComponents {
         && added.getChild() instanceof JComponent child
         && !Integer.valueOf(change).equals(child.getClientProperty(this))) {
       child.putClientProperty(this, change);
-      SwingUtilities.updateComponentTreeUI(child);
+      LookFollower.update(child);
     }
   }
 }

@@ -7,6 +7,7 @@ import com.formdev.flatlaf.fonts.inter.FlatInterFont;
 import com.formdev.flatlaf.fonts.jetbrains_mono.FlatJetBrainsMonoFont;
 import com.formdev.flatlaf.util.FontUtils;
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Window;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -132,9 +133,16 @@ public final class Look {
 
   private void update() {
     apply();
+    updateAll();
+    tell();
+  }
+
+  private void updateAll() {
     FlatLaf.updateUI();
     late.lookChanged();
-    tell();
+    for (Window each : Window.getWindows()) {
+      LookFollower.tell(each);
+    }
   }
 
   /** The scale on top of the system's, in percent. */
@@ -149,8 +157,7 @@ public final class Look {
   public void setZoomPercent(int percent) {
     settings.put(ZOOM, Integer.toString(percent));
     UIScale.setZoomFactor(percent / 100f);
-    FlatLaf.updateUI();
-    late.lookChanged();
+    updateAll();
     tell();
   }
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.formdev.flatlaf.FlatLaf;
+import java.awt.Color;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -48,6 +49,33 @@ final class LookTest {
     new JPanel().add(part);
     assertEquals(UIManager.getColor("Panel.background"), part.getBackground());
     assertEquals(UIManager.getColor("Label.foreground"), label.getForeground());
+  }
+
+  /** Has a colour that its look knows nothing of, and a part that it takes it from. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Drawn extends JPanel implements LookFollower {
+    private final JLabel part = new JLabel("text");
+    private Color seen = Color.PINK;
+
+    Drawn() {
+      add(part);
+    }
+
+    @Override
+    public void lookChanged() {
+      seen = part.getForeground();
+    }
+  }
+
+  @Test
+  void whatHasColoursOfItsOwnTakesThemOverWithItsParts() {
+    Look look = new Look(settings);
+    look.setTheme(Theme.LIGHT);
+    Drawn drawn = new Drawn();
+    look.setTheme(Theme.DARK);
+    JPanel around = new JPanel();
+    around.add(drawn);
+    assertEquals(UIManager.getColor("Label.foreground"), drawn.seen);
   }
 
   @Test

@@ -25,12 +25,15 @@ import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.Picked;
 import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
+import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.gl.OffscreenScene;
 import org.pendant.desktop.scene.gl.Quality;
 import org.pendant.desktop.scene.gl.SceneUnavailable;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.dock.Dockable;
 import org.pendant.kit.fault.Faults;
+import org.pendant.kit.theme.LookFollower;
+import org.pendant.kit.theme.Palette;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -41,7 +44,7 @@ import org.pendant.models.pose.Pose;
  *
  * <p>Only the dispatch thread calls it.
  */
-public final class SceneView extends JPanel {
+public final class SceneView extends JPanel implements LookFollower {
   private static final long serialVersionUID = 1L;
 
   /** Distance at which the tool fills a good part of the picture, as a share of the arm's reach. */
@@ -328,11 +331,34 @@ public final class SceneView extends JPanel {
   }
 
   private void show(BufferedImage image, int startedFor) {
-    if (startedFor == window) {
+    if (startedFor == window && hasColoursOfNow()) {
       picture = Optional.of(image);
       hover.look();
       repaint();
     }
+  }
+
+  /** What was asked for before the colours changed may come after that. */
+  private boolean hasColoursOfNow() {
+    return drawn().map(each -> each.model().theme()).equals(model.map(SceneModel::theme));
+  }
+
+  /** The colours of the window. */
+  public static SceneTheme colours() {
+    return Palette.dark() ? SceneTheme.DARK : SceneTheme.LIGHT;
+  }
+
+  /** No picture is better than one in the other colours; the next one comes in a moment. */
+  @Override
+  public void lookChanged() {
+    SceneTheme now = colours();
+    model
+        .filter(shown -> shown.theme() != now)
+        .ifPresent(
+            shown -> {
+              picture = Optional.empty();
+              setModel(shown.withTheme(now));
+            });
   }
 
   private void want() {
