@@ -1,11 +1,11 @@
 package org.pendant.cell;
 
 /** Body inertia: of a shape whose mass is evenly spread, about its origin. */
-final class BodyInertia {
+public final class BodyInertia {
   private BodyInertia() {}
 
   /** Moments along the shape's own axes, kg m^2. */
-  static double[] of(BodyShape shape, double massKg) {
+  public static double[] of(BodyShape shape, double massKg) {
     return switch (shape) {
       case BodyShape.Box(double x, double y, double z) ->
           new double[] {

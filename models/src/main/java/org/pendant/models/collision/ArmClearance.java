@@ -25,6 +25,7 @@ public final class ArmClearance {
 
   private final ForwardKinematics forward;
   private final List<SolidShape> obstacles;
+  private final List<ToolSolid> tool;
   private final double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
   private final double[] q = new double[Joints.COUNT];
 
@@ -58,7 +59,21 @@ public final class ArmClearance {
    * @param capsules what the bodies are made of, those of the tool included
    */
   public ArmClearance(ArmDescription arm, List<Capsule> capsules, List<SolidShape> obstacles) {
+    this(arm, capsules, List.of(), obstacles);
+  }
+
+  /**
+   * As the other, with a tool that has a shape of its own.
+   *
+   * @param tool solids on the flange, which meet obstacles, as its capsules do not
+   */
+  public ArmClearance(
+      ArmDescription arm,
+      List<Capsule> capsules,
+      List<ToolSolid> tool,
+      List<SolidShape> obstacles) {
     forward = new ForwardKinematics(arm);
+    this.tool = List.copyOf(tool);
     this.obstacles = List.copyOf(obstacles);
     List<Capsule> sorted =
         capsules.stream().sorted(Comparator.comparingInt(Capsule::body)).toList();
@@ -95,10 +110,23 @@ public final class ArmClearance {
       least[i % 3] = Math.min(least[i % 3], own[i]);
       most[i % 3] = Math.max(most[i % 3], own[i]);
     }
-    for (int axis = 0; axis < 3 && start[of] < start[of + 1]; axis++) {
+    for (int i = 0; i < 3 * solids(of); i++) {
+      least[i % 3] = Math.min(least[i % 3], tool.get(i / 3).centre(i % 3));
+      most[i % 3] = Math.max(most[i % 3], tool.get(i / 3).centre(i % 3));
+    }
+    for (int axis = 0; axis < 3 && has(of); axis++) {
       ownCentre[3 * of + axis] = (least[axis] + most[axis]) / 2;
     }
     around[of] = extent(of, ownCentre, 3 * of);
+  }
+
+  private int solids(int of) {
+    return of == LinkCapsules.TOOL ? tool.size() : 0;
+  }
+
+  /** Whether a body has a shape. */
+  boolean has(int of) {
+    return start[of] < start[of + 1] || solids(of) > 0;
   }
 
   /** How far a body reaches from a place in its frame. */
@@ -109,6 +137,9 @@ public final class ArmClearance {
       double y = own[3 * end + 1] - from[at + 1];
       double z = own[3 * end + 2] - from[at + 2];
       most = Math.max(most, Math.sqrt(x * x + y * y + z * z) + radius[end / 2]);
+    }
+    for (int i = 0; i < solids(of); i++) {
+      most = Math.max(most, tool.get(i).extentM(from, at));
     }
     return most;
   }
@@ -134,21 +165,26 @@ public final class ArmClearance {
     List<int[]> pairs = new ArrayList<>();
     for (int one = 0; one < BODIES; one++) {
       for (int other = one + 1; other < BODIES; other++) {
-        if (canTouch(one, other)
-            && start[one] < start[one + 1]
-            && start[other] < start[other + 1]) {
+        if (canTouch(one, other) && has(one) && has(other)) {
           pairs.add(new int[] {one, other});
         }
       }
     }
     for (int i = 0; i < obstacles.size(); i++) {
       for (int one = LinkCapsules.BASE + 1; one <= LinkCapsules.WRIST_3; one++) {
-        if (start[one] < start[one + 1] && obstacles.get(i).toPoint(0, 0, shoulderM) <= leverM[0]) {
+        if (has(one) && reaches(i, shoulderM)) {
           pairs.add(new int[] {one, BODIES + i});
         }
       }
+      if (!tool.isEmpty() && reaches(i, shoulderM)) {
+        pairs.add(new int[] {LinkCapsules.TOOL, BODIES + i});
+      }
     }
     return pairs;
+  }
+
+  private boolean reaches(int obstacle, double shoulderM) {
+    return obstacles.get(obstacle).toPoint(0, 0, shoulderM) <= leverM[0];
   }
 
   /** Whether two bodies can touch on any arm of this family, and are not neighbours. */
@@ -248,6 +284,17 @@ public final class ArmClearance {
                 least, SegmentDistance.apart(ends, 6 * i, ends, 6 * j) - radius[i] - radius[j]);
       }
     }
+    for (int i = 0; i < solids(other); i++) {
+      least = Math.min(least, toSolid(one, tool.get(i)));
+    }
+    return least;
+  }
+
+  private double toSolid(int one, ToolSolid solid) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = start[one]; i < start[one + 1]; i++) {
+      least = Math.min(least, solid.toSegment(frames[Joints.COUNT - 1], ends, 6 * i) - radius[i]);
+    }
     return least;
   }
 
@@ -258,7 +305,10 @@ public final class ArmClearance {
       return bound;
     }
     double least = Double.POSITIVE_INFINITY;
-    for (int i = start[one]; i < start[one + 1]; i++) {
+    for (int i = 0; i < solids(one); i++) {
+      least = Math.min(least, tool.get(i).toObstacle(frames[Joints.COUNT - 1], obstacle));
+    }
+    for (int i = start[one]; one != LinkCapsules.TOOL && i < start[one + 1]; i++) {
       int at = 6 * i;
       least =
           Math.min(
@@ -273,6 +323,21 @@ public final class ArmClearance {
                   - radius[i]);
     }
     return least;
+  }
+
+  /** What the tool is made of besides capsules. */
+  List<ToolSolid> tool() {
+    return tool;
+  }
+
+  /** The flange in the base frame. */
+  double[] flange12() {
+    return frames[Joints.COUNT - 1];
+  }
+
+  /** Radius of a capsule, m. */
+  double radiusM(int capsule) {
+    return radius[capsule];
   }
 
   /** Ends of all capsules in the base frame, six numbers each. */

@@ -16,16 +16,19 @@ public final class PlacedLinks {
   private final double[] base12 = new double[Transforms.SIZE];
   private final double[] ends;
   private final double[] centre;
+  private final double[] flange12 = new double[Transforms.SIZE];
   private double travelledM;
 
   /**
    * An arm with all joints at 0.
    *
    * @param capsules what its bodies are made of, those of the tool included
+   * @param tool solids on the flange
    * @param baseInCell where it stands
    */
-  public PlacedLinks(ArmDescription of, List<Capsule> capsules, Pose baseInCell) {
-    arm = new ArmClearance(of, capsules, List.of());
+  public PlacedLinks(
+      ArmDescription of, List<Capsule> capsules, List<ToolSolid> tool, Pose baseInCell) {
+    arm = new ArmClearance(of, capsules, tool, List.of());
     Transforms.of(baseInCell, base12);
     ends = new double[arm.ends().length];
     centre = new double[arm.centres().length];
@@ -45,6 +48,7 @@ public final class PlacedLinks {
   private void place() {
     toCell(arm.ends(), ends);
     toCell(arm.centres(), centre);
+    Transforms.multiply(base12, arm.flange12(), flange12);
   }
 
   private void toCell(double[] inBase, double[] inCell) {
@@ -66,7 +70,7 @@ public final class PlacedLinks {
 
   /** Whether a body has a shape. */
   public boolean has(int body) {
-    return arm.firstCapsule(body) < arm.firstCapsule(body + 1);
+    return arm.has(body);
   }
 
   /**
@@ -90,6 +94,23 @@ public final class PlacedLinks {
           j < other.arm.firstCapsule(otherBody + 1);
           j++) {
         least = Math.min(least, ArmClearance.apartM(arm, ends, i, other.arm, other.ends, j));
+      }
+    }
+    if (body == LinkCapsules.TOOL) {
+      least = Math.min(least, toolToM(other, otherBody));
+    }
+    return otherBody == LinkCapsules.TOOL ? Math.min(least, other.toolToM(this, body)) : least;
+  }
+
+  /** How far the solids on the flange are from the capsules of a body of another arm, m. */
+  private double toolToM(PlacedLinks other, int otherBody) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < arm.tool().size(); i++) {
+      ToolSolid solid = arm.tool().get(i);
+      int end = other.arm.firstCapsule(otherBody + 1);
+      for (int j = other.arm.firstCapsule(otherBody); j < end; j++) {
+        least =
+            Math.min(least, solid.toSegment(flange12, other.ends, 6 * j) - other.arm.radiusM(j));
       }
     }
     return least;

@@ -21,6 +21,11 @@ public sealed interface SolidShape {
    */
   double toSegment(double ax, double ay, double az, double bx, double by, double bz);
 
+  /** The lines along which it meets solids; none of one that is flat or made of triangles. */
+  default SolidEdges edges() {
+    return SolidEdges.NONE;
+  }
+
   /** All that is on the far side of a plane from where its normal points. */
   final class HalfSpace implements SolidShape {
     private final double nx;
@@ -58,13 +63,20 @@ public sealed interface SolidShape {
     private final double cy;
     private final double cz;
     private final double radius;
+    private final SolidEdges edges;
 
     /** A ball around a centre. */
     public Ball(double cx, double cy, double cz, double radius) {
+      edges = SolidEdges.axis(new Pose(cx, cy, cz, 0, 0, 0), 0, radius);
       this.cx = cx;
       this.cy = cy;
       this.cz = cz;
       this.radius = radius;
+    }
+
+    @Override
+    public SolidEdges edges() {
+      return edges;
     }
 
     @Override
@@ -154,13 +166,20 @@ public sealed interface SolidShape {
     private final double halfX;
     private final double halfY;
     private final double halfZ;
+    private final SolidEdges edges;
 
     /** A block around the origin of a pose, with the lengths of its sides. */
     public Block(Pose inBase, double sizeX, double sizeY, double sizeZ) {
       super(inBase);
+      edges = SolidEdges.block(inBase, sizeX, sizeY, sizeZ);
       halfX = sizeX / 2;
       halfY = sizeY / 2;
       halfZ = sizeZ / 2;
+    }
+
+    @Override
+    public SolidEdges edges() {
+      return edges;
     }
 
     @Override
@@ -184,13 +203,23 @@ public sealed interface SolidShape {
     private final double radius;
     private final double half;
     private final boolean capsule;
+    private final SolidEdges edges;
 
     /** A bar around the origin of a pose; the half balls at the ends of a capsule come on top. */
     public Rod(Pose inBase, double radius, double length, boolean capsule) {
       super(inBase);
+      edges =
+          capsule
+              ? SolidEdges.axis(inBase, length, radius)
+              : SolidEdges.cylinder(inBase, radius, length);
       this.radius = radius;
       half = length / 2;
       this.capsule = capsule;
+    }
+
+    @Override
+    public SolidEdges edges() {
+      return edges;
     }
 
     @Override

@@ -67,7 +67,14 @@ public final class ControlBox implements Host {
     planning.limits().limitSpeeds(speedCaps);
     motion.limitRamps(planning.limits()::reachableScaling);
     modes = ControlModes.of(arm, safety, speedCaps, motion);
-    flange = new ToolFlange(arm, setup.scene().load(), speedCaps, motion, modes);
+    flange =
+        new ToolFlange(
+            arm,
+            setup.scene().mounted(),
+            new ToolWeightCheck(setup.scene(), log::warning),
+            speedCaps,
+            motion,
+            modes);
     drive =
         new ArmDrive(
             new ArmDrive.Setup(setup.startRad(), arm, safety, motion, modes, offsets, flange, log));

@@ -32,6 +32,7 @@ public final class ToolFlange {
   private final ContactWatch contactWatch = new ContactWatch();
   private final List<LinkCollisions> collisions;
   private ToolCentre tool = ToolCentre.FLANGE;
+  private final ToolWeightCheck weightCheck;
   private boolean cogAtTool;
   private boolean loadKnown;
   private boolean held;
@@ -41,6 +42,7 @@ public final class ToolFlange {
    *
    * @param arm on whose flange things hang
    * @param load what hangs on the flange at first; empty for what programs declare
+   * @param weightCheck compares it with that
    * @param speedCaps hold limits at the TCP
    * @param motion carries the TCP
    * @param modes guide and press with what hangs there
@@ -48,6 +50,7 @@ public final class ToolFlange {
   ToolFlange(
       RobotArm arm,
       Optional<Payload> load,
+      ToolWeightCheck weightCheck,
       SpeedCaps speedCaps,
       MotionControl motion,
       ControlModes modes) {
@@ -56,6 +59,7 @@ public final class ToolFlange {
     world = arm.world();
     model = arm.model();
     forces = arm.forces();
+    this.weightCheck = weightCheck;
     this.speedCaps = speedCaps;
     this.motion = motion;
     freedrive = modes.freedrive();
@@ -109,6 +113,9 @@ public final class ToolFlange {
 
   private void declare(Payload payload, double transitionS) {
     model.declare(payload, transitionS);
+    if (!held) {
+      weightCheck.declared(payload);
+    }
     if (!model.changing()) {
       payloadChanged();
       zeroForceSensor();

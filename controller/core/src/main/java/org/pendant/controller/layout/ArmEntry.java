@@ -1,9 +1,8 @@
 package org.pendant.controller.layout;
 
-import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.world.Scene;
-import org.pendant.controller.world.ToolPoint;
+import org.pendant.controller.world.SceneTool;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.json.FilePosition;
@@ -20,7 +19,7 @@ import org.pendant.models.pose.Pose;
  * @param installation what it is set up as
  * @param address where its ports are, a loopback address
  * @param load what truly hangs on its flange; empty for that of the scene
- * @param toolPoints where its tool touches things; empty for those of the scene
+ * @param tool what is on its flange; empty for that of the scene
  * @param place where the file has it
  */
 public record ArmEntry(
@@ -32,7 +31,7 @@ public record ArmEntry(
     Optional<NamedFile> installation,
     Optional<String> address,
     Optional<Payload> load,
-    Optional<List<ToolPoint>> toolPoints,
+    Optional<SceneTool> tool,
     FilePosition place) {
   /**
    * The only arm of a cell whose file says nothing of it.
@@ -53,9 +52,22 @@ public record ArmEntry(
         place);
   }
 
-  /** A scene with the tool and the load of this arm. */
+  /**
+   * A scene with the tool and the load of this arm.
+   *
+   * @throws IllegalArgumentException if it has a load, and its tool weighs something besides
+   */
   public Scene equipped(Scene scene) {
-    Scene loaded = load.isPresent() ? scene.withLoad(load) : scene;
-    return toolPoints.isPresent() ? loaded.withToolPoints(toolPoints.get()) : loaded;
+    if (tool.isEmpty()) {
+      return load.isPresent() ? scene.withLoad(load) : scene;
+    }
+    Scene own =
+        scene
+            .withLoad(Optional.empty())
+            .withToolPoints(tool.get().points())
+            .withToolBodies(tool.get().bodies());
+    return load.isEmpty() && own.mounted().isPresent()
+        ? own
+        : own.withLoad(load.isPresent() ? load : scene.load());
   }
 }

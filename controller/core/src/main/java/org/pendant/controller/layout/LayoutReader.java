@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.controller.world.LoadReader;
-import org.pendant.controller.world.SceneReader;
-import org.pendant.controller.world.ToolPoint;
+import org.pendant.controller.world.SceneTool;
+import org.pendant.controller.world.ToolReader;
 import org.pendant.language.check.Nearest;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -69,9 +69,9 @@ public final class LayoutReader {
     Optional<Json> load = fields.optional("load");
     Optional<Payload> payload =
         load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty();
-    Optional<List<ToolPoint>> tool =
+    Optional<SceneTool> tool =
         fields.optional("tool").isPresent()
-            ? Optional.of(SceneReader.toolPoints(fields))
+            ? Optional.of(ToolReader.read(fields))
             : Optional.empty();
     return new ArmEntry(
         name(fields),

@@ -22,16 +22,17 @@ final class ArmBodies {
   /**
    * What an arm is among them.
    *
-   * @param toolPoints empty for the tool centre point alone
+   * @param tool no points for the tool centre point alone
    * @param capsules of the links that push them; empty where links pass through them
    * @param baseInCell where it stands in the frame that the objects are given in
    */
-  record Setup(List<ToolPoint> toolPoints, List<Capsule> capsules, Pose baseInCell) {}
+  record Setup(SceneTool tool, List<Capsule> capsules, Pose baseInCell) {}
 
   private final Setup setup;
   private final List<ToolPoint> points;
   private final ArmPlace place;
   private final LinkBodies links;
+  private final ToolBodies toolBodies;
   private final List<Gripper> grippers = new ArrayList<>();
 
   /** Numbers of the bodies of the tool: its points, and the fingers of grippers. */
@@ -39,6 +40,7 @@ final class ArmBodies {
 
   private RigidBodyWorld bodies;
   private int firstPoint;
+  private int firstToolBody;
   private int firstLink;
 
   /** Force and torque on the flange's origin, along the base's axes, in the latest step. */
@@ -58,19 +60,20 @@ final class ArmBodies {
     this.setup = setup;
     place = new ArmPlace(setup.baseInCell());
     links = new LinkBodies(setup.capsules(), place);
+    toolBodies = new ToolBodies(setup.tool().bodies());
     points =
-        setup.toolPoints().isEmpty()
+        setup.tool().points().isEmpty()
             ? List.of(new ToolPoint(new Vector3(0, 0, 0), 0))
-            : setup.toolPoints();
+            : setup.tool().points();
   }
 
   /** Whether it is the tool centre point that touches, as the scene names no tool points. */
   boolean onlyTcp() {
-    return setup.toolPoints().isEmpty();
+    return setup.tool().points().isEmpty();
   }
 
-  /** Bodies of its tool points. */
-  List<BodyDescription> pointDescriptions(int arm) {
+  /** Bodies of its tool points, and of the solids of its tool after them. */
+  List<BodyDescription> toolDescriptions(int arm) {
     List<BodyDescription> all = new ArrayList<>();
     for (int i = 0; i < points.size(); i++) {
       double radiusM = Math.max(MIN_POINT_M, points.get(i).radiusM());
@@ -82,6 +85,7 @@ final class ArmBodies {
               Pose.ZERO,
               new BodySurface(Material.DEFAULT.friction(), 0, Material.STIFFNESS.most())));
     }
+    all.addAll(toolBodies.descriptions(arm == 0 ? "solid\n" : "solid\n" + arm + "\n"));
     return all;
   }
 
@@ -97,7 +101,8 @@ final class ArmBodies {
     this.bodies = bodies;
     this.firstPoint = firstPoint;
     this.firstLink = firstLink;
-    for (int i = 0; i < points.size(); i++) {
+    firstToolBody = firstPoint + points.size();
+    for (int i = 0; i < points.size() + toolBodies.count(); i++) {
       tools.add(firstPoint + i);
     }
   }
@@ -139,6 +144,7 @@ final class ArmBodies {
     for (Gripper gripper : grippers) {
       gripper.place(flange12, tcpInFlange, twist6);
     }
+    toolBodies.move(flange12, twist6, bodies, firstToolBody);
     for (int i = 0; i < points.size(); i++) {
       Vector3 at = points.get(i).pointInFlangeM();
       double x = onlyTcp ? tcpInFlange3[0] : at.x();
@@ -180,6 +186,7 @@ final class ArmBodies {
       felt6[4] += armZ * ballWrench6[0] - armX * ballWrench6[2];
       felt6[5] += armX * ballWrench6[1] - armY * ballWrench6[0];
     }
+    toolBodies.addWrench(flange12, bodies, firstToolBody, felt6);
     for (int i = 0; i < grippers.size(); i++) {
       grippers.get(i).addWrench(flange12, felt6);
     }

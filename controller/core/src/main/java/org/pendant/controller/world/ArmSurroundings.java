@@ -32,7 +32,11 @@ public final class ArmSurroundings implements LinkPairs {
     toolPoints = scene.toolPoints();
     names = still.stream().map(SceneObject::name).toList();
     clearance =
-        new ArmClearance(arm, capsules, still.stream().map(ArmSurroundings::obstacle).toList());
+        new ArmClearance(
+            arm,
+            capsules,
+            capsules.isEmpty() ? List.of() : ToolBody.solids(scene.toolBodies()),
+            still.stream().map(ArmSurroundings::solid).toList());
   }
 
   /** What an arm is made of, with those tool points that have a radius. */
@@ -137,7 +141,8 @@ public final class ArmSurroundings implements LinkPairs {
     return Math.min(body, LinkCapsules.WRIST_3) - 1;
   }
 
-  private static SolidShape obstacle(SceneObject object) {
+  /** An object as a solid, in the frame of its pose. */
+  static SolidShape solid(SceneObject object) {
     return switch (object) {
       case SceneObject.Plane plane -> {
         Vector3 at = plane.pointInBaseM();

@@ -57,13 +57,14 @@ public final class CellWorld {
               new PlacedLinks(
                   arm.arm(),
                   ArmSurroundings.capsules(arm.arm(), arm.scene().toolPoints()),
+                  ToolBody.solids(arm.scene().toolBodies()),
                   arm.baseInCell())));
     }
   }
 
   private ArmBodies.Setup bodies(Standing arm) {
     return new ArmBodies.Setup(
-        arm.scene().toolPoints(), solid ? LinkCapsules.of(arm.arm()) : List.of(), arm.baseInCell());
+        arm.scene().tool(), solid ? LinkCapsules.of(arm.arm()) : List.of(), arm.baseInCell());
   }
 
   /** What an arm may touch, by its number. */

@@ -78,7 +78,7 @@ public final class ContactWorld {
         FreeBodies.any(scene.objects())
             ? new FreeBodies(
                 scene.objects(),
-                List.of(new ArmBodies.Setup(scene.toolPoints(), solid(scene, links), Pose.ZERO)))
+                List.of(new ArmBodies.Setup(scene.tool(), solid(scene, links), Pose.ZERO)))
             : null);
   }
 

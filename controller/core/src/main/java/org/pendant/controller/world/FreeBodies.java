@@ -19,7 +19,7 @@ import org.pendant.models.pose.Transforms;
  * ArmBodies} push them.
  */
 final class FreeBodies {
-  /** Most objects and tool points together. */
+  /** Most objects and parts of the tool together. */
   private static final int MAX_BODIES = 200;
 
   private final RigidBodyWorld bodies;
@@ -58,7 +58,7 @@ final class FreeBodies {
     }
     ArmBodies first = new ArmBodies(setups.getFirst());
     int firstPoint = all.size();
-    all.addAll(first.pointDescriptions(0));
+    all.addAll(first.toolDescriptions(0));
     int firstLink = all.size();
     if (firstLink > MAX_BODIES) {
       throw new IllegalArgumentException(
@@ -75,7 +75,7 @@ final class FreeBodies {
 
   private void add(ArmBodies arm) {
     int firstPoint = bodies.size();
-    arm.pointDescriptions(arms.size()).forEach(bodies::add);
+    arm.toolDescriptions(arms.size()).forEach(bodies::add);
     int firstLink = bodies.size();
     arm.linkDescriptions(arms.size()).forEach(bodies::add);
     arm.added(bodies, firstPoint, firstLink);
@@ -97,8 +97,8 @@ final class FreeBodies {
    *
    * @throws IllegalArgumentException if there are too many, or if they overlap
    */
-  static void require(List<SceneObject> objects, List<ToolPoint> toolPoints) {
-    var _ = new FreeBodies(objects, List.of(new ArmBodies.Setup(toolPoints, List.of(), Pose.ZERO)));
+  static void require(List<SceneObject> objects, SceneTool tool) {
+    var _ = new FreeBodies(objects, List.of(new ArmBodies.Setup(tool, List.of(), Pose.ZERO)));
   }
 
   /** Sets gravity, m/s², along the axes of the base. */

@@ -16,6 +16,8 @@ import org.pendant.models.pose.Wrench;
  *     known beyond that
  * @param toolPoints where the tool touches things, at most {@value #MAX_TOOL_POINTS}; empty for the
  *     active tool centre point alone
+ * @param toolBodies solids on the flange, at most {@value #MAX_TOOL_BODIES}, each with its own
+ *     name; what they call their pose in the base is one in the flange's frame
  * @param pushAtTcpInBase what pushes the tool from the start: at the tool centre point, along the
  *     axes of the base
  * @param links what becomes of links of the arm that get into something
@@ -24,6 +26,7 @@ public record Scene(
     List<SceneObject> objects,
     Optional<Payload> load,
     List<ToolPoint> toolPoints,
+    List<SceneObject> toolBodies,
     Wrench pushAtTcpInBase,
     LinkContact links) {
   /** Objects in a scene at most; each of them is looked at for every tool point in every step. */
@@ -32,60 +35,100 @@ public record Scene(
   /** Tool points in a scene at most. */
   public static final int MAX_TOOL_POINTS = 16;
 
+  /** Solids on the flange at most. */
+  public static final int MAX_TOOL_BODIES = 16;
+
   /** Nothing around the arm. */
   public static final Scene EMPTY = new Scene(List.of(), Optional.empty(), List.of());
 
   /**
    * Checks the counts and names.
    *
-   * @throws IllegalArgumentException for too many objects or tool points, for two objects with one
-   *     name, and for ones with a mass that overlap others
+   * @throws IllegalArgumentException for too many objects or parts of the tool, for two with one
+   *     name, for objects with a mass that overlap others, and for a load besides solids on the
+   *     flange that have a mass
    */
   public Scene {
     objects = List.copyOf(objects);
     toolPoints = List.copyOf(toolPoints);
+    toolBodies = List.copyOf(toolBodies);
     requireCount("objects", objects.size(), MAX_OBJECTS);
     requireCount("tool points", toolPoints.size(), MAX_TOOL_POINTS);
-    Set<String> names = new HashSet<>();
-    for (SceneObject object : objects) {
-      if (!names.add(object.name())) {
-        throw new IllegalArgumentException(
-            "name is " + Json.quoted(object.name()) + " again, must be another for each object");
-      }
+    requireCount("tool bodies", toolBodies.size(), MAX_TOOL_BODIES);
+    requireNames(objects, "object");
+    requireNames(toolBodies, "body of the tool");
+    if (load.isPresent() && ToolBody.weight(toolBodies).isPresent()) {
+      throw new IllegalArgumentException(
+          "load is there, and bodies of the tool have a mass, must be one or the other");
     }
     if (FreeBodies.any(objects)) {
-      FreeBodies.require(objects, toolPoints);
+      FreeBodies.require(objects, new SceneTool(toolPoints, toolBodies));
     }
   }
 
   /** A scene in which nothing pushes, and links stop at things. */
   public Scene(List<SceneObject> objects, Optional<Payload> load, List<ToolPoint> toolPoints) {
-    this(objects, load, toolPoints, Wrench.ZERO, LinkContact.STOP);
+    this(objects, load, toolPoints, List.of(), Wrench.ZERO, LinkContact.STOP);
+  }
+
+  /** A scene in which the tool has no solids. */
+  public Scene(
+      List<SceneObject> objects,
+      Optional<Payload> load,
+      List<ToolPoint> toolPoints,
+      Wrench pushAtTcpInBase,
+      LinkContact links) {
+    this(objects, load, toolPoints, List.of(), pushAtTcpInBase, links);
+  }
+
+  /** What is on the flange. */
+  public SceneTool tool() {
+    return new SceneTool(toolPoints, toolBodies);
+  }
+
+  /** What truly hangs on the flange: the load, or what solids of the tool weigh; else unknown. */
+  public Optional<Payload> mounted() {
+    return load.isPresent() ? load : ToolBody.weight(toolBodies);
   }
 
   /** The same with other objects. */
   public Scene withObjects(List<SceneObject> others) {
-    return new Scene(others, load, toolPoints, pushAtTcpInBase, links);
+    return new Scene(others, load, toolPoints, toolBodies, pushAtTcpInBase, links);
   }
 
   /** The same with another load. */
   public Scene withLoad(Optional<Payload> other) {
-    return new Scene(objects, other, toolPoints, pushAtTcpInBase, links);
+    return new Scene(objects, other, toolPoints, toolBodies, pushAtTcpInBase, links);
   }
 
   /** The same with other tool points. */
   public Scene withToolPoints(List<ToolPoint> others) {
-    return new Scene(objects, load, others, pushAtTcpInBase, links);
+    return new Scene(objects, load, others, toolBodies, pushAtTcpInBase, links);
+  }
+
+  /** The same with other solids on the flange. */
+  public Scene withToolBodies(List<SceneObject> others) {
+    return new Scene(objects, load, toolPoints, others, pushAtTcpInBase, links);
   }
 
   /** The same with another push. */
   public Scene withPush(Wrench atTcpInBase) {
-    return new Scene(objects, load, toolPoints, atTcpInBase, links);
+    return new Scene(objects, load, toolPoints, toolBodies, atTcpInBase, links);
   }
 
   /** The same with links that stop at things or pass through them. */
   public Scene withLinks(LinkContact contact) {
-    return new Scene(objects, load, toolPoints, pushAtTcpInBase, contact);
+    return new Scene(objects, load, toolPoints, toolBodies, pushAtTcpInBase, contact);
+  }
+
+  private static void requireNames(List<SceneObject> all, String what) {
+    Set<String> names = new HashSet<>();
+    for (SceneObject each : all) {
+      if (!names.add(each.name())) {
+        throw new IllegalArgumentException(
+            "name is " + Json.quoted(each.name()) + " again, must be another for each " + what);
+      }
+    }
   }
 
   private static void requireCount(String what, int count, int most) {

@@ -23,7 +23,7 @@ public final class SceneReader {
 
   private final MeshReader meshes;
 
-  private SceneReader(MeshFiles files) {
+  SceneReader(MeshFiles files) {
     meshes = new MeshReader(files);
   }
 
@@ -74,17 +74,18 @@ public final class SceneReader {
     for (Json each : fields.array("objects", Scene.MAX_OBJECTS)) {
       add(each);
     }
-    List<ToolPoint> toolPoints = toolPoints(fields);
+    SceneTool tool = ToolReader.read(fields, this);
     Optional<Json> load = fields.optional("load");
     Optional<Payload> payload =
         load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty();
     Wrench push = push(fields);
     LinkContact links = links(fields);
     try {
-      return new Scene(objects, payload, toolPoints, push, links);
+      return new Scene(objects, payload, tool.points(), tool.bodies(), push, links);
     } catch (IllegalArgumentException e) {
-      // each part is right by itself: bodies overlap, or there are too many of them
-      throw fields.required("objects").place().refusal(e.getMessage());
+      // each part is right by itself: bodies overlap, or there are too many of them, or a load
+      Json wrong = objects.isEmpty() ? load.orElse(root) : fields.required("objects");
+      throw wrong.place().refusal(e.getMessage());
     }
   }
 
@@ -118,23 +119,27 @@ public final class SceneReader {
         : new Vector3(0, 0, 0);
   }
 
+  /** An object by its type. */
+  SceneObject object(Json each, JsonFields fields) throws JsonException {
+    Json.Text type = fields.text("type");
+    return switch (type.value()) {
+      case "plane" -> plane(new JsonFields(each, "a plane"));
+      case "box" -> box(new JsonFields(each, "a box"));
+      case "sphere" -> sphere(new JsonFields(each, "a sphere"));
+      case "cylinder", "capsule" -> rod(new JsonFields(each, "a " + type.value()));
+      case "mesh" -> mesh(each, new JsonFields(each, "a mesh"));
+      default ->
+          throw type.place()
+              .refusal(
+                  "type is "
+                      + type.described()
+                      + ", must be plane, box, sphere, cylinder, capsule or mesh");
+    };
+  }
+
   private void add(Json each) throws JsonException {
     JsonFields fields = new JsonFields(each, "an object of the scene");
-    Json.Text type = fields.text("type");
-    SceneObject object =
-        switch (type.value()) {
-          case "plane" -> plane(new JsonFields(each, "a plane"));
-          case "box" -> box(new JsonFields(each, "a box"));
-          case "sphere" -> sphere(new JsonFields(each, "a sphere"));
-          case "cylinder", "capsule" -> rod(new JsonFields(each, "a " + type.value()));
-          case "mesh" -> mesh(each, new JsonFields(each, "a mesh"));
-          default ->
-              throw type.place()
-                  .refusal(
-                      "type is "
-                          + type.described()
-                          + ", must be plane, box, sphere, cylinder, capsule or mesh");
-        };
+    SceneObject object = object(each, fields);
     Json.Text name = fields.text("name");
     FilePosition first = places.putIfAbsent(object.name(), name.place());
     if (first != null) {
@@ -247,25 +252,5 @@ public final class SceneReader {
         fields.number("damping", Material.DAMPING, Material.DEFAULT.dampingSPerM()),
         fields.number("friction", Material.FRICTION, Material.DEFAULT.friction()),
         fields.number("restitution", Material.RESTITUTION, 0));
-  }
-
-  /**
-   * The tool points of a scene, or of an arm in it.
-   *
-   * @throws JsonException for the first thing that is wrong
-   */
-  public static List<ToolPoint> toolPoints(JsonFields fields) throws JsonException {
-    List<ToolPoint> toolPoints = new ArrayList<>();
-    for (Json each : fields.array("tool", Scene.MAX_TOOL_POINTS)) {
-      toolPoints.add(toolPoint(new JsonFields(each, "a tool point")));
-    }
-    return toolPoints;
-  }
-
-  private static ToolPoint toolPoint(JsonFields fields) throws JsonException {
-    fields.allow(Nearest::among, "point", "radius");
-    return new ToolPoint(
-        Vector3.read(fields, "point", ToolPoint.POINT),
-        fields.number("radius", ToolPoint.RADIUS, 0));
   }
 }

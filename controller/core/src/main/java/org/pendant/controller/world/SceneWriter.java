@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.json.JsonValues;
 import org.pendant.models.mesh.MeshFile;
@@ -38,8 +39,13 @@ public final class SceneWriter {
       parts.add(list("objects", scene.objects().stream().map(SceneWriter::object).toList()));
     }
     scene.load().ifPresent(load -> parts.add("  \"load\": " + load(load)));
-    if (!scene.toolPoints().isEmpty()) {
-      parts.add(list("tool", scene.toolPoints().stream().map(SceneWriter::toolPoint).toList()));
+    List<String> tool =
+        Stream.concat(
+                scene.toolPoints().stream().map(SceneWriter::toolPoint),
+                scene.toolBodies().stream().map(SceneWriter::object))
+            .toList();
+    if (!tool.isEmpty()) {
+      parts.add(list("tool", tool));
     }
     if (!scene.pushAtTcpInBase().equals(Wrench.ZERO)) {
       parts.add("  \"push\": " + push(scene.pushAtTcpInBase()));

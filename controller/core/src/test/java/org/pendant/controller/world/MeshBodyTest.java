@@ -142,7 +142,9 @@ final class MeshBodyTest {
     Scene scene = read(TABLE + mesh("0.4, 0, 0.0001, 0, 0, 0.5", "1"));
     FreeBodies bodies =
         new FreeBodies(
-            scene.objects(), List.of(new ArmBodies.Setup(List.of(), List.of(), Pose.ZERO)));
+            scene.objects(),
+            List.of(
+                new ArmBodies.Setup(new SceneTool(List.of(), List.of()), List.of(), Pose.ZERO)));
     PartPool pool = bodies.pool("block", 2).orElseThrow();
 
     assertFalse(pool.put(), "the first one is in the way");

@@ -331,7 +331,10 @@ final class SceneRefusalTest {
         "scene.json:1:13: objects is an array of 1001, must be an array of at most 1000",
         "{\"objects\": [" + "{},".repeat(1000) + "{}]}");
     assertRefused(
-        "scene.json:1:10: tool is an array of 17, must be an array of at most 16",
-        "{\"tool\": [" + "{},".repeat(16) + "{}]}");
+        "scene.json:1:10: tool is an array of 33, must be an array of at most 32",
+        "{\"tool\": [" + "{},".repeat(32) + "{}]}");
+    assertRefused(
+        "scene.json:1:347: tool has more than 16 points",
+        "{\"tool\": [" + "{\"point\": [0, 0, 0]},".repeat(16) + "{\"point\": [0, 0, 0]}]}");
   }
 }

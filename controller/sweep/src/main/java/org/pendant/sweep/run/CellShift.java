@@ -81,6 +81,7 @@ final class CellShift {
         scene.objects().stream().map(each -> moved(each, pose -> Poses.trans(by, pose))).toList(),
         scene.load(),
         scene.toolPoints(),
+        scene.toolBodies(),
         new Wrench(force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z()),
         scene.links());
   }
