@@ -48,6 +48,15 @@ final class BranchControl {
     this.dispatch = dispatch;
     this.tell = tell;
     this.changed = changed;
+    lookBack.addListener(this::forget);
+  }
+
+  /** Who has gone back to now has left the question behind. */
+  private void forget() {
+    if (asking.isPresent() && !lookBack.back()) {
+      asking = Optional.empty();
+      changed.run();
+    }
   }
 
   /** Why there is nothing to branch from now; empty if there is. */
@@ -82,8 +91,7 @@ final class BranchControl {
         state ->
             "Continue from "
                 + LookBack.text(state.timeS())
-                + "? The robot is put back to that moment with its time paused. What came after it"
-                + " is given up.");
+                + "? What came after it is given up, and robot time is paused there.");
   }
 
   /** What the branch that is on its way does, 0 to 1; empty while there is none. */

@@ -23,6 +23,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
@@ -232,6 +233,10 @@ public final class TimelineView implements View {
     yes.addActionListener(event -> branch.confirm());
     row.add(yes);
     row.add(button("branch-no", "Cancel", "Leaves everything as it is", branch::cancel));
+    row.registerKeyboardAction(
+        event -> branch.cancel(),
+        KeyStroke.getKeyStroke("ESCAPE"),
+        JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT);
     return row;
   }
 

@@ -81,6 +81,19 @@ final class BranchControlTest {
   }
 
   @Test
+  void whoGoesBackToNowIsAskedNoMore() {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
+      LookBack lookBack = new LookBack(session::recording, told::add);
+      BranchControl branchControl = branchControl(session, lookBack, Optional.empty());
+      lookBack.last();
+      branchControl.ask();
+      lookBack.live();
+      assertTrue(branchControl.question().isEmpty());
+      assertTrue(told.isEmpty());
+    }
+  }
+
+  @Test
   void nothingHappensWhenPeopleThinkBetterOfIt() {
     try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
       LookBack lookBack = new LookBack(session::recording, told::add);
