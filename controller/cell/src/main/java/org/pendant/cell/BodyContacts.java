@@ -21,6 +21,7 @@ final class BodyContacts {
 
   private final List<CellBody> bodies;
   private final List<BodyHold> holds;
+  private final List<BodyRail> rails;
   private final NarrowPhase narrowPhase;
   private final DContactGeomBuffer buffer = NarrowPhase.buffer();
 
@@ -41,8 +42,10 @@ final class BodyContacts {
   /** For each two bodies: the first of their places in the step before and one, 0 for none. */
   private final int[] beforeOf;
 
-  BodyContacts(List<CellBody> bodies, List<BodyHold> holds, NarrowPhase narrowPhase) {
+  BodyContacts(
+      List<CellBody> bodies, List<BodyHold> holds, List<BodyRail> rails, NarrowPhase narrowPhase) {
     this.narrowPhase = narrowPhase;
+    this.rails = rails;
     this.bodies = bodies;
     this.holds = holds;
     int size = bodies.size();
@@ -58,7 +61,7 @@ final class BodyContacts {
     awakeCount = 0;
     for (int i = 0; i < awake.length; i++) {
       CellBody body = bodies.get(i);
-      body.touched = body.hold != null;
+      body.touched = body.hold != null || body.rail != null;
       body.kinematicTouched = body.hold != null;
       seen[i] = false;
       islandOf[i] = i;
@@ -96,6 +99,12 @@ final class BodyContacts {
       holds.get(i).begin(stepS);
     }
     boolean again = placeCount > 0 || !holds.isEmpty();
+    for (int i = 0; i < rails.size(); i++) {
+      if (rails.get(i).active()) {
+        rails.get(i).begin(stepS);
+        again = true;
+      }
+    }
     for (int round = 0; round < MAX_ROUNDS && again; round++) {
       again = false;
       for (int i = 0; i < placeCount; i++) {
@@ -105,6 +114,10 @@ final class BodyContacts {
       for (int i = 0; i < holds.size(); i++) {
         BodyHold hold = holds.get(i);
         again |= hold.solve() * hold.body.inverseMass > ACCURACY_M_PER_S;
+      }
+      for (int i = 0; i < rails.size(); i++) {
+        BodyRail rail = rails.get(i);
+        again |= rail.active() && rail.solve() * rail.body.inverseMass > ACCURACY_M_PER_S;
       }
     }
     for (int i = 0; i < holds.size(); i++) {

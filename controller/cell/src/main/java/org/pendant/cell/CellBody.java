@@ -54,6 +54,9 @@ final class CellBody {
   /** What holds it; null where nothing does. */
   BodyHold hold;
 
+  /** What guides it; null where nothing does. */
+  BodyRail rail;
+
   /** Whether something touched it in the latest step. */
   boolean touched;
 

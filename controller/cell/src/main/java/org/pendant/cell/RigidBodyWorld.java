@@ -39,6 +39,7 @@ public final class RigidBodyWorld {
 
   private final List<CellBody> bodies = new ArrayList<>();
   private final List<BodyHold> holds = new ArrayList<>();
+  private final List<BodyRail> rails = new ArrayList<>();
   private final BodyRay ray = new BodyRay();
   private final NarrowPhase narrowPhase = new NarrowPhase();
   private BodyContacts contacts;
@@ -70,7 +71,7 @@ public final class RigidBodyWorld {
       bodies.add(new CellBody(description, bodies.size()));
     }
     requireApart();
-    contacts = new BodyContacts(bodies, holds, narrowPhase);
+    contacts = new BodyContacts(bodies, holds, rails, narrowPhase);
   }
 
   /**
@@ -89,7 +90,7 @@ public final class RigidBodyWorld {
       }
     }
     bodies.add(new CellBody(description, bodies.size()));
-    contacts = new BodyContacts(bodies, holds, narrowPhase);
+    contacts = new BodyContacts(bodies, holds, rails, narrowPhase);
     return bodies.size() - 1;
   }
 
@@ -178,6 +179,31 @@ public final class RigidBodyWorld {
     if (holds.remove(hold)) {
       hold.body.hold = null;
       hold.body.wake();
+    }
+  }
+
+  /**
+   * Puts a free body on a rail, which begins where the body is.
+   *
+   * @throws IllegalArgumentException if it is not free, or is on one
+   */
+  public BodyRail rail(int body, BodyRail.Line line) {
+    CellBody of = bodies.get(body);
+    if (!of.free() || of.rail != null) {
+      throw new IllegalArgumentException(
+          of.description.name() + ": is not free, or on a rail already");
+    }
+    of.rail = new BodyRail(of, line);
+    rails.add(of.rail);
+    of.wake();
+    return of.rail;
+  }
+
+  /** Takes a body off its rail. */
+  public void unrail(BodyRail rail) {
+    if (rails.remove(rail)) {
+      rail.body.rail = null;
+      rail.body.wake();
     }
   }
 

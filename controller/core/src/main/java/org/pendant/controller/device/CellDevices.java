@@ -98,6 +98,8 @@ public final class CellDevices {
               new BeltDevice(belt, world.belt(belt.object()), encoders, lines);
           case DeviceSetup.Source source ->
               new SourceDevice(source, world.pool(source.object(), source.count()), lines, log);
+          case DeviceSetup.Rail rail ->
+              new RailDevice(rail, world.rail(rail.object(), rail.line()), lines);
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
           case DeviceSetup.Modbus modbus -> new PlcDevice(modbus);

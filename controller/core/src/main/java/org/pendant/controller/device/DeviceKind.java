@@ -170,7 +170,8 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                   place("max", "Greatest", "the corner with the greatest numbers"))),
           camera(),
           modbus(),
-          ethernetIp());
+          ethernetIp(),
+          rail());
 
   /** Copies the list. */
   public DeviceKind {
@@ -286,6 +287,22 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 "values",
                 "Values",
                 "what it writes at first that is not 0, such as input_integer_register[3] = 17")));
+  }
+
+  private static DeviceKind rail() {
+    return new DeviceKind(
+        "rail",
+        "Rail",
+        "inputs",
+        List.of(
+            new DeviceField.Subject("object", "Object", "which goes along it", true),
+            place("along", "Along", "direction in the base from where the object is at first"),
+            wanted("travel", "Travel", "how far the object goes", DISTANCE),
+            amount(
+                "friction", "Friction", "what it takes to move it", new Range(0, 10_000, "N"), 5),
+            amount("damping", "Damping", "force for each m/s", new Range(0, 100_000, "N s/m"), 0),
+            told("closed", "Closed", "the input of the switch where it is at first"),
+            told("opened", "Opened", "the input of the switch at the other end")));
   }
 
   private static DeviceKind pressed(String type, String title) {

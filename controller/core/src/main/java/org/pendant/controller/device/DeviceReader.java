@@ -129,6 +129,7 @@ public final class DeviceReader {
               Optional.empty());
       case "belt" -> parts.belt(name, fields);
       case "source" -> parts.source(name, fields);
+      case "rail" -> parts.rail(name, fields);
       case "limit-switch", "button" ->
           new DeviceSetup.Switch(
               name,

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import org.pendant.cell.BodyRail;
 import org.pendant.controller.device.camera.PartCamera;
 import org.pendant.controller.device.plc.AdapterScanner;
 import org.pendant.controller.device.plc.ModbusMemory;
@@ -207,6 +208,37 @@ public sealed interface DeviceSetup {
    */
   record Source(String name, String object, double everyS, Optional<CellSignal> when, int count)
       implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
+
+  /**
+   * Rail: guides an object along a line, from where it is at first.
+   *
+   * @param object its name
+   * @param line in the frame of the cell
+   * @param closed the input that tells that the object is where it was at first, where there is one
+   * @param opened the input that tells that it is at the other end, where there is one
+   */
+  record Rail(
+      String name,
+      String object,
+      BodyRail.Line line,
+      Optional<CellSignal> closed,
+      Optional<CellSignal> opened)
+      implements DeviceSetup {
+    /** How far the object goes. */
+    double travelM() {
+      return line.travelM();
+    }
+
     @Override
     public boolean holdsParts() {
       return false;

@@ -2,19 +2,25 @@ package org.pendant.controller.device;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.pendant.cell.BodyRail;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.models.json.FilePosition;
 import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
+import org.pendant.models.json.Range;
 
 /** Part reader: reads what parts come from, go to and lie on; they are objects of the scene. */
 final class PartReader {
   private static final String OBJECT = "object";
+  private static final String ALONG = "along";
   private static final int MAX_OBJECTS = 1000;
+  private static final double MIN_DIRECTION = 0.001;
 
   /** What kind of object each name stands for. */
   private enum Kind {
@@ -24,6 +30,10 @@ final class PartReader {
   }
 
   private final Map<String, Kind> objects = new HashMap<>();
+
+  private final Set<String> railed = new HashSet<>();
+  private final Set<String> sourced = new HashSet<>();
+
   private int count;
 
   private PartReader() {}
@@ -67,8 +77,53 @@ final class PartReader {
       throw place.refusal(
           "sources have " + count + " parts together, must be at most " + DeviceKind.MAX_PARTS);
     }
-    return new DeviceSetup.Source(
-        name, object(fields, Kind.WITH_MASS), timed ? fields.number("every") : 0, when, parts);
+    String object = object(fields, Kind.WITH_MASS);
+    if (railed.contains(object)) {
+      throw place.refusal("object is " + Json.quoted(object) + ", which is on a rail");
+    }
+    sourced.add(object);
+    return new DeviceSetup.Source(name, object, timed ? fields.number("every") : 0, when, parts);
+  }
+
+  DeviceSetup rail(String name, FieldReader fields) throws JsonException {
+    String object = object(fields, Kind.WITH_MASS);
+    Json.Text of = fields.all().text(OBJECT);
+    if (sourced.contains(object)) {
+      throw of.place().refusal("object is " + of.described() + ", which a source has");
+    }
+    if (!railed.add(object)) {
+      throw of.place().refusal("object is " + of.described() + ", which is on a rail already");
+    }
+    Zone.Place along = fields.place(ALONG);
+    double length =
+        Math.sqrt(along.x() * along.x() + along.y() * along.y() + along.z() * along.z());
+    if (length < MIN_DIRECTION) {
+      throw fields
+          .all()
+          .required(ALONG)
+          .place()
+          .refusal(
+              "along is ["
+                  + Range.number(along.x())
+                  + ", "
+                  + Range.number(along.y())
+                  + ", "
+                  + Range.number(along.z())
+                  + "], must have a length of at least "
+                  + MIN_DIRECTION);
+    }
+    return new DeviceSetup.Rail(
+        name,
+        object,
+        new BodyRail.Line(
+            along.x() / length,
+            along.y() / length,
+            along.z() / length,
+            fields.number("travel"),
+            fields.number("friction"),
+            fields.number("damping")),
+        fields.wire("closed"),
+        fields.wire("opened"));
   }
 
   /** Names of objects with a mass; none for all. */

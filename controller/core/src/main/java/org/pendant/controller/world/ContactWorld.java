@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.cell.BodyProbe;
+import org.pendant.cell.BodyRail;
 import org.pendant.models.collision.Capsule;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
@@ -311,6 +312,16 @@ public final class ContactWorld {
   /** A box of a name that stands still, as a belt; empty where there is none, or nothing moves. */
   public Optional<BeltSurface> belt(String box) {
     return free == null ? Optional.empty() : free.belt(box);
+  }
+
+  /**
+   * Puts an object that has a mass on a rail.
+   *
+   * @param line in the frame of the cell
+   * @return empty where there is none of that name
+   */
+  public Optional<BodyRail> rail(String object, BodyRail.Line line) {
+    return free == null ? Optional.empty() : free.rail(object, line);
   }
 
   /**

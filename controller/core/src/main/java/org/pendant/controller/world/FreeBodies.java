@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.cell.BodyDescription;
+import org.pendant.cell.BodyRail;
 import org.pendant.cell.BodyShape;
 import org.pendant.cell.BodySurface;
 import org.pendant.cell.RigidBodyWorld;
@@ -150,6 +151,16 @@ final class FreeBodies {
           }
         }
         return Optional.of(new PartPool(this, parts));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Puts an object that can move on a rail; empty where there is none of that name. */
+  Optional<BodyRail> rail(String name, BodyRail.Line line) {
+    for (int i = 0; i < objects.size(); i++) {
+      if (objects.get(i).massKg() > 0 && objects.get(i).name().equals(name)) {
+        return Optional.of(bodies.rail(i, line));
       }
     }
     return Optional.empty();

@@ -120,7 +120,8 @@ final class CellShift {
           DeviceSetup.Source _,
           DeviceSetup.Lamp _,
           DeviceSetup.Modbus _,
-          DeviceSetup.EthernetIp _ ->
+          DeviceSetup.EthernetIp _,
+          DeviceSetup.Rail _ ->
           false;
     };
   }

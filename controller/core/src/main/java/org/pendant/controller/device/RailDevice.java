@@ -1,0 +1,59 @@
+package org.pendant.controller.device;
+
+import java.util.Optional;
+import org.pendant.cell.BodyRail;
+import org.pendant.controller.wire.SignalLines;
+
+/** Rail device: guides an object along a line, with switches at its ends. */
+final class RailDevice implements CellDevice {
+  /** How near an end counts as there, m. */
+  private static final double AT_END_M = 0.001;
+
+  private final DeviceSetup.Rail setup;
+  private final Optional<BodyRail> rail;
+  private final SensorLine closed;
+  private final SensorLine opened;
+
+  RailDevice(DeviceSetup.Rail setup, Optional<BodyRail> rail, SignalLines lines) {
+    this.setup = setup;
+    this.rail = rail;
+    closed = new SensorLine(lines, setup.closed());
+    opened = new SensorLine(lines, setup.opened());
+  }
+
+  @Override
+  public String name() {
+    return setup.name();
+  }
+
+  @Override
+  public String kind() {
+    return "rail";
+  }
+
+  /** Whether it is not where it was at first. */
+  @Override
+  public boolean on() {
+    return placeM() > AT_END_M;
+  }
+
+  private double placeM() {
+    return rail.map(BodyRail::placeM).orElse(0.0);
+  }
+
+  @Override
+  public String described() {
+    return "rail of " + setup.object();
+  }
+
+  @Override
+  public boolean putPart(double widthM) {
+    return false;
+  }
+
+  @Override
+  public void step() {
+    closed.tell(placeM() <= AT_END_M);
+    opened.tell(placeM() >= setup.travelM() - AT_END_M);
+  }
+}
