@@ -14,6 +14,7 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.Camera;
+import org.pendant.desktop.scene.OtherArm;
 import org.pendant.desktop.scene.SceneBounds;
 import org.pendant.desktop.scene.SceneModel;
 import org.pendant.desktop.scene.gl.OffscreenScene;
@@ -23,8 +24,9 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 /**
- * What a picture of a UR5e costs among bodies that all move, with the size that it has in a window
- * of 1440x900: time by the wall, and of processors, which other work on the computer changes less.
+ * What a picture of a UR5e, or of two of a cell, costs among bodies that all move, with the size
+ * that it has in a window of 1440x900: time by the wall, and of processors, which other work on the
+ * computer changes less.
  */
 final class BodiesPictureCost {
   private static final int WIDTH = 600;
@@ -38,21 +40,24 @@ final class BodiesPictureCost {
   public static void main(String[] unused) throws Exception {
     try (OffscreenScene scene = OffscreenScene.open()) {
       for (Quality quality : Quality.values()) {
-        for (int bodies : new int[] {0, 50}) {
-          measure(scene, quality, bodies);
+        for (int arms : new int[] {1, 2}) {
+          for (int bodies : new int[] {0, 50}) {
+            measure(scene, quality, arms, bodies);
+          }
         }
       }
     }
   }
 
-  private static void measure(OffscreenScene scene, Quality quality, int bodies) {
+  private static void measure(OffscreenScene scene, Quality quality, int arms, int bodies) {
     BufferedImage image = OffscreenScene.image(WIDTH, HEIGHT);
     Camera camera =
-        Camera.of(StandardView.ISO, SceneBounds.of(model(0, bodies)), (double) WIDTH / HEIGHT);
+        Camera.of(
+            StandardView.ISO, SceneBounds.of(model(0, arms, bodies)), (double) WIDTH / HEIGHT);
     double[] wallMs = new double[PICTURES];
     double processorMs = 0;
     for (int i = -WARM_UP; i < PICTURES; i++) {
-      SceneModel model = model(i, bodies);
+      SceneModel model = model(i, arms, bodies);
       long wallNs = System.nanoTime();
       long processorNs = processorNs();
       var _ = scene.draw(model, camera, quality, image).join();
@@ -64,8 +69,9 @@ final class BodiesPictureCost {
     Arrays.sort(wallMs);
     System.out.printf(
         Locale.ROOT,
-        "%s, %d bodies: median %.1f ms, processors %.1f ms%n",
+        "%s, %d arms, %d bodies: median %.1f ms, processors %.1f ms%n",
         quality,
+        arms,
         bodies,
         wallMs[PICTURES / 2],
         processorMs);
@@ -76,7 +82,7 @@ final class BodiesPictureCost {
         .getProcessCpuTime();
   }
 
-  private static SceneModel model(int number, int bodies) {
+  private static SceneModel model(int number, int arms, int bodies) {
     double sway = Math.sin(0.03 * number);
     List<SceneObject> objects = new ArrayList<>();
     for (int i = 0; i < bodies; i++) {
@@ -85,9 +91,22 @@ final class BodiesPictureCost {
       objects.add(
           new SceneObject.Box("part #" + i, pose, new Vector3(0.06, 0.04, 0.05), Material.DEFAULT));
     }
-    return SceneModel.of(
-            ArmLibrary.load("ur5e"),
-            Joints.of(0.3 + 0.5 * sway, -1.4 + 0.2 * sway, 1.6, -1.7, -1.57, sway))
-        .withWorld(new Scene(objects, Optional.empty(), List.of()), Set.of());
+    SceneModel one =
+        SceneModel.of(
+                ArmLibrary.load("ur5e"),
+                Joints.of(0.3 + 0.5 * sway, -1.4 + 0.2 * sway, 1.6, -1.7, -1.57, sway))
+            .withWorld(new Scene(objects, Optional.empty(), List.of()), Set.of());
+    return arms == 1
+        ? one
+        : one.withOthers(
+            List.of(
+                new OtherArm(
+                    "right",
+                    one.arm(),
+                    one.kinematics(),
+                    Joints.of(-0.5 * sway, -1.2 - 0.2 * sway, 1.6, -1.9, -1.57, -sway),
+                    Pose.ZERO,
+                    new Pose(1.5, 0, 0, 0, 0, Math.PI),
+                    List.of())));
   }
 }

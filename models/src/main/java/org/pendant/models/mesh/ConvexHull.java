@@ -185,7 +185,9 @@ public final class ConvexHull {
         corners.addAll(List.of(face[0], face[i - 1], face[i]));
       }
     }
-    return new TriangleMesh(points, corners.stream().mapToInt(Integer::intValue).toArray());
+    int[] none = new int[corners.size() / 3];
+    Arrays.fill(none, TriangleMesh.NO_COLOUR);
+    return new TriangleMesh(points, corners.stream().mapToInt(Integer::intValue).toArray(), none);
   }
 
   /** The directions of the faces, by M. Newell's sums, and how far out they are. */

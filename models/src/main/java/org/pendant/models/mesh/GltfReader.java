@@ -11,13 +11,15 @@ import org.pendant.models.json.JsonFields;
 /**
  * glTF reader: reads the triangles of all meshes of the scene that a file shows, where its nodes
  * put them (Khronos: "glTF 2.0 Specification"). Its y, which is up, becomes z, and its z becomes
- * -y. Materials, animations, skins and what bends meshes are passed over.
+ * -y. Of materials the base colour is read; their pictures, animations, skins and what bends meshes
+ * are passed over.
  */
 final class GltfReader {
   private static final int MAX_NODES = 10_000;
   private static final int MAX_DEPTH = 100;
   private static final int MAX_MESHES = 10_000;
   private static final int MAX_PRIMITIVES = 10_000;
+  private static final int MAX_MATERIALS = 10_000;
 
   /** Points of all primitives, also those that are the same ones again. */
   private static final int MAX_POINTS = 12 * TriangleMesh.MAX_TRIANGLES;
@@ -31,12 +33,16 @@ final class GltfReader {
   private static final List<String> HARMLESS =
       List.of("KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_xmp");
 
+  private static final String ROUGHNESS = "pbrMetallicRoughness";
+  private static final String FACTOR = "baseColorFactor";
+
   private static final Set<String> KNOWN = Set.of("KHR_mesh_quantization");
 
   private final MeshAssembly into;
   private final GltfBuffers buffers;
   private final List<JsonFields> nodes;
   private final List<JsonFields> meshes;
+  private final List<JsonFields> materials;
   private final boolean[] met;
   private final double[][] frames = new double[MAX_DEPTH + 1][MATRIX];
   private int primitives;
@@ -51,6 +57,7 @@ final class GltfReader {
     buffers = new GltfBuffers(file, beside);
     nodes = GltfBuffers.list(root, "nodes", MAX_NODES);
     meshes = GltfBuffers.list(root, "meshes", MAX_MESHES);
+    materials = GltfBuffers.list(root, "materials", MAX_MATERIALS);
     met = new boolean[nodes.size()];
     for (int i = 0; i < MATRIX; i += 5) {
       frames[0][i] = 1;
@@ -205,6 +212,7 @@ final class GltfReader {
     Optional<Integer> accessor =
         GltfBuffers.optionalIndex(primitive, "indices", buffers.accessors());
     int[] corners = accessor.isPresent() ? corners(accessor.get(), numbers) : numbers;
+    into.colour(colour(primitive));
     boolean mirrored = GltfNode.mirrors(frame);
     int step = mode == TRIANGLES ? 3 : 1;
     for (int i = 0; i + 2 < corners.length; i += step) {
@@ -214,6 +222,35 @@ final class GltfReader {
       boolean turned = mirrored ^ (mode == STRIP && i % 2 == 1);
       into.triangle(a, turned ? c : b, turned ? b : c);
     }
+  }
+
+  /** The base colour of its material, where that has one; its picture is passed over. */
+  private int colour(JsonFields primitive) throws JsonException {
+    Optional<Integer> material = GltfBuffers.optionalIndex(primitive, "material", materials.size());
+    if (material.isEmpty()) {
+      return TriangleMesh.NO_COLOUR;
+    }
+    JsonFields of = materials.get(material.get());
+    if (of.optional(ROUGHNESS).isEmpty() || of.object(ROUGHNESS).optional(FACTOR).isEmpty()) {
+      return TriangleMesh.NO_COLOUR;
+    }
+    double[] linear = of.object(ROUGHNESS).vector(FACTOR, 4);
+    int rgb = 0;
+    for (int i = 0; i < 3; i++) {
+      if (!(linear[i] >= 0 && linear[i] <= 1)) {
+        throw of.object(ROUGHNESS)
+            .required(FACTOR)
+            .place()
+            .refusal(FACTOR + " has " + linear[i] + ", must be 0 to 1");
+      }
+      rgb = rgb << 8 | (int) Math.round(255 * onScreen(linear[i]));
+    }
+    return rgb;
+  }
+
+  /** The nonlinear value of a linear one (IEC 61966-2-1, sRGB). */
+  private static double onScreen(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055;
   }
 
   private int[] corners(int accessor, int[] numbers) throws MeshException, JsonException {

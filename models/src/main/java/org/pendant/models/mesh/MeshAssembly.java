@@ -23,6 +23,11 @@ final class MeshAssembly {
   private final Map<Place, Integer> numbers = new HashMap<>();
   private double[] points = new double[3 * 64];
   private int[] corners = new int[3 * 128];
+
+  /** The colour of each triangle; {@link TriangleMesh#NO_COLOUR} for none. */
+  private int[] colours = new int[128];
+
+  private int colour = TriangleMesh.NO_COLOUR;
   private int cornerCount;
   private int read;
 
@@ -75,6 +80,15 @@ final class MeshAssembly {
     return number;
   }
 
+  /**
+   * The colour of the triangles that follow.
+   *
+   * @param rgb as screens have it; {@link TriangleMesh#NO_COLOUR} for none
+   */
+  void colour(int rgb) {
+    colour = rgb;
+  }
+
   /** Adds a triangle; one with two corners at the same place is nothing, and left out. */
   void triangle(int a, int b, int c) throws MeshException {
     if (++read > TriangleMesh.MAX_TRIANGLES) {
@@ -85,7 +99,9 @@ final class MeshAssembly {
     }
     if (cornerCount == corners.length) {
       corners = Arrays.copyOf(corners, 2 * corners.length);
+      colours = Arrays.copyOf(colours, 2 * colours.length);
     }
+    colours[cornerCount / 3] = colour;
     corners[cornerCount++] = a;
     corners[cornerCount++] = b;
     corners[cornerCount++] = c;
@@ -129,7 +145,8 @@ final class MeshAssembly {
     if (volume < 0) {
       turn();
     }
-    TriangleMesh mesh = new TriangleMesh(points, corners);
+    TriangleMesh mesh =
+        new TriangleMesh(points, corners, Arrays.copyOf(colours, corners.length / 3));
     double longest = longest();
     if (mesh.volumeM3() < 1e-9 * longest * longest * longest) {
       throw new MeshException("fills no space, must be the surface of a solid");
@@ -213,6 +230,7 @@ final class MeshAssembly {
       int b = first[corners[i + 1]];
       int c = first[corners[i + 2]];
       if (a != b && b != c && c != a) {
+        colours[kept / 3] = colours[i / 3];
         corners[kept++] = a;
         corners[kept++] = b;
         corners[kept++] = c;

@@ -17,22 +17,28 @@ public final class TriangleMesh {
   /** No mesh is shorter along its longest side, m. */
   public static final double MIN_LENGTH_M = 0.001;
 
+  /** What a triangle without a colour of its own has for one. */
+  public static final int NO_COLOUR = -1;
+
   private final double[] points;
   private final int[] corners;
+  private final int[] colours;
   private final double volumeM3;
   private MeshTree tree;
   private ConvexHull hull;
   private SolidMass mass;
 
   /**
-   * Takes over both.
+   * Takes over all.
    *
    * @param points three coordinates each
    * @param corners three numbers of points for each triangle
+   * @param colours of each triangle, as screens have them, or {@link #NO_COLOUR}
    */
-  TriangleMesh(double[] points, int[] corners) {
+  TriangleMesh(double[] points, int[] corners, int[] colours) {
     this.points = points;
     this.corners = corners;
+    this.colours = colours;
     volumeM3 = volume(points, corners);
   }
 
@@ -62,6 +68,11 @@ public final class TriangleMesh {
    */
   public double coordinate(int point, int axis) {
     return points[3 * point + axis];
+  }
+
+  /** The colour of a triangle as screens have it, 0xRRGGBB; {@link #NO_COLOUR} for none. */
+  public int rgb(int triangle) {
+    return colours[triangle];
   }
 
   /** The least coordinate along an axis, m. */
@@ -163,7 +174,8 @@ public final class TriangleMesh {
     return other == this
         || (other instanceof TriangleMesh mesh
             && Arrays.equals(points, mesh.points)
-            && Arrays.equals(corners, mesh.corners));
+            && Arrays.equals(corners, mesh.corners)
+            && Arrays.equals(colours, mesh.colours));
   }
 
   @Override

@@ -275,4 +275,29 @@ class GltfReaderTest {
       }
     }
   }
+
+  @Test
+  void trianglesHaveTheBaseColourOfTheirMaterial() throws MeshException {
+    String coloured =
+        gltf()
+            .replace("\"indices\": 1", "\"indices\": 1, \"material\": 0")
+            .replace(
+                "\"nodes\"",
+                "\"materials\": [{\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.216, 0,"
+                    + " 1]}}], \"nodes\"");
+    assertEquals(0xFF8000, read(text(coloured)).rgb(0), "0.216 of the light is half on a screen");
+    assertEquals(TriangleMesh.NO_COLOUR, read(text(gltf())).rgb(0));
+  }
+
+  @Test
+  void aColourBeyondWhatThereIsIsRefused() {
+    String wrong =
+        gltf()
+            .replace("\"indices\": 1", "\"indices\": 1, \"material\": 0")
+            .replace(
+                "\"nodes\"",
+                "\"materials\": [{\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 2, 0, 1]}}],"
+                    + " \"nodes\"");
+    assertTrue(refusal(wrong).contains("baseColorFactor has 2.0"), refusal(wrong));
+  }
 }

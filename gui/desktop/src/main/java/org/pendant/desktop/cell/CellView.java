@@ -128,6 +128,11 @@ public final class CellView implements View {
         + unit.words(placeM.z());
   }
 
+  /** The name of the device whose form is shown. */
+  public Optional<String> chosenDevice() {
+    return cards.flatMap(each -> each.devices().chosen());
+  }
+
   private void showWiring() {
     workbench.show(ID);
     cards().pages().setSelectedComponent(cards().wiring().component());

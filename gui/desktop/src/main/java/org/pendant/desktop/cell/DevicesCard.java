@@ -113,6 +113,11 @@ final class DevicesCard {
     return card;
   }
 
+  /** The name of the device whose form is shown. */
+  Optional<String> chosen() {
+    return items.chosen().map(DeviceText::name);
+  }
+
   /** Shows the form of a device. */
   void choose(String name) {
     devices().stream()

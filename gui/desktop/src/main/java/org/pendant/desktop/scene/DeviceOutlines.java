@@ -12,6 +12,9 @@ public final class DeviceOutlines {
   private static final int ROUND = 48;
   private static final double FAINT = 0.5;
 
+  /** Where the picture of a camera is drawn on the way to what it sees. */
+  private static final float PICTURE_SHARE = 0.15f;
+
   private final Lines lines = new Lines();
   private final Matrix4f cellInBase;
 
@@ -24,6 +27,9 @@ public final class DeviceOutlines {
     DeviceOutlines made = new DeviceOutlines(devices.cellInBase());
     for (DeviceSight.Sensor each : devices.sensors()) {
       made.add(each.zone(), rgb(each.sees(), theme), each.sees() ? 1 : FAINT);
+    }
+    for (DeviceSight.CameraView each : devices.views()) {
+      made.addView(each, rgb(true, theme));
     }
     return made.lines;
   }
@@ -90,6 +96,50 @@ public final class DeviceOutlines {
         line(new Vector3f(from).sub(side), new Vector3f(to).sub(side), rgb, faint / 2);
       }
     }
+  }
+
+  /** A pyramid from the camera to the far side of what it sees, with its picture near the top. */
+  private void addView(DeviceSight.CameraView view, int rgb) {
+    Vector3 at = view.eyeInCell();
+    Vector3f eye = new Vector3f((float) at.x(), (float) at.y(), (float) at.z());
+    Vector3f[] far = farSide(eye, point(view.area().min()), point(view.area().max()));
+    for (int i = 0; i < far.length; i++) {
+      Vector3f next = far[(i + 1) % far.length];
+      line(eye, far[i], rgb, 1);
+      line(far[i], next, rgb, 1);
+      line(
+          new Vector3f(eye).lerp(far[i], PICTURE_SHARE),
+          new Vector3f(eye).lerp(next, PICTURE_SHARE),
+          rgb,
+          1);
+    }
+  }
+
+  /** The corners of the side of a box that is farthest from a point, in a row around it. */
+  private static Vector3f[] farSide(Vector3f from, Vector3f min, Vector3f max) {
+    int axis = 0;
+    float farthest = -1;
+    boolean atMax = false;
+    for (int i = 0; i < 3; i++) {
+      float toMin = Math.abs(from.get(i) - min.get(i));
+      float toMax = Math.abs(from.get(i) - max.get(i));
+      if (Math.max(toMin, toMax) > farthest) {
+        farthest = Math.max(toMin, toMax);
+        axis = i;
+        atMax = toMax > toMin;
+      }
+    }
+    int u = (axis + 1) % 3;
+    int v = (axis + 2) % 3;
+    Vector3f[] corners = new Vector3f[4];
+    for (int i = 0; i < corners.length; i++) {
+      Vector3f corner = new Vector3f(min);
+      corner.setComponent(axis, (atMax ? max : min).get(axis));
+      corner.setComponent(u, (i == 1 || i == 2 ? max : min).get(u));
+      corner.setComponent(v, (i >= 2 ? max : min).get(v));
+      corners[i] = corner;
+    }
+    return corners;
   }
 
   private void addBox(Zone.Area area, int rgb, double opacity) {

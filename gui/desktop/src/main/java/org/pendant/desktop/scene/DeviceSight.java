@@ -23,6 +23,7 @@ import org.pendant.models.pose.Poses;
  * @param doors which have no place: they are told beside the picture
  * @param belts which carry what lies on them
  * @param lamps that have a place
+ * @param views of cameras that are chosen
  * @param cellInBase the frame of the places of sensors, in that of the picture
  */
 public record DeviceSight(
@@ -31,10 +32,11 @@ public record DeviceSight(
     List<Door> doors,
     List<Belt> belts,
     List<Lamp> lamps,
+    List<CameraView> views,
     Pose cellInBase) {
   /** None. */
   public static final DeviceSight NONE =
-      new DeviceSight(List.of(), List.of(), List.of(), List.of(), List.of(), Pose.ZERO);
+      new DeviceSight(List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), Pose.ZERO);
 
   /** Copies the lists. */
   public DeviceSight {
@@ -43,6 +45,7 @@ public record DeviceSight(
     doors = List.copyOf(doors);
     belts = List.copyOf(belts);
     lamps = List.copyOf(lamps);
+    views = List.copyOf(views);
   }
 
   /**
@@ -90,6 +93,28 @@ public record DeviceSight(
     public static final double RADIUS_M = 0.025;
   }
 
+  /**
+   * What a camera sees from where it is.
+   *
+   * @param eyeInCell where it is, m
+   * @param area what it sees
+   */
+  public record CameraView(Vector3 eyeInCell, Zone.Area area) {}
+
+  /** The same with the view of the camera of a name, where that is one and has a place. */
+  public DeviceSight choosing(String name, List<DeviceSetup> setups) {
+    List<CameraView> chosen = new ArrayList<>();
+    for (DeviceSetup setup : setups) {
+      if (setup instanceof DeviceSetup.Camera camera && camera.name().equals(name)) {
+        camera
+            .atInBase()
+            .map(at -> new CameraView(new Vector3(at.x(), at.y(), at.z()), camera.area()))
+            .ifPresent(chosen::add);
+      }
+    }
+    return new DeviceSight(grippers, sensors, doors, belts, lamps, chosen, cellInBase);
+  }
+
   /** The same with belts that have gone so far, by their names, m. */
   public DeviceSight withTravel(Map<String, Double> travelM) {
     return new DeviceSight(
@@ -106,6 +131,7 @@ public record DeviceSight(
                         travelM.getOrDefault(each.name(), 0.0)))
             .toList(),
         lamps,
+        views,
         cellInBase);
   }
 
@@ -117,6 +143,7 @@ public record DeviceSight(
         joined(doors, other.doors),
         joined(belts, other.belts),
         joined(lamps, other.lamps),
+        joined(views, other.views),
         cellInBase);
   }
 
@@ -140,6 +167,7 @@ public record DeviceSight(
             lamps.stream()
                 .map(each -> new Lamp(each.name(), Poses.trans(cell, each.inBase()), each.lit()))
                 .toList(),
+            views,
             cell);
   }
 
@@ -209,7 +237,7 @@ public record DeviceSight(
         doors.add(new Door(door.name(), share(state, begins)));
       }
     }
-    return new DeviceSight(grippers, sensors, doors, belts, lamps, Pose.ZERO);
+    return new DeviceSight(grippers, sensors, doors, belts, lamps, List.of(), Pose.ZERO);
   }
 
   private static Gripper gripper(DeviceSetup setup, Optional<DeviceState> state, boolean begins) {

@@ -109,9 +109,13 @@ final class CellScene {
    * The devices of all controllers.
    *
    * @param draft those that people change, for each controller; empty for those that there are
+   * @param chosen the name of the one that people have chosen
    */
   DeviceSight devices(
-      ControllerState ofSeen, boolean past, Optional<List<List<DeviceSetup>>> draft) {
+      ControllerState ofSeen,
+      boolean past,
+      Optional<List<List<DeviceSetup>>> draft,
+      Optional<String> chosen) {
     List<SessionMember> members = session.members();
     List<List<DeviceSetup>> real =
         members.stream().map(each -> each.options().equipment().devices()).toList();
@@ -131,6 +135,9 @@ final class CellScene {
     }
     Map<String, Double> travelM =
         belts.at(ofSeen.timeS(), real.stream().flatMap(List::stream).toList(), states);
+    if (chosen.isPresent()) {
+      sight = sight.choosing(chosen.get(), setups.stream().flatMap(List::stream).toList());
+    }
     return sight.withTravel(travelM).seenFrom(Poses.inverse(seen.baseInCell()));
   }
 }

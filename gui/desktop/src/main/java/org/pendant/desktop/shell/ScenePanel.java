@@ -124,6 +124,7 @@ final class ScenePanel implements View, GhostArm {
   private Supplier<ComparedWays> compared = () -> ComparedWays.NONE;
   private Supplier<Optional<Scene>> proposed = Optional::empty;
   private Supplier<Optional<List<List<DeviceSetup>>>> proposedDevices = Optional::empty;
+  private Supplier<Optional<String>> chosenDevice = Optional::empty;
   private long changedNs;
 
   /** An arm and what is around it: people may change both at any time. */
@@ -306,6 +307,11 @@ final class ScenePanel implements View, GhostArm {
     proposed = draft;
   }
 
+  /** Where to ask for the name of the device that people have chosen. */
+  void setChosenDevice(Supplier<Optional<String>> chosen) {
+    chosenDevice = chosen;
+  }
+
   /** Where to ask for the devices that people change and have not applied yet. */
   void setProposedDevices(Supplier<Optional<List<List<DeviceSetup>>>> draft) {
     proposedDevices = draft;
@@ -375,7 +381,7 @@ final class ScenePanel implements View, GhostArm {
             safety.sight(state, arm.actualPositionRad()),
             hit(state, around.scene),
             compared.get(),
-            cell.devices(state, back, proposedDevices.get()),
+            cell.devices(state, back, proposedDevices.get(), chosenDevice.get()),
             cell.others(state, back));
     if (seen.equals(Optional.of(now))) {
       return;

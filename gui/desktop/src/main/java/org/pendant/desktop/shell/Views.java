@@ -207,6 +207,7 @@ final class Views {
     scene.setObjectHand(cell.hand(() -> showing(CellView.ID) && past.past().isEmpty()));
     scene.setProposedScene(
         () -> showing(CellView.ID) ? Optional.of(sceneDraft.scene()) : Optional.empty());
+    scene.setChosenDevice(() -> showing(CellView.ID) ? cell.chosenDevice() : Optional.empty());
     scene.setProposedDevices(
         () -> showing(CellView.ID) ? Optional.of(sceneDraft.devices()) : Optional.empty());
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));

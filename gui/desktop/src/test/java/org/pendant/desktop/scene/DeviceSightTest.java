@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.device.Zone;
+import org.pendant.controller.device.camera.PartCamera;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.world.GripperSetup;
 import org.pendant.controller.world.Material;
@@ -211,5 +212,24 @@ final class DeviceSightTest {
     assertTrue(
         SceneBounds.of(model.withOthers(List.of(other))).balls().stream()
             .anyMatch(each -> each.centreM().x() > 2.5));
+  }
+
+  @Test
+  void aCameraThatIsChosenShowsWhatItSeesFromWhereItIs() {
+    DeviceSetup camera =
+        new DeviceSetup.Camera(
+            "eye",
+            new Zone.Area(new Zone.Place(0.3, -0.3, 0), new Zone.Place(0.7, 0.3, 0.2)),
+            List.of(),
+            Optional.of(new Pose(0.5, 0, 1, Math.PI, 0, 0)),
+            new DeviceSetup.Camera.Ports(50100, 50101),
+            new PartCamera.Errors(0, 0, 0));
+    DeviceSight seen = DeviceSight.of(List.of(camera), List.of(), false);
+    assertEquals(List.of(), seen.choosing("other", List.of(camera)).views());
+    DeviceSight chosen = seen.choosing("eye", List.of(camera));
+    assertEquals(new Vector3(0.5, 0, 1), chosen.views().getFirst().eyeInCell());
+    assertTrue(
+        DeviceOutlines.of(chosen, SceneTheme.LIGHT).size()
+            > DeviceOutlines.of(seen, SceneTheme.LIGHT).size());
   }
 }

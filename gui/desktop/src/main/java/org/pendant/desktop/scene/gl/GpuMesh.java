@@ -15,7 +15,7 @@ import org.pendant.desktop.scene.mesh.Mesh;
 final class GpuMesh implements AutoCloseable {
   private static final int FLOATS = Mesh.STRIDE * Float.BYTES;
 
-  /** Position, normal; then place and finish, and two bytes that are not read. */
+  /** Position, normal; then place, finish and a colour. */
   private static final int STRIDE_BYTES = FLOATS + 4;
 
   private final int array;
@@ -45,9 +45,11 @@ final class GpuMesh implements AutoCloseable {
     glVertexAttribPointer(0, 3, GL_FLOAT, false, STRIDE_BYTES, 0);
     glVertexAttribPointer(1, 3, GL_FLOAT, false, STRIDE_BYTES, 3 * Float.BYTES);
     glVertexAttribIPointer(2, 2, GL_UNSIGNED_BYTE, STRIDE_BYTES, FLOATS);
+    glVertexAttribIPointer(3, 1, GL_UNSIGNED_SHORT, STRIDE_BYTES, FLOATS + 2);
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
     glEnableVertexAttribArray(2);
+    glEnableVertexAttribArray(3);
   }
 
   private static void fill(List<Mesh> meshes, ByteBuffer vertices, IntBuffer corners) {
@@ -58,7 +60,7 @@ final class GpuMesh implements AutoCloseable {
         for (int k = 0; k < Mesh.STRIDE; k++) {
           vertices.putFloat(mesh.number(i, k));
         }
-        vertices.put((byte) place).put((byte) mesh.finish(i)).putShort((short) 0);
+        vertices.put((byte) place).put((byte) mesh.finish(i)).putShort(colour(mesh.rgb(i)));
       }
       for (int corner : mesh.corners()) {
         corners.put(first + corner);
@@ -67,6 +69,13 @@ final class GpuMesh implements AutoCloseable {
     }
     vertices.flip();
     corners.flip();
+  }
+
+  /** Five bits each of red, green and blue, and above them one that says that there is a colour. */
+  private static short colour(int rgb) {
+    return rgb < 0
+        ? 0
+        : (short) (0x8000 | (rgb >> 9 & 0x7C00) | (rgb >> 6 & 0x3E0) | (rgb >> 3 & 0x1F));
   }
 
   void draw() {

@@ -63,7 +63,11 @@ final class LinePainter implements AutoCloseable {
 
   private record WaysOf(WaypointMarkers marks, SceneTheme theme) {}
 
-  private record SensorsOf(List<DeviceSight.Sensor> sensors, Pose cellInBase, SceneTheme theme) {}
+  private record SensorsOf(
+      List<DeviceSight.Sensor> sensors,
+      List<DeviceSight.CameraView> views,
+      Pose cellInBase,
+      SceneTheme theme) {}
 
   private record BeltsOf(
       List<DeviceSight.Belt> belts, List<Optional<SceneObject.Box>> boxes, SceneTheme theme) {}
@@ -173,7 +177,11 @@ final class LinePainter implements AutoCloseable {
       safety.load(SafetyOutlines.of(model));
     }
     SensorsOf newSensors =
-        new SensorsOf(model.devices().sensors(), model.devices().cellInBase(), theme);
+        new SensorsOf(
+            model.devices().sensors(),
+            model.devices().views(),
+            model.devices().cellInBase(),
+            theme);
     if (!sensorsNow.equals(Optional.of(newSensors))) {
       sensorsNow = Optional.of(newSensors);
       sensors.load(DeviceOutlines.of(model.devices(), theme));

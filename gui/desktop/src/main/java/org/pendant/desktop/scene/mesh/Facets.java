@@ -36,10 +36,15 @@ final class Facets {
     }
   }
 
-  /** Adds them to a mesh. */
-  static void add(MeshBuilder to, TriangleMesh mesh) {
+  /**
+   * Adds them to a mesh.
+   *
+   * @param coloured whether triangles have the colours of the file
+   */
+  static void add(MeshBuilder to, TriangleMesh mesh, boolean coloured) {
     Facets facets = new Facets(mesh);
     for (int i = 0; i < mesh.triangles(); i++) {
+      to.colour(coloured ? mesh.rgb(i) : MeshBuilder.NO_COLOUR);
       int first = facets.vertex(to, i, 0);
       facets.vertex(to, i, 1);
       facets.vertex(to, i, 2);

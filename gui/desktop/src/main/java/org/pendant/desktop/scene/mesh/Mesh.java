@@ -13,11 +13,13 @@ public final class Mesh {
 
   private final float[] vertices;
   private final byte[] finishes;
+  private final int[] colours;
   private final int[] corners;
 
-  Mesh(float[] vertices, byte[] finishes, int[] corners) {
+  Mesh(float[] vertices, byte[] finishes, int[] colours, int[] corners) {
     this.vertices = vertices;
     this.finishes = finishes;
+    this.colours = colours;
     this.corners = corners;
   }
 
@@ -49,6 +51,14 @@ public final class Mesh {
   /** {@link Finish#number} of what the surface looks like at vertex {@code i}. */
   public int finish(int i) {
     return finishes[i];
+  }
+
+  /**
+   * The colour of the surface at vertex {@code i} in place of that of its finish, as screens have
+   * it; below 0 for none.
+   */
+  public int rgb(int i) {
+    return colours[i];
   }
 
   /** The vertex at corner {@code k}, 0 to 2, of triangle {@code t}. */

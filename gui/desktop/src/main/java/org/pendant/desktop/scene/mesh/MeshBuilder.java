@@ -10,8 +10,12 @@ import org.joml.Vector3f;
  * its own.
  */
 final class MeshBuilder {
+  /** For surfaces that have the colour of their finish. */
+  static final int NO_COLOUR = -1;
+
   private float[] vertices = new float[Mesh.STRIDE * 1024];
   private byte[] finishes = new byte[1024];
+  private int[] colours = new int[1024];
   private int[] corners = new int[4096];
   private int vertexCount;
   private int cornerCount;
@@ -19,6 +23,7 @@ final class MeshBuilder {
   private final Vector3f scratch = new Vector3f();
   private final Detail detail;
   private byte finish;
+  private int rgb = NO_COLOUR;
 
   /**
    * @param detail how finely the parts that follow are cut
@@ -44,6 +49,13 @@ final class MeshBuilder {
   /** What the parts that follow look like. */
   MeshBuilder finish(Finish next) {
     finish = (byte) next.number();
+    rgb = NO_COLOUR;
+    return this;
+  }
+
+  /** The colour of the vertices that follow in place of that of their finish. */
+  MeshBuilder colour(int next) {
+    rgb = next;
     return this;
   }
 
@@ -51,6 +63,7 @@ final class MeshBuilder {
   int vertex(float x, float y, float z, float nx, float ny, float nz) {
     if (vertexCount == finishes.length) {
       finishes = Arrays.copyOf(finishes, 2 * vertexCount);
+      colours = Arrays.copyOf(colours, 2 * vertexCount);
       vertices = Arrays.copyOf(vertices, 2 * vertices.length);
     }
     place.transformPosition(x, y, z, scratch);
@@ -63,6 +76,7 @@ final class MeshBuilder {
     vertices[at + 4] = scratch.y;
     vertices[at + 5] = scratch.z;
     finishes[vertexCount] = finish;
+    colours[vertexCount] = rgb;
     return vertexCount++;
   }
 
@@ -109,6 +123,7 @@ final class MeshBuilder {
     return new Mesh(
         Arrays.copyOf(vertices, Mesh.STRIDE * vertexCount),
         Arrays.copyOf(finishes, vertexCount),
+        Arrays.copyOf(colours, vertexCount),
         Arrays.copyOf(corners, cornerCount));
   }
 }

@@ -34,7 +34,7 @@ public final class WorldMesh {
         case SceneObject.Rod rod -> addRod(mesh, rod);
         case SceneObject.Mesh part -> {
           mesh.at(frame(part.poseInBase()));
-          Facets.add(mesh, part.part().triangles());
+          Facets.add(mesh, part.part().triangles(), !touched.contains(part.name()));
         }
         case SceneObject.Plane plane -> {
           // Drawn as a surface with a grid.

@@ -3,6 +3,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in ivec2 placeAndFinish;
+layout(location = 3) in uint paint; // a bit for whether it has a colour, then five each for red, green and blue
 
 const int MOST_PLACES = 8;
 const int FINISHES = 11;
@@ -28,6 +29,10 @@ void main() {
   // looked up a little outside the surface, or it would throw shadows on itself
   lightPosition = (toLight * (world + vec4(worldNormal * shadowOffset, 0.0))).xyz;
   finish = finishes[placeAndFinish.y];
+  if ((paint & 0x8000u) != 0u) {
+    vec3 screen = vec3(paint >> 10 & 31u, paint >> 5 & 31u, paint & 31u) / 31.0;
+    finish.rgb = pow(screen, vec3(2.2));
+  }
   if ((hit >> placeAndFinish.x & 1) != 0) {
     finish.rgb = mix(finish.rgb, hitColour, 0.75);
   }
