@@ -1,6 +1,7 @@
 package org.pendant.desktop.program;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -66,8 +67,16 @@ final class ProgramPlaces {
             .flatMap(each -> TreeNames.waypoints(each.step()).stream())
             .toList();
     List<WaypointMarkers.Mark> marks = new ArrayList<>();
+    Map<String, Long> namedBy = new HashMap<>();
+    tree.forEach(
+        node ->
+            TreeNames.waypoints(node.step())
+                .forEach(name -> namedBy.putIfAbsent(name, node.key())));
     poses.forEach(
-        (name, pose) -> marks.add(new WaypointMarkers.Mark(name, pose, chosen.contains(name))));
+        (name, pose) ->
+            marks.add(
+                new WaypointMarkers.Mark(
+                    name, pose, chosen.contains(name), namedBy.getOrDefault(name, 0L))));
     List<List<WaypointMarkers.Stop>> ways = new ArrayList<>();
     for (ProgramNode section : tree.sections()) {
       List<WaypointMarkers.Stop> way = new ArrayList<>();

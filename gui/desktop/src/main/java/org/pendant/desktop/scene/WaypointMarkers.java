@@ -26,8 +26,10 @@ public record WaypointMarkers(List<Mark> marks, List<List<Stop>> ways) {
    *
    * @param inBase pose of the TCP there
    * @param chosen whether the user looks at it just now
+   * @param node key of the first node that names it, such as the pattern that it is a corner of; 0
+   *     for none
    */
-  public record Mark(String name, Pose inBase, boolean chosen) {}
+  public record Mark(String name, Pose inBase, boolean chosen, long node) {}
 
   /**
    * A stop: the program goes to a place.

@@ -322,7 +322,7 @@ final class ScenePanel implements View, GhostArm {
     List<WaypointMarkers.Mark> marks = new ArrayList<>();
     for (Feature each : installed) {
       FeaturePoses.pose(each)
-          .ifPresent(pose -> marks.add(new WaypointMarkers.Mark(each.name(), pose, false)));
+          .ifPresent(pose -> marks.add(new WaypointMarkers.Mark(each.name(), pose, false, 0)));
     }
     features = List.copyOf(marks);
   }

@@ -12,7 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.project.program.Pattern;
 import org.pendant.project.program.ProgramTree;
+import org.pendant.project.program.TemplateStep;
 
 final class ProgramPlacesTest {
   /** Keys: move 2, A 3, B 4, A 5. */
@@ -40,6 +42,20 @@ final class ProgramPlacesTest {
     assertTrue(marks.ways().getFirst().get(1).chosen());
     assertEquals(
         List.of(false, true), marks.marks().stream().map(WaypointMarkers.Mark::chosen).toList());
+  }
+
+  @Test
+  void cornersOfAPatternLeadToThePattern() {
+    ProgramTree pattern =
+        Trees.of(
+                ProgramTree.node(
+                    new TemplateStep.Palletizing(
+                        "tray", new Pattern.Line("A", "B", 4), "Base", false)))
+            .withWaypoint("A", place(1))
+            .withWaypoint("B", place(2));
+    WaypointMarkers marks =
+        ProgramPlaces.of(pattern, Installation.NONE, Set.of(), PoseForm.STANDARD);
+    assertEquals(List.of(2L, 2L), marks.marks().stream().map(WaypointMarkers.Mark::node).toList());
   }
 
   @Test

@@ -11,7 +11,7 @@ import org.pendant.models.pose.Pose;
 
 final class WaypointMarkersTest {
   private static Mark mark(String name) {
-    return new Mark(name, Pose.ZERO, false);
+    return new Mark(name, Pose.ZERO, false, 0);
   }
 
   /** A, B, A again; the node with the key {@code chosen} is looked at. */

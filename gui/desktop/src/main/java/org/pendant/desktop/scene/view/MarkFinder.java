@@ -82,7 +82,7 @@ final class MarkFinder {
     String how = stop.map(each -> "\n" + each.how()).orElse("");
     String text = mark.name() + "\n" + form.words(mark.inBase()) + how;
     return new MarkTarget(
-        text, stop.map(Stop::node).orElse(0L), 0, Double.NaN, at, Optional.empty());
+        text, stop.map(Stop::node).orElse(mark.node()), 0, Double.NaN, at, Optional.empty());
   }
 
   private Optional<MarkTarget> way(Point point) {

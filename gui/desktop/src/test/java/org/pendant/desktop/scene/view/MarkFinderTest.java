@@ -30,13 +30,18 @@ final class MarkFinderTest {
   private static final Pose FEEDER = new Pose(0.4, -0.3, 0.1, 0, 0, 0);
   private static final Pose TRAY = new Pose(0.4, 0.3, 0.1, 0, 0, 0);
 
+  private static final Pose CORNER = new Pose(-0.4, 0.3, 0.1, 0, 0, 0);
+
   private static final Pose ELBOW = new Pose(-0.3, 0.2, 0.4, 0, 0, 0);
 
   private final SceneModel model =
       Models.of("ur5e")
           .withWaymarks(
               new WaypointMarkers(
-                  List.of(new Mark("Feeder", FEEDER, false), new Mark("Tray", TRAY, true)),
+                  List.of(
+                      new Mark("Feeder", FEEDER, false, 3),
+                      new Mark("Tray", TRAY, true, 4),
+                      new Mark("Corner", CORNER, false, 7)),
                   List.of(
                       List.of(
                           new Stop(0, 3, "MoveJ at 60 deg/s", false),
@@ -74,6 +79,11 @@ final class MarkFinderTest {
         found.words());
     assertEquals(3, found.node());
     assertTrue(found.from().isEmpty());
+  }
+
+  @Test
+  void aPlaceThatNoNodeGoesToByItselfLeadsToTheNodeThatNamesIt() {
+    assertEquals(7, finder().at(near(pixel(CORNER))).orElseThrow().node());
   }
 
   @Test
