@@ -70,12 +70,12 @@ public final class ParameterOffers {
   }
 
   private void look() {
-    places.variables().forEach(each -> variable(each, places.firstValue(each).orElseThrow()));
     if (!places.moves().isEmpty()) {
-      range(Group.MOVES, new ParameterTarget.MoveFactor("v"), "1", "factor", 0.5, 1.5);
-      range(Group.MOVES, new ParameterTarget.MoveFactor("a"), "1", "factor", 0.5, 1.5);
-      places.moves().forEach(this::move);
+      range(Group.MOVES, new ParameterTarget.MoveFactor("v"), "1", "", 0.5, 1.5);
+      range(Group.MOVES, new ParameterTarget.MoveFactor("a"), "1", "", 0.5, 1.5);
     }
+    places.variables().forEach(each -> variable(each, places.firstValue(each).orElseThrow()));
+    places.moves().forEach(this::move);
     range(Group.LOAD, new ParameterTarget.Load(0), "", "kg", 0, 5);
     for (int i = 1; i <= 3; i++) {
       range(Group.LOAD, new ParameterTarget.Load(i), "", "m", -NEAR_M, NEAR_M);

@@ -4,10 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.sweep.plan.PlanException;
+import org.pendant.sweep.plan.PlanReader;
+import org.pendant.sweep.plan.SweepPlan;
 import org.pendant.sweep.plan.SweepVariant;
+import org.pendant.sweep.plan.TargetText;
 import org.pendant.sweep.search.SweepSearch;
 import org.pendant.sweep.table.ResultTable;
 
@@ -51,5 +55,19 @@ final class SweepExamplesTest {
     SweepResult result = job.run(job.plan().variant(9));
     assertEquals(RunOutcome.FINISHED, result.outcome());
     assertTrue(result.forceN() > 5, result.forceN() + " N");
+  }
+
+  @Test
+  void ofATreeItIsOfferedWhatItsScriptHas() throws PlanException {
+    SweepPlan plan =
+        PlanReader.read(
+            "p.toml",
+            "program = \"stack_boxes.pendant\"\n[[parameter]]\nset = \"seed\"\nvalues = [1]\n");
+    List<String> offered =
+        ParameterOffers.of(plan, Path.of("../../examples")).stream()
+            .map(each -> TargetText.of(each.target()) + " " + each.now())
+            .toList();
+    assertTrue(offered.contains("variable Feeder_p[0] 0.45"), offered.toString());
+    assertTrue(offered.contains("speed 1"), offered.toString());
   }
 }

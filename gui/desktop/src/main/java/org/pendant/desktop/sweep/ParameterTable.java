@@ -32,8 +32,9 @@ final class ParameterTable extends JTable {
   private static final int VALUES = 6;
   private static final List<String> TITLES =
       List.of("", "Parameter", "Now", "From", "To", "Steps", "or values", "Column");
-  private static final List<Integer> WIDTHS = List.of(28, 190, 84, 70, 70, 50, 110, 110);
+  private static final List<Integer> WIDTHS = List.of(28, 200, 78, 64, 64, 50, 84, 84);
   private static final int MIN_WIDTH = 44;
+  private static final int MIN_NAME = 130;
   private static final int ROW_SPACE = 8;
 
   private final transient SweepPresenter presenter;
@@ -63,7 +64,9 @@ final class ParameterTable extends JTable {
     field.setName("sweep-cell");
     for (int i = 0; i < WIDTHS.size(); i++) {
       getColumnModel().getColumn(i).setPreferredWidth(WIDTHS.get(i));
-      getColumnModel().getColumn(i).setMinWidth(i == CHOSEN ? WIDTHS.get(i) : MIN_WIDTH);
+      getColumnModel()
+          .getColumn(i)
+          .setMinWidth(i == CHOSEN ? WIDTHS.get(i) : i == WHAT ? MIN_NAME : MIN_WIDTH);
       if (i > CHOSEN) {
         getColumnModel().getColumn(i).setCellRenderer(new Cell());
         getColumnModel().getColumn(i).setCellEditor(new DefaultCellEditor(field));
