@@ -14,11 +14,11 @@ final class LiveValues {
   /**
    * The variables of a program.
    *
-   * @param running whether it has not ended yet
+   * @param ended what it is called if it has ended; it need not be the one in front
    * @param unfolded how many parts are wanted of those values that are
    */
   static List<ValueNode.Group> of(
-      VariableSamples samples, boolean running, Map<ValueKey, Integer> unfolded) {
+      VariableSamples samples, String ended, Map<ValueKey, Integer> unfolded) {
     List<ValueNode.Group> groups = new ArrayList<>();
     if (!samples.locals().isEmpty()) {
       Scope scope = new Scope(Debugger.MAIN, Debugger.OUTERMOST + 1, samples.mainFunction());
@@ -31,7 +31,7 @@ final class LiveValues {
     if (!samples.globals().isEmpty()) {
       groups.add(
           new ValueNode.Group(
-              running ? "Global" : "Global, last values of the program",
+              ended.isEmpty() ? "Global" : "Global, last values of " + ended,
               Scope.GLOBAL,
               nodes(samples.globals(), Scope.GLOBAL, unfolded)));
     }

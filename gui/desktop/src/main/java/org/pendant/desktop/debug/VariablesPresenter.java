@@ -32,7 +32,12 @@ final class VariablesPresenter {
     this.tree = tree;
     this.favourites = favourites;
     this.hidden = hidden;
-    live = new LiveTree(tree, clockMs, LiveValues::of);
+    live =
+        new LiveTree(
+            tree,
+            clockMs,
+            (samples, running, unfolded) ->
+                LiveValues.of(samples, running ? "" : program, unfolded));
     favourites.addListener(this::order);
     hidden.addListener(this::order);
     order();

@@ -194,9 +194,9 @@ final class LiveVariablesTest {
 
   @Test
   void theLastValuesStayWhenTheProgramHasEnded() {
-    start("def program():", "  a = 1", "end");
+    start("def weld():", "  a = 1", "end");
     pass(5, 200);
-    assertEquals(List.of("Global, last values of the program", "a = 1"), rows());
+    assertEquals(List.of("Global, last values of weld", "a = 1"), rows());
     assertFalse(tree.canAssign(row("a")));
   }
 

@@ -123,7 +123,8 @@ public final class KeyEditor {
     // Tab leaves a table that cannot be edited.
     table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
     table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
-    table.getColumnModel().getColumn(0).setPreferredWidth(340);
+    table.getColumnModel().getColumn(0).setPreferredWidth(320);
+    table.getColumnModel().getColumn(1).setPreferredWidth(130);
     table.getSelectionModel().addListSelectionListener(event -> selected());
   }
 
