@@ -49,8 +49,7 @@ public final class SweepView implements View {
   private final ActiveInstallation installation;
   private final SceneDraft scene;
   private final SweepPresenter presenter;
-  private final PlanPanel plan;
-  private final ResultsPanel results;
+  private final Consumer<Path> page;
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
@@ -61,8 +60,12 @@ public final class SweepView implements View {
   private final JLabel note = new JLabel("", SwingConstants.CENTER);
   private final Timer look = Faults.timer(LOOK_MS, this::look);
   private Optional<SavedProgram> seen = Optional.empty();
+  private Optional<Panels> panels = Optional.empty();
   private boolean resultsWanted;
   private String shownWhy = "";
+
+  /** What is made with the first plan: windows that open without one open earlier. */
+  private record Panels(PlanPanel plan, ResultsPanel results) {}
 
   /**
    * The panel; it adds its actions to the workbench.
@@ -84,8 +87,7 @@ public final class SweepView implements View {
     this.installation = installation;
     this.scene = scene;
     presenter = new SweepPresenter(this::subject, Background::run, workbench::notify, recording);
-    plan = new PlanPanel(presenter);
-    results = new ResultsPanel(presenter, page);
+    this.page = page;
     open = button("open", "Open plan\u2026", "Opens the file of a plan, with its results");
     open.addActionListener(event -> choose.run());
     fresh.addActionListener(event -> planThis());
@@ -94,10 +96,8 @@ public final class SweepView implements View {
     content.add(head(), BorderLayout.NORTH);
     content.add(middle, BorderLayout.CENTER);
     middle.add(empty(), EMPTY);
-    middle.add(plan, PLAN);
-    middle.add(results, RESULTS);
     presenter.whenChanged(this::show);
-    declareActions(choose, page);
+    declareActions(choose);
     show();
   }
 
@@ -131,7 +131,7 @@ public final class SweepView implements View {
     return panel;
   }
 
-  private void declareActions(Runnable choose, Consumer<Path> page) {
+  private void declareActions(Runnable choose) {
     var actions = workbench.actions();
     actions.add(
         new Action(
@@ -149,7 +149,7 @@ public final class SweepView implements View {
             () -> presenter.whyNotStart().isEmpty(),
             () -> {
               workbench.show(ID);
-              plan.start();
+              panels.ifPresent(each -> each.plan().start());
             }));
     actions.add(
         new Action(ID + ".cancel", "Sweep: cancel", "", presenter::runs, presenter::cancel));
@@ -158,8 +158,8 @@ public final class SweepView implements View {
             ID + ".open-run",
             "Sweep: open the selected run",
             "",
-            results::selected,
-            results::openSelected));
+            () -> panels.filter(each -> each.results().selected()).isPresent(),
+            () -> panels.ifPresent(each -> each.results().openSelected())));
     actions.add(
         new Action(
             ID + ".report",
@@ -192,8 +192,12 @@ public final class SweepView implements View {
     resultsWanted = wanted;
     show();
     if (wanted) {
-      results.focus();
+      focusResults();
     }
+  }
+
+  private void focusResults() {
+    panels.ifPresent(each -> each.results().focus());
   }
 
   private SweepSubject subject() {
@@ -228,7 +232,7 @@ public final class SweepView implements View {
     if (presenter.runs() && !look.isRunning()) {
       look.start();
       resultsWanted = true;
-      EventQueue.invokeLater(results::focus);
+      EventQueue.invokeLater(this::focusResults);
     }
     boolean there = presenter.draft().isPresent();
     String why = presenter.trouble().isEmpty() ? presenter.whyNoPlan() : presenter.trouble();
@@ -251,9 +255,18 @@ public final class SweepView implements View {
             ? "Begins a plan of " + programs.current().name()
             : presenter.whyNoPlan());
     open.setEnabled(!presenter.runs());
+    if (there && panels.isEmpty()) {
+      Panels made = new Panels(new PlanPanel(presenter), new ResultsPanel(presenter, page));
+      middle.add(made.plan(), PLAN);
+      middle.add(made.results(), RESULTS);
+      panels = Optional.of(made);
+    }
     cards.show(middle, !there ? EMPTY : resultsWanted ? RESULTS : PLAN);
-    plan.showDraft();
-    results.showRows();
+    panels.ifPresent(
+        each -> {
+          each.plan().showDraft();
+          each.results().showRows();
+        });
   }
 
   @Override
