@@ -10,6 +10,8 @@ import org.pendant.controller.external.DeviceTalk;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.MovedObject;
+import org.pendant.controller.world.SightLine;
+import org.pendant.controller.world.Vector3;
 import org.pendant.models.pose.Pose;
 import org.pendant.script.value.ScriptError;
 import org.pendant.script.value.Value;
@@ -21,6 +23,7 @@ final class CameraDevice implements CellDevice {
   private final PartCamera camera;
   private final CameraProcedures procedures;
   private final ContactWorld world;
+  private final Optional<SightLine> sight;
 
   CameraDevice(DeviceSetup.Camera setup, ContactWorld world, MessageLog log) {
     this.setup = setup;
@@ -28,7 +31,11 @@ final class CameraDevice implements CellDevice {
     this.world = world;
     camera =
         new PartCamera(
-            world::moved, this::inView, setup.atInBase().map(world::inBase), setup.errors());
+            world::moved,
+            new PartCamera.View(this::inView, this::clear),
+            setup.atInBase().map(world::inBase),
+            setup.errors());
+    sight = setup.occlusion() ? world.sight() : Optional.empty();
     procedures = new CameraProcedures(camera);
   }
 
@@ -37,6 +44,20 @@ final class CameraDevice implements CellDevice {
     return setup.area().holds(middle.x(), middle.y(), middle.z())
         && (setup.objects().isEmpty()
             || setup.objects().stream().anyMatch(name -> PartCamera.goesBy(each, name)));
+  }
+
+  private boolean clear(MovedObject each) {
+    return sight.isEmpty()
+        || sight
+            .get()
+            .clear(
+                place(setup.atInBase().orElseThrow()),
+                place(world.inCell(each.poseInBase())),
+                each.name());
+  }
+
+  private static Vector3 place(Pose pose) {
+    return new Vector3(pose.x(), pose.y(), pose.z());
   }
 
   @Override

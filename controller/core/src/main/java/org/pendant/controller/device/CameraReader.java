@@ -7,6 +7,7 @@ import org.pendant.models.json.JsonException;
 final class CameraReader {
   private static final String PORT = "port";
   private static final String PROCEDURES = "rpc";
+  private static final String OCCLUSION = "occlusion";
 
   private final DevicePorts ports;
 
@@ -15,11 +16,20 @@ final class CameraReader {
   }
 
   DeviceSetup camera(String name, FieldReader fields, PartReader parts) throws JsonException {
+    boolean occlusion = fields.flag(OCCLUSION);
+    if (occlusion && fields.spot("at").isEmpty()) {
+      throw fields
+          .all()
+          .required(OCCLUSION)
+          .place()
+          .refusal("occlusion is true, at must be there: from where the camera looks");
+    }
     return new DeviceSetup.Camera(
         name,
         fields.area("min", "max"),
         parts.named(fields, "objects"),
         fields.spot("at"),
+        occlusion,
         new DeviceSetup.Camera.Ports(
             ports.take(name, fields, PORT), ports.take(name, fields, PROCEDURES)),
         new PartCamera.Errors(

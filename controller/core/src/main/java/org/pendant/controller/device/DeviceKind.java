@@ -229,6 +229,8 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 FIRST_CAMERA,
                 POSITION,
                 ROTATION),
+            new DeviceField.Flag(
+                "occlusion", "Occlusion", "it does not see what others hide from there", false),
             whole("port", "Port", "of its socket", PORT, 50_100),
             whole("rpc", "XML-RPC port", "of its procedures", PORT, 50_101),
             amount(

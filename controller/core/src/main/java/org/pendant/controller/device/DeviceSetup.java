@@ -273,12 +273,14 @@ public sealed interface DeviceSetup {
    * @param area where it sees the objects that have their middle there
    * @param objects names of those that it knows, with their copies; empty for all
    * @param atInBase where it is, if it tells poses in its own frame; in the base frame otherwise
+   * @param occlusion whether it does not see what others hide from there
    */
   record Camera(
       String name,
       Zone.Area area,
       List<String> objects,
       Optional<Pose> atInBase,
+      boolean occlusion,
       Ports ports,
       PartCamera.Errors errors)
       implements DeviceSetup {

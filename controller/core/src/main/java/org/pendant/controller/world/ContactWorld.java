@@ -314,6 +314,11 @@ public final class ContactWorld {
     return free == null ? Optional.empty() : free.belt(box);
   }
 
+  /** What one sees of the objects that have a mass; empty where there are none. */
+  public Optional<SightLine> sight() {
+    return free == null ? Optional.empty() : Optional.of(free.sight());
+  }
+
   /**
    * Puts an object that has a mass on a rail.
    *

@@ -156,6 +156,11 @@ final class FreeBodies {
     return Optional.empty();
   }
 
+  /** What one sees of them. */
+  SightLine sight() {
+    return new SightLine(this, objects);
+  }
+
   /** Puts an object that can move on a rail; empty where there is none of that name. */
   Optional<BodyRail> rail(String name, BodyRail.Line line) {
     for (int i = 0; i < objects.size(); i++) {

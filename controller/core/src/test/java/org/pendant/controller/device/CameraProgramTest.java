@@ -3,6 +3,7 @@ package org.pendant.controller.device;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
@@ -14,6 +15,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.RunningProgram;
 import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.world.SceneReader;
+import org.pendant.models.json.JsonException;
 
 /** Cameras that tell programs where parts are. */
 class CameraProgramTest {
@@ -53,6 +55,45 @@ class CameraProgramTest {
     for (int i = 0; i < expected.length; i++) {
       assertEquals(expected[i], numbers.get(i), 1e-3, "number " + i);
     }
+  }
+
+  @Test
+  void whatIsBehindAnotherPartIsNotSeenWithOcclusion() throws Exception {
+    String above = ", 'at': [%s, 1, 3.141592653589793, 0, 0], 'objects': ['ball', 'cube']";
+    String from = asking("GET");
+    RunningProgram beside = with(above.formatted("0.5, 0.2") + ", 'occlusion': true");
+    beside.run(from);
+    assertEquals(2, beside.numbers().get(1), "from above the cube nothing is in the way");
+    String low = ", 'at': [1.3, 0.2, 0.03, 0, 0, 0], 'objects': ['cube']";
+    RunningProgram through = with(low);
+    through.run(from);
+    assertEquals(1, through.numbers().get(1), "without it the far cube hides nothing");
+    RunningProgram behind = with(low + ", 'occlusion': true");
+    behind.run(from);
+    assertEquals(0, behind.numbers().get(1), "the far cube is between");
+  }
+
+  @Test
+  void occlusionNeedsToKnowWhereTheCameraIs() {
+    JsonException refusal = assertThrows(JsonException.class, () -> with(", 'occlusion': true"));
+    assertTrue(
+        refusal.getMessage().endsWith("at must be there: from where the camera looks"),
+        refusal.getMessage());
+  }
+
+  @Test
+  void whatStandsStillAndTheArmHideParts() throws Exception {
+    RunningProgram below =
+        with(", 'at': [0.5, 0.2, -0.5, 0, 0, 0], 'objects': ['cube'], 'occlusion': true");
+    below.run(asking("GET"));
+    assertEquals(0, below.numbers().get(1), "the floor is between");
+    String above = ", 'at': [0.5, 0.2, 1.5, 0, 0, 0], 'objects': ['cube'], 'occlusion': true";
+    RunningProgram arm = with(above);
+    arm.run(
+        "def f():\n  set_tcp(p[0, 0, 0.1, 0, 0, 0])\n"
+            + "  movej(get_inverse_kin(p[0.5, 0.2, 0.3, 3.14159265, 0, 0]))\n"
+            + asking("GET").substring("def f():\n".length()));
+    assertEquals(0, arm.numbers().get(1), "the arm is between");
   }
 
   @Test

@@ -222,6 +222,7 @@ final class DeviceSightTest {
             new Zone.Area(new Zone.Place(0.3, -0.3, 0), new Zone.Place(0.7, 0.3, 0.2)),
             List.of(),
             Optional.of(new Pose(0.5, 0, 1, Math.PI, 0, 0)),
+            false,
             new DeviceSetup.Camera.Ports(50100, 50101),
             new PartCamera.Errors(0, 0, 0));
     DeviceSight seen = DeviceSight.of(List.of(camera), List.of(), false);

@@ -19,7 +19,7 @@ public final class PartCamera {
   private static final int UNIFORM_PARTS = 12;
 
   private final Supplier<List<MovedObject>> objects;
-  private final Predicate<MovedObject> inView;
+  private final View view;
   private final Optional<Pose> baseInCamera;
   private final Errors errors;
   private final SplittableRandom random;
@@ -36,36 +36,41 @@ public final class PartCamera {
   public record Errors(double positionM, double rotationRad, long seed) {}
 
   /**
+   * What it sees.
+   *
+   * @param inside whether an object is in its view
+   * @param clear whether nothing hides one that is
+   */
+  public record View(Predicate<MovedObject> inside, Predicate<MovedObject> clear) {}
+
+  /**
    * A camera that has taken no picture.
    *
    * @param objects where all objects are now; the same list while none moves
-   * @param inView what it sees of them
+   * @param view what it sees of them
    * @param atInBase where it is, if it tells poses in its own frame and not in that of the base
    */
   public PartCamera(
-      Supplier<List<MovedObject>> objects,
-      Predicate<MovedObject> inView,
-      Optional<Pose> atInBase,
-      Errors errors) {
+      Supplier<List<MovedObject>> objects, View view, Optional<Pose> atInBase, Errors errors) {
     this.objects = objects;
-    this.inView = inView;
+    this.view = view;
     baseInCamera = atInBase.map(Poses::inverse);
     this.errors = errors;
     random = new SplittableRandom(errors.seed());
   }
 
-  /** Whether it sees a part in this frame. */
+  /** Whether a part is in its view in this frame, hidden or not. */
   public boolean sees() {
     List<MovedObject> now = objects.get();
     if (!now.equals(last)) {
       last = now;
-      sees = now.stream().anyMatch(this::seen);
+      sees = now.stream().anyMatch(this::inside);
     }
     return sees;
   }
 
-  private boolean seen(MovedObject each) {
-    return each.there() && inView.test(each);
+  private boolean inside(MovedObject each) {
+    return each.there() && view.inside().test(each);
   }
 
   /**
@@ -76,7 +81,7 @@ public final class PartCamera {
   public List<SeenPart> look(String name) {
     List<SeenPart> parts = new ArrayList<>();
     for (MovedObject each : objects.get()) {
-      if (seen(each) && (name.isEmpty() || goesBy(each, name))) {
+      if (inside(each) && (name.isEmpty() || goesBy(each, name)) && view.clear().test(each)) {
         parts.add(new SeenPart(each.name(), told(each.poseInBase())));
       }
     }
