@@ -106,9 +106,9 @@ public final class CellDevices {
           case DeviceSetup.EthernetIp scanner -> new ScannerDevice(scanner, log);
           case DeviceSetup.Lamp lamp -> new LampDevice(lamp, lines);
           case DeviceSetup.Switch pressed ->
-              new SwitchDevice(pressed, tools, pressed.area().watch(world), lines);
+              new SwitchDevice(pressed, new ZoneWatch(pressed.area(), tools, world), lines);
           case DeviceSetup.Sensor sensor ->
-              new SensorDevice(sensor, tools, sensor.zone().watch(world), lines);
+              new SensorDevice(sensor, new ZoneWatch(sensor.zone(), tools, world), lines);
         };
     setup
         .gripper()

@@ -1,22 +1,18 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import org.pendant.cell.BodyProbe;
 import org.pendant.controller.wire.SignalLines;
 
 /** Sensor device: tells by an input whether it sees the tool centre point or a body. */
 final class SensorDevice implements CellDevice {
   private final DeviceSetup.Sensor setup;
-  private final ToolPlaces tools;
-  private final Optional<BodyProbe> bodies;
+  private final ZoneWatch zone;
   private final SensorLine line;
   private boolean sees;
 
-  SensorDevice(
-      DeviceSetup.Sensor setup, ToolPlaces tools, Optional<BodyProbe> bodies, SignalLines lines) {
-    this.bodies = bodies;
+  SensorDevice(DeviceSetup.Sensor setup, ZoneWatch zone, SignalLines lines) {
     this.setup = setup;
-    this.tools = tools;
+    this.zone = zone;
     line = new SensorLine(lines, Optional.of(setup.signal()));
   }
 
@@ -47,7 +43,7 @@ final class SensorDevice implements CellDevice {
 
   @Override
   public void step() {
-    sees = tools.anyIn(setup.zone()) || (bodies.isPresent() && bodies.get().sees());
+    sees = zone.sees();
     line.tell(sees != setup.inverted());
   }
 }

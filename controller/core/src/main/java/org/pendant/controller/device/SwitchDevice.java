@@ -1,7 +1,6 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import org.pendant.cell.BodyProbe;
 import org.pendant.controller.wire.SignalLines;
 
 /**
@@ -10,17 +9,14 @@ import org.pendant.controller.wire.SignalLines;
  */
 final class SwitchDevice implements CellDevice {
   private final DeviceSetup.Switch setup;
-  private final ToolPlaces tools;
-  private final Optional<BodyProbe> bodies;
+  private final ZoneWatch area;
   private final SensorLine line;
   private boolean byHand;
   private boolean pressed;
 
-  SwitchDevice(
-      DeviceSetup.Switch setup, ToolPlaces tools, Optional<BodyProbe> bodies, SignalLines lines) {
+  SwitchDevice(DeviceSetup.Switch setup, ZoneWatch area, SignalLines lines) {
     this.setup = setup;
-    this.tools = tools;
-    this.bodies = bodies;
+    this.area = area;
     line = new SensorLine(lines, Optional.of(setup.signal()));
   }
 
@@ -62,7 +58,7 @@ final class SwitchDevice implements CellDevice {
 
   @Override
   public void step() {
-    pressed = byHand || tools.anyIn(setup.area()) || (bodies.isPresent() && bodies.get().sees());
+    pressed = byHand || area.sees();
     line.tell(pressed != setup.inverted());
   }
 }
