@@ -1,7 +1,6 @@
 package org.pendant.cell;
 
 import java.util.Arrays;
-import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
 /**
@@ -36,25 +35,19 @@ public final class BodyHold {
   /** Of the latest step, about the frame's origin, along the base's axes. */
   private final double[] wrench = new double[6];
 
-  /** The place of the body that is held, along its own axes. */
-  private final double[] anchor = new double[3];
+  private final HeldPlace place;
 
-  /** How the body stands in the frame, rows. */
-  private final double[] stand = new double[9];
+  /** Of this step, as the place has them. */
+  private final double[] arm;
 
-  /** Of this step: from the body's origin to what is held, axes of the frame, impulses. */
-  private final double[] arm = new double[3];
-
-  private final double[][] axes = new double[3][3];
+  private final double[][] axes;
+  private final double[] off;
   private final double[] impulse = new double[ROWS];
   private final double[] mass = new double[ROWS];
   private final double[] softness = new double[ROWS];
   private final double[] wanted = new double[ROWS];
-  private final double[] off = new double[ROWS];
   private final double[] most = new double[ROWS];
   private final double[] least = new double[ROWS];
-  private final double[] wished = new double[9];
-  private final double[] turn = new double[9];
   private int overloadedSteps;
 
   BodyHold(CellBody body, double[] frame, HoldLimits limits, int[] untouched) {
@@ -62,15 +55,10 @@ public final class BodyHold {
     this.limits = limits;
     this.untouched = untouched.clone();
     System.arraycopy(frame, 0, this.frame, 0, Transforms.SIZE);
-    double[] pose = body.pose;
-    for (int i = 0; i < 3; i++) {
-      for (int k = 0; k < 3; k++) {
-        anchor[i] += pose[3 * k + i] * (frame[9 + k] - pose[9 + k]);
-        for (int j = 0; j < 3; j++) {
-          stand[3 * i + j] += frame[3 * k + i] * pose[3 * k + j];
-        }
-      }
-    }
+    place = new HeldPlace(body, frame);
+    arm = place.arm;
+    axes = place.axes;
+    off = place.off;
   }
 
   /** Whether the body passes through another one meanwhile, such as the fingers that hold it. */
@@ -121,14 +109,12 @@ public final class BodyHold {
 
   /** Begins a step: where things are, how far the body is off, and what may be done about it. */
   void begin(double stepS) {
-    for (int i = 0; i < 3; i++) {
-      arm[i] = turned(body.pose, i, anchor);
-      for (int k = 0; k < 3; k++) {
-        axes[i][k] = frame[3 * k + i];
-      }
-    }
-    measure(stepS);
-    slip();
+    place.measure(frame, twist, stepS);
+    place.slip(
+        limits.axis(),
+        limits.shearN() / STIFFNESS_N_PER_M,
+        limits.bendNm() / STIFFNESS_NM_PER_RAD,
+        limits.torsionNm() / STIFFNESS_NM_PER_RAD);
     for (int row = 0; row < ROWS; row++) {
       double yielding = yielding(row);
       double stiffness = row < 3 ? STIFFNESS_N_PER_M : STIFFNESS_NM_PER_RAD;
@@ -175,91 +161,6 @@ public final class BodyHold {
     }
     overloaded |= fillsCircle(0) || fillsCircle(3);
     overloadedSteps = overloaded ? overloadedSteps + 1 : 0;
-  }
-
-  /** How far the body is from where the frame began the step, along the frame's axes. */
-  private void measure(double stepS) {
-    for (int i = 0; i < 3; i++) {
-      for (int j = 0; j < 3; j++) {
-        wished[3 * i + j] =
-            frame[3 * i] * stand[j]
-                + frame[3 * i + 1] * stand[3 + j]
-                + frame[3 * i + 2] * stand[6 + j];
-      }
-    }
-    double[] pose = body.pose;
-    // half the antisymmetric part of the turn from the wished orientation to the real one
-    double x = 0;
-    double y = 0;
-    double z = 0;
-    for (int k = 0; k < 3; k++) {
-      x += pose[6 + k] * wished[3 + k] - pose[3 + k] * wished[6 + k];
-      y += pose[k] * wished[6 + k] - pose[6 + k] * wished[k];
-      z += pose[3 + k] * wished[k] - pose[k] * wished[3 + k];
-    }
-    double[] turnedOff = {
-      x / 2 + twist[3] * stepS, y / 2 + twist[4] * stepS, z / 2 + twist[5] * stepS
-    };
-    for (int row = 0; row < 3; row++) {
-      off[row] = 0;
-      off[3 + row] = 0;
-      for (int k = 0; k < 3; k++) {
-        double shifted = pose[9 + k] + arm[k] - frame[9 + k] + twist[k] * stepS;
-        off[row] += axes[row][k] * shifted;
-        off[3 + row] += axes[row][k] * turnedOff[k];
-      }
-    }
-  }
-
-  /** What is farther off than the hold can draw has slipped. */
-  private void slip() {
-    double shear = limits.shearN() / STIFFNESS_N_PER_M;
-    double bend = limits.bendNm() / STIFFNESS_NM_PER_RAD;
-    double torsion = limits.torsionNm() / STIFFNESS_NM_PER_RAD;
-    int a = (limits.axis() + 1) % 3;
-    int b = (limits.axis() + 2) % 3;
-    double across = Math.hypot(off[a], off[b]);
-    if (across > shear) {
-      slipBy(a, off[a] * (1 - shear / across));
-      slipBy(b, off[b] * (1 - shear / across));
-    }
-    double tilt = Math.hypot(off[3 + a], off[3 + b]);
-    if (tilt > bend) {
-      turnBy(a, off[3 + a] * (1 - bend / tilt));
-      turnBy(b, off[3 + b] * (1 - bend / tilt));
-    }
-    double twisted = off[3 + limits.axis()];
-    if (Math.abs(twisted) > torsion) {
-      turnBy(limits.axis(), twisted - Math.copySign(torsion, twisted));
-    }
-  }
-
-  private void slipBy(int row, double wayM) {
-    off[row] -= wayM;
-    for (int i = 0; i < 3; i++) {
-      for (int k = 0; k < 3; k++) {
-        anchor[i] -= body.pose[3 * k + i] * axes[row][k] * wayM;
-      }
-    }
-    for (int k = 0; k < 3; k++) {
-      arm[k] -= axes[row][k] * wayM;
-    }
-  }
-
-  private void turnBy(int row, double angleRad) {
-    off[3 + row] -= angleRad;
-    double[] along = new double[3];
-    along[row] = angleRad;
-    Rotations.vectorToMatrix(along[0], along[1], along[2], turn);
-    double[] before = stand.clone();
-    for (int i = 0; i < 3; i++) {
-      for (int j = 0; j < 3; j++) {
-        stand[3 * i + j] =
-            turn[3 * i] * before[j]
-                + turn[3 * i + 1] * before[3 + j]
-                + turn[3 * i + 2] * before[6 + j];
-      }
-    }
   }
 
   private void bound(double stepS) {
@@ -338,11 +239,5 @@ public final class BodyHold {
             + y * (inverse[3] * x + inverse[4] * y + inverse[5] * z)
             + z * (inverse[6] * x + inverse[7] * y + inverse[8] * z);
     return row < 3 ? body.inverseMass + turning : turning;
-  }
-
-  private static double turned(double[] pose, int row, double[] vector) {
-    return pose[3 * row] * vector[0]
-        + pose[3 * row + 1] * vector[1]
-        + pose[3 * row + 2] * vector[2];
   }
 }
