@@ -113,6 +113,12 @@ def test_a_plan_that_is_wrong_names_the_place(plan):
         pendant.sweep(plan)
 
 
+def test_other_options_of_the_command_are_handed_on(plan):
+    with pytest.raises(pendant.SweepError, match="engine"):
+        pendant.sweep(plan, options={"engine": "steam"})
+    assert len(pendant.sweep(plan, options={"engine": "local"})) == 4
+
+
 def test_a_folder_that_there_is_needs_no_plan(swept):
     again = pendant.Sweep(swept.folder)
     assert list(again) == list(swept)

@@ -207,6 +207,7 @@ def sweep(
     force: bool = False,
     asserts: Sequence[str] = (),
     keep: Optional[str] = None,
+    options: Optional[Mapping[str, str]] = None,
     progress: Optional[Callable[[str], None]] = None,
     launcher: Optional[Launcher] = None,
 ) -> Sweep:
@@ -216,7 +217,8 @@ def sweep(
     ``out`` is the folder of the results, by default beside the plan; ``resume`` goes on with those
     that are there, ``force`` begins anew. ``asserts`` are conditions on every run, such as
     ``"duration < 12"``: where one does not hold, ``holds`` of the result is false. ``keep`` has
-    recordings made at once, such as ``"worst=5,failed=20"``. ``progress`` hears a sentence every
+    recordings made at once, such as ``"worst=5,failed=20"``. ``options`` are others of the
+    command, such as ``{"engine": "spark", "master": "local[4]"}``. ``progress`` hears a sentence every
     few seconds.
     """
     words = [*program(launcher), "sweep", os.fspath(plan)]
@@ -230,6 +232,8 @@ def sweep(
         words += ["--assert", condition]
     if keep is not None:
         words += ["--keep", keep]
+    for option, value in (options or {}).items():
+        words += ["--" + option, value]
     said: List[str] = []
     with subprocess.Popen(
         words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8"
