@@ -55,13 +55,18 @@ final class Methods {
     return found;
   }
 
+  /** How many arguments the call passes that was compiled to {@code key}. */
+  static int argumentCount(String key) {
+    return Integer.parseInt(key.substring(key.lastIndexOf('/') + 1));
+  }
+
   private static String name(String key) {
     return key.substring(0, key.lastIndexOf('/'));
   }
 
   private Builtin<?> look(String key, Type type, String receiver) throws ScriptError {
     String name = name(key);
-    int count = Integer.parseInt(key.substring(name.length() + 1));
+    int count = argumentCount(key);
     Builtin<?> method =
         builtins.findMethod(type, name, count).orElseThrow(() -> unknown(receiver, name));
     int most = method.signature().parameters().size();

@@ -1,5 +1,6 @@
 package org.pendant.script.vm;
 
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Set;
@@ -95,12 +96,15 @@ final class ProgramMemory {
   private static long count(ProgramRun run) {
     Registers registers = run.registers();
     long bytes = (long) REGISTER_BYTES * registers.size();
+    BitSet dead = new BitSet();
+    LiveTemporaries live = new LiveTemporaries(run.tables());
+    run.threads().forEach(thread -> dead.or(live.dead(thread, registers)));
     // a temporary and a variable may hold the same value
     Set<Value> large = Collections.newSetFromMap(new IdentityHashMap<>());
     Value[] objects = registers.objects();
     for (int slot = 0; slot < objects.length; slot++) {
       Value object = objects[slot];
-      if (object != null) {
+      if (object != null && !dead.get(slot)) {
         long size = object.sizeBytes();
         bytes += size < LARGE_BYTES || large.add(object) ? size : 0;
       }
