@@ -64,6 +64,11 @@ final class BreakpointPatches {
     }
   }
 
+  /** Whether a function may have traps. */
+  boolean wanted() {
+    return !plan.equals(Plan.NONE);
+  }
+
   /** Exchanges the functions that can be called. */
   void replaceIn(ScriptFunction[] functions) {
     if (plan.equals(Plan.NONE) && forms.isEmpty()) {

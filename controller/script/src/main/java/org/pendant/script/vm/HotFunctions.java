@@ -11,6 +11,9 @@ final class HotFunctions {
   /** Calls and turns after which a function is translated: a fraction of a millisecond's work. */
   private static final int HOT = 5000;
 
+  /** Calls that could not be direct, which arguments that there is no code for count for. */
+  private static final int CALLS_WITHOUT_CODE = 300;
+
   /** Makes the translated form of a function. */
   interface Translating {
     Optional<TranslatedCode> translate(ScriptFunction function, Program.Tables tables);
@@ -56,6 +59,46 @@ final class HotFunctions {
       Thread.ofVirtual().name("translate " + function.name()).start(() -> translate(function));
     }
     return translated(function);
+  }
+
+  /**
+   * What to call function {@code number} directly with for arguments that {@code key} tells of;
+   * null while there is nothing.
+   */
+  DirectEntry direct(ScriptFunction function, int number, long key) {
+    DirectEntry entry = function.direct(key);
+    if (entry == null && number < tables.functions().size()) {
+      entry = makeDirect(function, number, key);
+    }
+    return entry == null || entry.code() == null ? null : entry;
+  }
+
+  /** Has code made, once, for arguments that a translated function is called with. */
+  private DirectEntry makeDirect(ScriptFunction function, int number, long key) {
+    // whether it becomes code or not, it is not tried again
+    if (!function.triesDirect(key)) {
+      function.wasNotDirect(1);
+      return null;
+    }
+    if (when == Translation.ALWAYS) {
+      translateDirect(function, number, key);
+    } else {
+      Thread.ofVirtual()
+          .name("translate " + function.name())
+          .start(() -> translateDirect(function, number, key));
+    }
+    return function.direct(key);
+  }
+
+  private void translateDirect(ScriptFunction function, int number, long key) {
+    try {
+      if (!DirectUnit.translate(tables, number, key)) {
+        function.wasNotDirect(CALLS_WITHOUT_CODE);
+      }
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      function.wasNotDirect(CALLS_WITHOUT_CODE);
+      fault.set(e);
+    }
   }
 
   /** A fault that a translation ended with since the last call of this. */

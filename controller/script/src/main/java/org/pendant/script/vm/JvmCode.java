@@ -101,7 +101,8 @@ final class JvmCode {
     }
   }
 
-  private static boolean isCounted(long w) {
+  /** Whether instruction {@code w} itself counts what the function costs. */
+  static boolean isCounted(long w) {
     return switch (Instruction.operation(w)) {
       case Op.LOOP, Op.LOOP_IF_LESS, Op.LOOP_IF_LESS_OR_EQUAL, Op.STRETCH -> true;
       default -> false;

@@ -40,6 +40,15 @@ final class Processor {
   /** The tag bits that keep a number from being stored into a variable as it is. */
   static final int NOT_FOR_NUMBER = Registers.BOOL | Registers.NONE | Registers.OBJECT;
 
+  /** Answered after a direct call: there is nothing left to be run. */
+  private static final TranslatedCode DONE =
+      new TranslatedCode() {
+        @Override
+        Stop run(Processor processor, ScriptThread thread, int base, int pc) {
+          return Stop.RETURNED;
+        }
+      };
+
   private final ProgramRun run;
   private final Registers registers;
   private final GeneralOperations general;
@@ -93,7 +102,7 @@ final class Processor {
   }
 
   /**
-   * Counts a call and pushes its frame.
+   * Counts a call and pushes its frame, or makes the call as a whole.
    *
    * @param pc after the call
    * @param offset of the callee's first slot from {@code base}
@@ -109,8 +118,14 @@ final class Processor {
       return null;
     }
     ScriptFunction callee = run.functions()[number];
-    thread.budget -= callee.callNs();
     int first = base + offset;
+    if (callee.mayBeDirect()) {
+      DirectEntry direct = direct(thread, callee, number, first);
+      if (direct != null) {
+        return callDirectly(thread, direct, first, result);
+      }
+    }
+    thread.budget -= callee.callNs();
     if (depth >= ScriptThread.MAX_DEPTH || first + callee.slotCount() > thread.segmentEnd) {
       general.makeRoom(thread, callee, first);
       first = thread.base() + offset;
@@ -128,6 +143,61 @@ final class Processor {
       return null;
     }
     return code;
+  }
+
+  /** What a function is called directly with; null when it must or can not be. */
+  private DirectEntry direct(ScriptThread thread, ScriptFunction callee, int number, int first) {
+    int count = callee.parameterCount();
+    if (callee.translated() == null
+        || run.trapped()
+        || count > DirectEntry.MAX_PARAMETERS
+        || room(thread) < 0) {
+      return null;
+    }
+    byte[] tags = registers.tags();
+    long key = 0;
+    for (int i = 0; i < count; i++) {
+      int tag = tags[first + i];
+      if (tag == Registers.OBJECT) {
+        callee.wasNotDirect(1);
+        return null;
+      }
+      key = DirectEntry.key(key, i, tag);
+    }
+    DirectEntry entry = hot.direct(callee, number, key);
+    if (entry == null || entry.depth(thread.segmentEnd - first) < 0) {
+      return null;
+    }
+    if (!entry.worthwhile()) {
+      callee.wasNotDirect(1);
+      return null;
+    }
+    return entry;
+  }
+
+  /** How deep calls may be in a direct call of a function that is not yet entered. */
+  private static int room(ScriptThread thread) {
+    int depth = thread.depth;
+    return (depth & (NESTING - 1)) == 0
+        ? -1
+        : Math.min(NESTING - 1 - (depth & (NESTING - 1)), ScriptThread.MAX_DEPTH - 1 - depth);
+  }
+
+  /** Answers as {@link #enter}. */
+  private TranslatedCode callDirectly(
+      ScriptThread thread, DirectEntry direct, int first, int result) {
+    int target = thread.base() + result;
+    int room = Math.min(room(thread), direct.depth(thread.segmentEnd - first));
+    if (direct.code().call(thread, room, registers.numbers(), registers.tags(), first, target)) {
+      return DONE;
+    }
+    int how = thread.left.push(thread, run.functions(), registers, first, result);
+    refusal = how == LeftFrames.IN_NEXT_SLICE ? Stop.EXHAUSTED : Stop.CALLED;
+    if (how == LeftFrames.INTERPRETED) {
+      direct.exited();
+      thread.interrupted = true;
+    }
+    return null;
   }
 
   /** Why {@link #enter} answered no code. */

@@ -56,6 +56,7 @@ final class ProgramRun {
   private final BitSet killed = new BitSet();
   private Program.Tables tables;
   private ScriptFunction[] functions;
+  private boolean trapped;
   private Builtin<?>[] builtins;
   private int links;
   private int newestThread;
@@ -164,6 +165,12 @@ final class ProgramRun {
   /** Sets the traps anew, at once; no code may be running. */
   void trap(BreakpointPatches.Plan plan) {
     breakpointPatches.set(plan, functions, threads);
+    trapped = breakpointPatches.wanted();
+  }
+
+  /** Whether functions may have traps. */
+  boolean trapped() {
+    return trapped;
   }
 
   Processor processor() {

@@ -12,6 +12,11 @@ import org.pendant.language.source.SourceRange;
  * <p>Its slots stand in this order: parameters, other local variables, temporaries.
  */
 final class ScriptFunction {
+  private static final int DIRECT_CHANCES = 1000;
+
+  /** Most direct entries of a function, two for each combination of tags. */
+  private static final int MAX_DIRECT = 16;
+
   private final String name;
   private final Source source;
   private final long[] instructions;
@@ -44,6 +49,15 @@ final class ScriptFunction {
   private TranslatedCode translated;
 
   /**
+   * How many calls may still find that they can not be direct, before that is not tried any more;
+   * roughly where several machines count.
+   */
+  private int directChances;
+
+  /** For calls with arguments of certain tags, the newest first. */
+  private DirectEntry direct;
+
+  /**
    * @param paid how many of the instructions are not free
    * @param unmarked statements that leave no mark of coverage
    */
@@ -73,6 +87,7 @@ final class ScriptFunction {
     this.variables = List.copyOf(variables);
     this.slotCount = slotCount;
     callNs = Cost.call(paid);
+    directChances = hasCallsOrLoops(code) ? DIRECT_CHANCES : 0;
     this.scope = scope;
     original = this;
   }
@@ -135,6 +150,52 @@ final class ScriptFunction {
 
   void install(TranslatedCode translation) {
     translated = translation;
+  }
+
+  /** Without any, a direct call takes as long as any other. */
+  private static boolean hasCallsOrLoops(long[] instructions) {
+    for (long w : instructions) {
+      switch (Instruction.operation(w)) {
+        case Op.CALL, Op.LOOP, Op.LOOP_IF_LESS, Op.LOOP_IF_LESS_OR_EQUAL -> {
+          return true;
+        }
+        default -> {}
+      }
+    }
+    return false;
+  }
+
+  /** Whether calls may be direct. */
+  boolean mayBeDirect() {
+    return directChances > 0;
+  }
+
+  /** Calls could not be direct: with objects, or since code for them ends too soon. */
+  void wasNotDirect(int calls) {
+    directChances -= calls;
+  }
+
+  /** What it is called directly with, for arguments of certain tags; null when there is none. */
+  DirectEntry direct(long key) {
+    DirectEntry entry = direct;
+    while (entry != null && entry.key() != key) {
+      entry = entry.next();
+    }
+    return entry;
+  }
+
+  /** Notes that code for such arguments is being made; false when that must not be tried. */
+  synchronized boolean triesDirect(long key) {
+    if (direct(key) != null || (direct != null && direct.count() == MAX_DIRECT)) {
+      return false;
+    }
+    direct = new DirectEntry(key, null, 0, direct);
+    return true;
+  }
+
+  /** Takes {@code code} for calls with arguments that {@code key} tells of. */
+  synchronized void installDirect(long key, DirectCode code, int slots) {
+    direct = new DirectEntry(key, code, slots, direct);
   }
 
   /** What is interpreted, traps included. */

@@ -83,6 +83,12 @@ final class ScriptThread {
   int[] results = new int[8];
   int depth;
 
+  /** Frames of direct code that are about to become call frames. */
+  final LeftFrames left = new LeftFrames();
+
+  /** The tag of what direct code has just returned, where it may have several. */
+  int resultTag;
+
   int segmentStart;
   int segmentEnd;
 

@@ -3,6 +3,8 @@ package org.pendant.script.vm;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Random;
 import java.util.random.RandomGenerator;
 import java.util.stream.Stream;
 import org.pendant.language.source.Source;
@@ -11,11 +13,15 @@ import org.pendant.script.coverage.Coverage;
 /** Runs one program in every form that the machine has for it. */
 final class TranslationRuns {
   private static final int MAX_FRAMES = 60;
+  private static final int MAX_SHORT_FRAMES = 300;
+  private static final int MAX_SHORT_SLICE_NS = 400;
 
   /**
    * All that a program shows to the outside.
    *
    * @param threads after each frame where each thread is, and what is left of its slice
+   * @param stacks after each frame the functions that each thread is in, with the next instruction
+   *     and the variables
    * @param marks what was reached; empty without coverage
    */
   record Shown(
@@ -25,10 +31,12 @@ final class TranslationRuns {
       String globals,
       List<String> interpreterReplies,
       List<String> threads,
+      List<String> stacks,
       List<Boolean> marks) {
-    /** What there is to see without coverage. */
+    /** What is the same with and without coverage, which adds instructions. */
     Shown unmarked() {
-      return new Shown(messages, ending, frames, globals, interpreterReplies, threads, List.of());
+      return new Shown(
+          messages, ending, frames, globals, interpreterReplies, threads, List.of(), List.of());
     }
   }
 
@@ -36,19 +44,29 @@ final class TranslationRuns {
   private final List<String> interpretedLines;
   private final boolean covered;
 
+  /** Decides what is left of the slices; empty for whole ones. */
+  private final OptionalLong shortSlices;
+
   TranslationRuns(String text, List<String> interpretedLines) {
-    this(text, interpretedLines, false);
+    this(text, interpretedLines, false, OptionalLong.empty());
   }
 
-  private TranslationRuns(String text, List<String> interpretedLines, boolean covered) {
+  private TranslationRuns(
+      String text, List<String> interpretedLines, boolean covered, OptionalLong shortSlices) {
     this.text = text;
     this.interpretedLines = interpretedLines;
     this.covered = covered;
+    this.shortSlices = shortSlices;
   }
 
   /** The same program, compiled for coverage. */
   TranslationRuns covered() {
-    return new TranslationRuns(text, interpretedLines, true);
+    return new TranslationRuns(text, interpretedLines, true, shortSlices);
+  }
+
+  /** The same program, with slices that end after a few instructions. */
+  TranslationRuns inShortSlices(long seed) {
+    return new TranslationRuns(text, interpretedLines, covered, OptionalLong.of(seed));
   }
 
   /** Whether the checker accepts the program. */
@@ -77,13 +95,20 @@ final class TranslationRuns {
     fixture.machine.start(program);
     List<String> replies = new ArrayList<>();
     List<String> threads = new ArrayList<>();
-    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < MAX_FRAMES) {
+    List<String> stacks = new ArrayList<>();
+    Optional<Random> left = shortSlices.stream().mapToObj(Random::new).findFirst();
+    int frames = left.isPresent() ? MAX_SHORT_FRAMES : MAX_FRAMES;
+    while (fixture.machine.state() == ProgramState.RUNNING && fixture.frames < frames) {
+      left.ifPresent(r -> fixture.machine.run().ifPresent(run -> shorten(run, r)));
       random.ifPresent(r -> translateSome(program, r));
       if (fixture.machine.interpreter().active() && replies.isEmpty()) {
         interpretedLines.forEach(line -> replies.add(fixture.submit(line)));
       }
       fixture.advance(1);
-      fixture.machine.run().ifPresent(run -> run.threads().forEach(t -> threads.add(told(t))));
+      for (ScriptThread thread : fixture.machine.run().map(ProgramRun::threads).orElse(List.of())) {
+        threads.add(told(thread));
+        stacks.add(stack(fixture.machine.run().orElseThrow(), thread));
+      }
     }
     String ending = fixture.machine.ending().map(Ending::toString).orElse("still running");
     return new Shown(
@@ -93,7 +118,33 @@ final class TranslationRuns {
         fixture.machine.globals().toString(),
         replies,
         threads,
+        stacks,
         fixture.machine.coverage().map(TranslationRuns::marks).orElse(List.of()));
+  }
+
+  /** Leaves little of the next slice of each thread. */
+  private static void shorten(ProgramRun run, RandomGenerator random) {
+    int share = Slices.PRIMARY.computing(run.threads().size());
+    for (ScriptThread thread : run.threads()) {
+      thread.debtNs = Math.max(0, share - 1 - random.nextInt(MAX_SHORT_SLICE_NS));
+    }
+  }
+
+  private static String stack(ProgramRun run, ScriptThread thread) {
+    StringBuilder frames = new StringBuilder();
+    for (int i = 0; i < thread.depth; i++) {
+      ScriptFunction function = thread.functions[i];
+      frames.append(function.name()).append(' ').append(thread.pcs[i]).append(' ');
+      // the rest is often deep, and told by what follows
+      if (i < 3 || i > thread.depth - 4) {
+        for (int v = 0; v < function.variableCount(); v++) {
+          int slot = thread.bases[i] + v;
+          frames.append(run.registers().assigned(slot) ? run.registers().value(slot) : "-");
+          frames.append(' ');
+        }
+      }
+    }
+    return frames.toString();
   }
 
   private static String told(ScriptThread thread) {

@@ -1,0 +1,150 @@
+package org.pendant.script.vm;
+
+import java.lang.classfile.ClassFile;
+import java.lang.classfile.attribute.CodeAttribute;
+import java.lang.constant.ClassDesc;
+import java.lang.constant.ConstantDescs;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Direct unit: a function and those it calls, for arguments of known tags, that become methods of
+ * one {@link DirectCode} and call each other as such.
+ */
+final class DirectUnit {
+  /** The JVM does not compile methods of more bytes than this. */
+  private static final int LARGEST = 8000;
+
+  private static final int MAX_FORMS = 16;
+  private static final int MAX_INSTRUCTIONS = 300;
+  private static final int MAX_SLOTS = 40;
+
+  /** Each adds a tag to a result, of which there are few, so there are never as many. */
+  private static final int MAX_ROUNDS = MAX_FORMS * TagSet.BITS;
+
+  static final ClassDesc SELF = ClassDesc.of(DirectCode.class.getPackageName(), "DirectFunctions");
+
+  private final Program.Tables tables;
+  private final List<DirectForm> forms = new ArrayList<>();
+
+  private DirectUnit(Program.Tables tables) {
+    this.tables = tables;
+  }
+
+  /**
+   * Makes code for calls of function {@code number} with arguments that {@code key} tells of, and
+   * gives it to the function unless it would never come to its end.
+   *
+   * @return whether there is such code
+   */
+  static boolean translate(Program.Tables tables, int number, long key) {
+    DirectUnit unit = new DirectUnit(tables);
+    ScriptFunction function = tables.functions().get(number);
+    DirectForm root = unit.form(number, DirectEntry.tags(key, function.parameterCount()));
+    if (root == null || !unit.flow() || root.result() == 0) {
+      return false;
+    }
+    byte[] bytes = unit.write(root);
+    if (size(bytes) > LARGEST) {
+      return false;
+    }
+    int slots =
+        unit.forms.stream().mapToInt(form -> form.function().slotCount()).max().orElseThrow();
+    function.installDirect(key, define(bytes), slots);
+    return true;
+  }
+
+  /** The form for arguments of these tags; null when there is none. */
+  DirectForm form(int number, int[] parameters) {
+    for (DirectForm form : forms) {
+      if (form.is(number, parameters)) {
+        return form;
+      }
+    }
+    ScriptFunction function = tables.functions().get(number);
+    if (forms.size() == MAX_FORMS
+        || function.instructions().length > MAX_INSTRUCTIONS
+        || function.slotCount() > MAX_SLOTS
+        || Arrays.stream(function.instructions())
+            .anyMatch(w -> Instruction.operation(w) == Op.MARK)) {
+      return null;
+    }
+    DirectForm form = new DirectForm(this, tables, number, parameters);
+    forms.add(form);
+    return form;
+  }
+
+  /** The method of {@code form}. */
+  String method(DirectForm form) {
+    return "f" + forms.indexOf(form);
+  }
+
+  private boolean flow() {
+    boolean changed = true;
+    for (int round = 0; changed && round < MAX_ROUNDS; round++) {
+      changed = false;
+      for (int i = 0; i < forms.size(); i++) {
+        changed |= forms.get(i).flow();
+      }
+    }
+    return !changed;
+  }
+
+  private byte[] write(DirectForm root) {
+    return ClassFile.of()
+        .build(
+            SELF,
+            type -> {
+              type.withSuperclass(DirectMethod.CODE)
+                  .withFlags(ClassFile.ACC_FINAL | ClassFile.ACC_SUPER)
+                  .withMethodBody(
+                      ConstantDescs.INIT_NAME,
+                      ConstantDescs.MTD_void,
+                      0,
+                      code ->
+                          code.aload(0)
+                              .invokespecial(
+                                  DirectMethod.CODE,
+                                  ConstantDescs.INIT_NAME,
+                                  ConstantDescs.MTD_void)
+                              .return_())
+                  .withMethodBody(
+                      "call",
+                      DirectMethod.CALL,
+                      0,
+                      code -> new DirectMethod(code, root, this).writeEntry());
+              for (int i = 0; i < forms.size(); i++) {
+                DirectForm form = forms.get(i);
+                type.withMethodBody(
+                    method(form),
+                    DirectMethod.type(form),
+                    ClassFile.ACC_STATIC,
+                    code -> new DirectMethod(code, form, this).write());
+              }
+            });
+  }
+
+  /** The bytes of the largest method. */
+  private static int size(byte[] bytes) {
+    return ClassFile.of().parse(bytes).methods().stream()
+        .flatMap(method -> method.code().stream())
+        .mapToInt(code -> ((CodeAttribute) code).codeLength())
+        .max()
+        .orElseThrow();
+  }
+
+  private static DirectCode define(byte[] bytes) {
+    try {
+      MethodHandles.Lookup defined = MethodHandles.lookup().defineHiddenClass(bytes, true);
+      return (DirectCode)
+          defined
+              .findConstructor(defined.lookupClass(), MethodType.methodType(void.class))
+              .invoke();
+    } catch (Throwable e) {
+      throw new IllegalStateException("the translation is not a valid class", e);
+    }
+  }
+}
