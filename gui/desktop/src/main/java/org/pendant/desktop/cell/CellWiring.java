@@ -183,6 +183,29 @@ record CellWiring(List<Box> boxes) {
     return groups;
   }
 
+  /**
+   * Digital signals of the controllers of a cell by their own names, but those of the first, which
+   * have none before them.
+   *
+   * @param controllers by their names; empty for one that is alone
+   */
+  static List<Group> ofControllers(List<String> controllers) {
+    List<Group> groups = new ArrayList<>();
+    for (String controller : controllers.stream().skip(1).toList()) {
+      for (SignalBank bank : SignalBank.values()) {
+        if (bank != SignalBank.FLAG) {
+          groups.add(
+              group(
+                  controller + ": " + title(bank),
+                  controller + "." + bank.text(),
+                  bank.size(),
+                  bank.input() ? WireSignal.Kind.INPUT : WireSignal.Kind.OUTPUT));
+        }
+      }
+    }
+    return groups;
+  }
+
   private static Group group(String owner, SignalGroup group) {
     WireSignal.Kind kind = group.settable() ? WireSignal.Kind.INPUT : WireSignal.Kind.OUTPUT;
     return new Group(

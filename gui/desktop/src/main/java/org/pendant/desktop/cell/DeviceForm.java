@@ -58,6 +58,7 @@ final class DeviceForm {
   private final RotationChoice rotation;
   private final UnaryOperator<String> signalName;
   private final Supplier<Scene> scene;
+  private final Supplier<List<WireSignal>> others;
   private final Consumer<String> putAtTcp;
   private final Set<String> kinds = new HashSet<>();
 
@@ -68,6 +69,7 @@ final class DeviceForm {
    * @param rotation how rotations are shown
    * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
    * @param scene whose objects devices work with
+   * @param others signals of other controllers and of devices, which wires may lead to as well
    * @param putAtTcp moves the place of a key, or all of the chosen device, to the TCP
    */
   DeviceForm(
@@ -76,8 +78,10 @@ final class DeviceForm {
       RotationChoice rotation,
       UnaryOperator<String> signalName,
       Supplier<Scene> scene,
+      Supplier<List<WireSignal>> others,
       Consumer<String> putAtTcp) {
     this.scene = scene;
+    this.others = others;
     this.putAtTcp = putAtTcp;
     this.form = form.in(measures).telling(why -> ShownRange.of(why, measures));
     this.measures = measures;
@@ -311,14 +315,23 @@ final class DeviceForm {
   }
 
   private void addWire(DeviceField.Wire wire, Part part) {
-    List<String> signals = signals(wire);
     form.choice(
         wire.title(),
         wire.title() + ": " + wire.help(),
-        device -> signals,
+        device -> withOthers(wire, others.get(), device.name()),
         this::words,
         device -> part.get.apply(device).text(wire.key()),
         (device, signal) -> part.change(device, text -> text.withText(wire.key(), signal)));
+  }
+
+  /** Those of the controller, and of others what the device may set or watch; none of its own. */
+  static List<String> withOthers(DeviceField.Wire wire, List<WireSignal> others, String device) {
+    Stream<String> more =
+        others.stream()
+            .filter(each -> !wire.input() || each.kind() == WireSignal.Kind.INPUT)
+            .map(WireSignal::name)
+            .filter(name -> !name.startsWith(device + "."));
+    return Stream.concat(signals(wire).stream(), more).toList();
   }
 
   /** Inputs for what the device sets; for what it watches all there are, outputs first. */

@@ -1,5 +1,6 @@
 package org.pendant.desktop.cell;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -61,12 +62,19 @@ final class DevicesCard {
             rotation,
             signalName,
             draft::scene,
+            this::otherSignals,
             key ->
                 items
                     .chosen()
                     .map(each -> DevicePlaces.of(each).moved(key, tcpInBaseM.get()))
                     .ifPresent(items::replace));
     card.add(items.component());
+  }
+
+  private List<WireSignal> otherSignals() {
+    List<CellWiring.Group> groups = new ArrayList<>(CellWiring.ofControllers(draft.controllers()));
+    groups.addAll(CellWiring.signals(draft.devices().stream().flatMap(List::stream).toList()));
+    return groups.stream().flatMap(each -> each.signals().stream()).toList();
   }
 
   private String words(DeviceText device) {

@@ -228,6 +228,7 @@ final class WiringPage {
   private List<WireRow> signalRows() {
     List<WireRow> rows = new ArrayList<>();
     List<CellWiring.Group> groups = new ArrayList<>(CellWiring.signals());
+    groups.addAll(CellWiring.ofControllers(draft.controllers()));
     groups.addAll(CellWiring.signals(draft.devices().stream().flatMap(List::stream).toList()));
     for (CellWiring.Group group : groups) {
       rows.add(new WireRow.Heading(group.title(), "", false));

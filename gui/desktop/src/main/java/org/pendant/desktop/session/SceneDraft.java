@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.pendant.controller.box.CellEquipment;
+import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
@@ -65,20 +66,16 @@ public final class SceneDraft {
   }
 
   /** Devices, and what says so. */
-  private record Read(Content content, List<List<DeviceSetup>> devices) {
-    static final Read NOTHING = new Read(Content.EMPTY, List.of());
+  private record Read(Content content, List<String> controllers, List<List<DeviceSetup>> devices) {
+    static final Read NOTHING = new Read(Content.EMPTY, List.of(), List.of());
 
     static Read of(Content content) {
       try {
+        CellPlan plan = SceneFile.of("scene", content.text(), MeshFiles.of(content.scene())).plan();
         return new Read(
             content,
-            SceneFile.of("scene", content.text(), MeshFiles.of(content.scene()))
-                .plan()
-                .equipment()
-                .devices()
-                .stream()
-                .map(CellEquipment::devices)
-                .toList());
+            plan.layout().names(),
+            plan.equipment().devices().stream().map(CellEquipment::devices).toList());
       } catch (IOException e) {
         throw new IllegalStateException("a draft has devices that cannot be", e);
       }
@@ -113,10 +110,19 @@ public final class SceneDraft {
 
   /** What the members for devices say of each controller; of one where it is alone. */
   public List<List<DeviceSetup>> devices() {
+    return read().devices();
+  }
+
+  /** The names of the controllers; none where one is alone. */
+  public List<String> controllers() {
+    return read().controllers();
+  }
+
+  private Read read() {
     if (!read.content().equals(now)) {
       read = Read.of(now);
     }
-    return read.devices();
+    return read;
   }
 
   /** Where it is written: a file, or a text without one. */

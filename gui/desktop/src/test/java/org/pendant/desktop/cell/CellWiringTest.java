@@ -1,11 +1,13 @@
 package org.pendant.desktop.cell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.device.DeviceField;
 
 final class CellWiringTest {
   private static final String DEVICES =
@@ -135,5 +137,23 @@ final class CellWiringTest {
         "Close of gripper must have a wire: drag it to another signal instead",
         port("gripper", "close").removalRefusal());
     assertEquals("", port("gripper", "gripped").removalRefusal());
+  }
+
+  @Test
+  void wiresMayLeadToSignalsOfOtherControllersAndOfDevices() {
+    List<WireSignal> others =
+        CellWiring.ofControllers(List.of("left", "cell")).stream()
+            .flatMap(group -> group.signals().stream())
+            .toList();
+    DeviceField.Wire watched = new DeviceField.Wire("close", "Close", "closes it", false, true);
+    DeviceField.Wire told = new DeviceField.Wire("closed", "Closed", "tells", true, true);
+    List<String> watches = DeviceForm.withOthers(watched, others, "door");
+    List<String> tells = DeviceForm.withOthers(told, others, "door");
+    assertTrue(watches.contains("cell.digital_out[0]"), watches::toString);
+    assertTrue(watches.contains("cell.digital_in[0]"), watches::toString);
+    assertTrue(tells.contains("cell.digital_in[7]"), tells::toString);
+    assertFalse(tells.contains("cell.digital_out[0]"), tells::toString);
+    assertFalse(watches.contains("left.digital_out[0]"), "the first needs no name");
+    assertFalse(DeviceForm.withOthers(watched, others, "cell").contains("cell.digital_out[0]"));
   }
 }
