@@ -13,7 +13,7 @@ public final class JsonMembers {
   private JsonMembers() {}
 
   /**
-   * The members of an object that are objects or arrays, in their order, each with its own text.
+   * The members of an object in their order, each as JSON: objects and arrays with their own text.
    *
    * @param text one JSON object
    * @throws IllegalArgumentException if it is none
@@ -26,10 +26,14 @@ public final class JsonMembers {
       }
       while (parser.nextToken() != JsonToken.END_OBJECT) {
         String key = parser.currentName();
-        if (parser.nextToken().isStructStart()) {
+        JsonToken value = parser.nextToken();
+        if (value.isStructStart()) {
           int start = (int) parser.currentTokenLocation().getCharOffset();
           parser.skipChildren();
           members.put(key, text.substring(start, (int) parser.currentLocation().getCharOffset()));
+        } else {
+          String word = parser.getString();
+          members.put(key, value == JsonToken.VALUE_STRING ? JsonValues.text(word) : word);
         }
       }
     } catch (JacksonException e) {

@@ -11,8 +11,9 @@ final class JsonMembersTest {
   @Test
   void eachHasItsOwnText() {
     assertEquals(
-        Map.of("a", "[1, [2, \"]\"],\n  3]", "c", "{\"d\" : {}}"),
-        JsonMembers.of("{\"a\": [1, [2, \"]\"],\n  3], \"b\": 7,\n\"c\":{\"d\" : {}}}"));
+        Map.of("a", "[1, [2, \"]\"],\n  3]", "b", "7", "c", "{\"d\" : {}}", "e", "\"f\\\"g\""),
+        JsonMembers.of(
+            "{\"a\": [1, [2, \"]\"],\n  3], \"b\": 7,\n\"c\":{\"d\" : {}}, \"e\": \"f\\\"g\"}"));
   }
 
   @Test

@@ -102,4 +102,13 @@ final class SceneDraftTest {
     draft.set(ball(0.1));
     assertEquals(afterOne, told[0], "the same again is no change");
   }
+
+  @Test
+  void theScriptOfACellStaysInTheFile() throws Exception {
+    draft.open(SceneFile.of("two.scene.json", SharedCell.SCENE));
+    assertEquals(List.of("left", "right", "cell"), draft.controllers());
+    draft.set(ball(0.1));
+    SceneFile again = SceneFile.of("again", draft.document().text());
+    assertEquals("cell.script", again.plan().layout().script().orElseThrow().name());
+  }
 }
