@@ -16,56 +16,15 @@ import org.pendant.script.value.Registers;
 
 /**
  * Direct method: writes bytecode of one {@link DirectForm}: each instruction as the {@link
- * InstructionLoop} interprets it, on variables of the JVM.
- *
- * <p>A slot of which it is known that it holds an int or bool is a long, one that holds a float a
- * double, and one that can have several tags a double and its tag. Every method returns a result in
- * the same way, where a tag stands in the thread, or {@link #LEFT} or NaN when it was left.
+ * InstructionLoop} interprets it, on the {@link DirectSlots}.
  */
 final class DirectMethod {
   static final ClassDesc CODE = JvmCode.desc(DirectCode.class);
   private static final ClassDesc LEFT_FRAMES = JvmCode.desc(LeftFrames.class);
   private static final ClassDesc INT = ConstantDescs.CD_int;
-  private static final ClassDesc LONG = ConstantDescs.CD_long;
   private static final ClassDesc DOUBLE = ConstantDescs.CD_double;
   private static final ClassDesc BOOLEAN = ConstantDescs.CD_boolean;
   private static final ClassDesc VOID = ConstantDescs.CD_void;
-
-  /** The type of {@link DirectCode#call}. */
-  static final MethodTypeDesc CALL =
-      MethodTypeDesc.of(
-          BOOLEAN,
-          JvmCode.THREAD,
-          INT,
-          DOUBLE.arrayType(),
-          ConstantDescs.CD_byte.arrayType(),
-          INT,
-          INT);
-
-  /** What a method that returns a long returns when it was left: no int. */
-  private static final long LEFT = Long.MIN_VALUE;
-
-  private static final int THREAD = 0;
-  private static final int ROOM = 1;
-  private static final int FIRST_PARAMETER = 2;
-
-  /** How values of some tags are kept. */
-  private enum Kept {
-    NOT,
-    LONG,
-    DOUBLE,
-    TAGGED;
-
-    static Kept of(int tags) {
-      if (tags == TagSet.INT || tags == TagSet.BOOL) {
-        return LONG;
-      }
-      if (tags == TagSet.FLOAT) {
-        return DOUBLE;
-      }
-      return tags == 0 || TagSet.single(tags) ? NOT : TAGGED;
-    }
-  }
 
   private final CodeBuilder code;
   private final DirectForm form;
@@ -76,19 +35,7 @@ final class DirectMethod {
   /** Where it is left for instructions that have to be interpreted. */
   private final Label[] interpreted;
 
-  private final int[] longs;
-  private final int[] doubles;
-  private final int[] tagVariables;
-  private final int pcVariable;
-  private final int howVariable;
-  private final int numberVariable;
-  private final int tagVariable;
-  private final int leftVariable;
-
-  /** The budget of the thread, where a function has loops; else it is only found in the thread. */
-  private final int budgetVariable;
-
-  private final boolean counts;
+  private final DirectSlots slots;
   private final List<Runnable> tail = new ArrayList<>();
   private final Map<List<Integer>, Label> exits = new HashMap<>();
 
@@ -102,121 +49,7 @@ final class DirectMethod {
     for (int i = 0; i < labels.length; i++) {
       labels[i] = code.newLabel();
     }
-    int slots = form.function().slotCount();
-    longs = new int[slots];
-    doubles = new int[slots];
-    tagVariables = new int[slots];
-    int next = FIRST_PARAMETER;
-    for (int i = 0; i < form.function().parameterCount(); i++) {
-      switch (Kept.of(form.parameter(i))) {
-        case NOT -> {}
-        case LONG -> {
-          longs[i] = next;
-          next += 2;
-        }
-        case DOUBLE -> {
-          doubles[i] = next;
-          next += 2;
-        }
-        case TAGGED -> {
-          doubles[i] = next;
-          tagVariables[i] = next + 2;
-          next += 3;
-        }
-      }
-    }
-    for (int i = 0; i < slots; i++) {
-      if (longs[i] == 0) {
-        longs[i] = next;
-        next += 2;
-      }
-      if (doubles[i] == 0) {
-        doubles[i] = next;
-        next += 2;
-      }
-      if (tagVariables[i] == 0) {
-        tagVariables[i] = next++;
-      }
-    }
-    numberVariable = next;
-    pcVariable = next + 2;
-    howVariable = next + 3;
-    tagVariable = next + 4;
-    leftVariable = next + 5;
-    budgetVariable = next + 6;
-    counts = Arrays.stream(instructions).anyMatch(JvmCode::isCounted);
-  }
-
-  /** The type of the method of {@code form}. */
-  static MethodTypeDesc type(DirectForm form) {
-    List<ClassDesc> parameters = new ArrayList<>(List.of(JvmCode.THREAD, INT));
-    for (int i = 0; i < form.function().parameterCount(); i++) {
-      switch (Kept.of(form.parameter(i))) {
-        case NOT -> {}
-        case LONG -> parameters.add(LONG);
-        case DOUBLE -> parameters.add(DOUBLE);
-        case TAGGED -> {
-          parameters.add(DOUBLE);
-          parameters.add(INT);
-        }
-      }
-    }
-    return MethodTypeDesc.of(returnsLong(form) ? LONG : DOUBLE, parameters);
-  }
-
-  private static boolean returnsLong(DirectForm form) {
-    Kept kept = Kept.of(form.result());
-    return kept == Kept.LONG || kept == Kept.NOT;
-  }
-
-  /** Writes {@link DirectCode#call}. */
-  void writeEntry() {
-    int thread = 1;
-    int numbers = 3;
-    int tags = 4;
-    int first = 5;
-    int target = 6;
-    int number = 7;
-    code.aload(thread).iload(2);
-    for (int i = 0; i < form.function().parameterCount(); i++) {
-      Kept kept = Kept.of(form.parameter(i));
-      if (kept == Kept.NOT) {
-        continue;
-      }
-      code.aload(numbers).iload(first).loadConstant(i).iadd().daload();
-      if (kept == Kept.LONG) {
-        code.d2l();
-      } else if (kept == Kept.TAGGED) {
-        code.aload(tags).iload(first).loadConstant(i).iadd().baload();
-      }
-    }
-    Label left = code.newLabel();
-    code.invokestatic(DirectUnit.SELF, unit.method(form), type(form));
-    if (returnsLong(form)) {
-      code.dup2().loadConstant(LEFT).lcmp().ifeq(left).l2d().dstore(number);
-    } else {
-      code.dstore(number);
-      Label valid = code.newLabel();
-      code.dload(number).dload(number).dcmpl().ifeq(valid);
-      code.aload(thread)
-          .getfield(JvmCode.THREAD, "left", LEFT_FRAMES)
-          .getfield(LEFT_FRAMES, "leaving", BOOLEAN)
-          .ifeq(valid)
-          .iconst_0()
-          .ireturn();
-      code.labelBinding(valid);
-    }
-    code.aload(numbers).iload(target).dload(number).dastore();
-    code.aload(tags).iload(target);
-    if (TagSet.single(form.result())) {
-      code.loadConstant(TagSet.tag(form.result()));
-    } else {
-      code.aload(thread).getfield(JvmCode.THREAD, "resultTag", INT);
-    }
-    code.bastore().iconst_1().ireturn();
-    if (returnsLong(form)) {
-      code.labelBinding(left).pop2().iconst_0().ireturn();
-    }
+    slots = new DirectSlots(code, form);
   }
 
   /** Writes the method of the form. */
@@ -236,100 +69,37 @@ final class DirectMethod {
   /** Counts the call, if it can be begun. */
   private void begin() {
     Label refused = code.newLabel();
-    code.aload(THREAD).getfield(JvmCode.THREAD, "budget", INT).iflt(refused);
-    code.iload(ROOM).iflt(refused);
-    loadBudget();
-    count(form.function().callNs());
+    code.aload(DirectSlots.THREAD).getfield(JvmCode.THREAD, "budget", INT).iflt(refused);
+    code.iload(DirectSlots.ROOM).iflt(refused);
+    slots.loadBudget();
+    slots.count(form.function().callNs());
     int[] given = new int[form.function().slotCount()];
     for (int i = 0; i < form.function().variableCount(); i++) {
       given[i] = i < form.function().parameterCount() ? form.parameter(i) : TagSet.UNASSIGNED;
     }
-    convert(given, form.state(0));
+    slots.convert(given, form.state(0));
     tail.add(
         () -> {
           code.labelBinding(refused);
-          leftFrames();
+          slots.leftFrames();
           code.invokevirtual(LEFT_FRAMES, "refuse", MethodTypeDesc.of(VOID));
-          returnLeft();
+          slots.returnLeft();
         });
-  }
-
-  // --- the budget
-
-  private void loadBudget() {
-    if (counts) {
-      code.aload(THREAD).getfield(JvmCode.THREAD, "budget", INT).istore(budgetVariable);
-    }
-  }
-
-  private void writeBudgetBack() {
-    if (counts) {
-      code.aload(THREAD).iload(budgetVariable).putfield(JvmCode.THREAD, "budget", INT);
-    }
-  }
-
-  private void count(int costNs) {
-    if (counts) {
-      code.iinc(budgetVariable, -costNs);
-      return;
-    }
-    code.aload(THREAD)
-        .dup()
-        .getfield(JvmCode.THREAD, "budget", INT)
-        .loadConstant(costNs)
-        .isub()
-        .putfield(JvmCode.THREAD, "budget", INT);
-  }
-
-  private void count(int costNs, Label exhausted) {
-    count(costNs);
-    code.iload(budgetVariable).iflt(exhausted);
-  }
-
-  private void leftFrames() {
-    code.aload(THREAD).getfield(JvmCode.THREAD, "left", LEFT_FRAMES);
-  }
-
-  private void returnLeft() {
-    if (returnsLong(form)) {
-      code.loadConstant(LEFT).lreturn();
-    } else {
-      code.loadConstant(Double.NaN).dreturn();
-    }
   }
 
   // --- ways from one instruction to another
 
-  /** Keeps the slots as the next instruction expects them. */
-  private void convert(int[] from, int[] to) {
-    for (int i = 0; i < to.length; i++) {
-      if (Kept.of(to[i]) == Kept.TAGGED && Kept.of(from[i]) != Kept.TAGGED) {
-        pushNumber(i, from[i]);
-        code.dstore(doubles[i]).loadConstant(TagSet.tag(from[i])).istore(tagVariables[i]);
-      }
-    }
-  }
-
-  private boolean converts(int[] from, int[] to) {
-    for (int i = 0; i < to.length; i++) {
-      if (Kept.of(to[i]) == Kept.TAGGED && Kept.of(from[i]) != Kept.TAGGED) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   /** The place to jump to for instruction {@code target} with slots of these tags. */
   private Label edge(int[] from, int target) {
     int[] to = form.state(target);
-    if (!converts(from, to)) {
+    if (!slots.converts(from, to)) {
       return labels[target];
     }
     Label label = code.newLabel();
     tail.add(
         () -> {
           code.labelBinding(label);
-          convert(from, to);
+          slots.convert(from, to);
           code.goto_(labels[target]);
         });
     return label;
@@ -337,7 +107,7 @@ final class DirectMethod {
 
   /** Continues with the instruction after {@code pc}, which follows. */
   private void next(int pc, int[] after) {
-    convert(after, form.state(pc + 1));
+    slots.convert(after, form.state(pc + 1));
   }
 
   // --- ways out
@@ -348,8 +118,11 @@ final class DirectMethod {
     tail.add(
         () -> {
           code.labelBinding(label);
-          writeBudgetBack();
-          code.loadConstant(pc).istore(pcVariable).loadConstant(how).istore(howVariable);
+          slots.writeBudgetBack();
+          code.loadConstant(pc)
+              .istore(slots.pcVariable)
+              .loadConstant(how)
+              .istore(slots.howVariable);
           code.goto_(exit(state));
         });
     return label;
@@ -380,64 +153,25 @@ final class DirectMethod {
 
   private void leave(Label label, int[] state) {
     code.labelBinding(label);
-    leftFrames();
+    slots.leftFrames();
     code.dup()
-        .astore(leftVariable)
+        .astore(slots.leftVariable)
         .loadConstant(form.number())
-        .iload(pcVariable)
-        .iload(howVariable)
+        .iload(slots.pcVariable)
+        .iload(slots.howVariable)
         .invokevirtual(LEFT_FRAMES, "frame", MethodTypeDesc.of(VOID, INT, INT, INT));
     for (int i = 0; i < state.length; i++) {
       if (state[i] != 0) {
-        code.aload(leftVariable).loadConstant(i);
-        pushTag(Instruction.local(i), state);
-        pushNumber(i, state[i]);
+        code.aload(slots.leftVariable).loadConstant(i);
+        slots.pushTag(Instruction.local(i), state);
+        slots.pushNumber(i, state[i]);
         code.invokevirtual(LEFT_FRAMES, "slot", MethodTypeDesc.of(VOID, INT, INT, DOUBLE));
       }
     }
-    returnLeft();
+    slots.returnLeft();
   }
 
-  // --- operands
-
-  private void pushTag(int operand, int[] state) {
-    int tags = form.tags(operand, state);
-    if (TagSet.single(tags)) {
-      code.loadConstant(TagSet.tag(tags));
-    } else {
-      code.iload(tagVariables[Instruction.index(operand)]);
-    }
-  }
-
-  private void pushNumber(int slot, int tags) {
-    switch (Kept.of(tags)) {
-      case LONG -> code.lload(longs[slot]).l2d();
-      case DOUBLE, TAGGED -> code.dload(doubles[slot]);
-      case NOT -> code.dconst_0();
-    }
-  }
-
-  private void pushDouble(int operand, int[] state) {
-    if (!Instruction.isLocal(operand)) {
-      code.loadConstant(form.constant(operand));
-    } else {
-      int slot = Instruction.index(operand);
-      pushNumber(slot, state[slot]);
-    }
-  }
-
-  private void pushLong(int operand, int[] state) {
-    if (!Instruction.isLocal(operand)) {
-      code.loadConstant((long) form.constant(operand));
-      return;
-    }
-    int slot = Instruction.index(operand);
-    if (Kept.of(state[slot]) == Kept.LONG) {
-      code.lload(longs[slot]);
-    } else {
-      code.dload(doubles[slot]).d2l();
-    }
-  }
+  // --- guards
 
   /** Leaves when {@code operand} has none of the tags up to {@code most}. */
   private void guard(int operand, int[] state, int most, Supplier<Label> exit) {
@@ -450,7 +184,7 @@ final class DirectMethod {
           default -> TagSet.within(tags, TagSet.PLAIN);
         };
     if (!known) {
-      pushTag(operand, state);
+      slots.pushTag(operand, state);
       code.loadConstant(most).if_icmpgt(exit.get());
     }
   }
@@ -459,7 +193,7 @@ final class DirectMethod {
   private void guardTarget(int target, int[] state, Supplier<Label> exit) {
     if (form.isVariable(target)
         && !TagSet.within(form.tags(target, state), TagSet.NUMBER | TagSet.UNASSIGNED)) {
-      pushTag(target, state);
+      slots.pushTag(target, state);
       code.loadConstant(Processor.NOT_FOR_NUMBER).iand().ifne(exit.get());
     }
   }
@@ -515,7 +249,8 @@ final class DirectMethod {
       case Op.CALL -> call(pc, w, state);
       case Op.RETURN -> giveBack(pc, a, state);
       case Op.RETURN_NONE -> giveBackNone();
-      case Op.STRETCH -> count(Cost.STRETCH_NS, exit(pc + 1, LeftFrames.IN_NEXT_SLICE, state));
+      case Op.STRETCH ->
+          slots.count(Cost.STRETCH_NS, exit(pc + 1, LeftFrames.IN_NEXT_SLICE, state));
       default -> throw new IllegalStateException("operation " + operation);
     }
     switch (operation) {
@@ -547,20 +282,20 @@ final class DirectMethod {
   /** Keeps in {@code target} what {@code source} holds. */
   private void copy(int target, int source, int[] state, int[] after) {
     int slot = Instruction.index(target);
-    switch (Kept.of(after[slot])) {
+    switch (DirectSlots.Kept.of(after[slot])) {
       case NOT -> {}
       case LONG -> {
-        pushLong(source, state);
-        code.lstore(longs[slot]);
+        slots.pushLong(source, state);
+        code.lstore(slots.longs[slot]);
       }
       case DOUBLE -> {
-        pushDouble(source, state);
-        code.dstore(doubles[slot]);
+        slots.pushDouble(source, state);
+        code.dstore(slots.doubles[slot]);
       }
       case TAGGED -> {
-        pushDouble(source, state);
-        pushTag(source, state);
-        code.istore(tagVariables[slot]).dstore(doubles[slot]);
+        slots.pushDouble(source, state);
+        slots.pushTag(source, state);
+        code.istore(slots.tagVariables[slot]).dstore(slots.doubles[slot]);
       }
     }
   }
@@ -569,12 +304,12 @@ final class DirectMethod {
     if (!TagSet.assignable(form.tags(target, state), form.tags(source, state))) {
       Label fast = code.newLabel();
       Supplier<Label> exit = interpreted(pc);
-      pushTag(source, state);
-      pushTag(target, state);
+      slots.pushTag(source, state);
+      slots.pushTag(target, state);
       code.ior().iconst_1().if_icmple(fast);
-      pushTag(target, state);
+      slots.pushTag(target, state);
       code.loadConstant(Registers.UNASSIGNED).if_icmpne(exit.get());
-      pushTag(source, state);
+      slots.pushTag(source, state);
       code.loadConstant(Registers.BOOL).if_icmpgt(exit.get());
       code.labelBinding(fast);
     }
@@ -593,8 +328,8 @@ final class DirectMethod {
     guardTarget(target, state, exit);
     int slot = Instruction.index(target);
     if (after[slot] == TagSet.INT) {
-      pushLong(x, state);
-      pushLong(y, state);
+      slots.pushLong(x, state);
+      slots.pushLong(y, state);
       switch (operation) {
         case Op.ADD -> code.ladd();
         case Op.SUBTRACT -> code.lsub();
@@ -604,12 +339,12 @@ final class DirectMethod {
       return;
     }
     if (after[slot] != TagSet.FLOAT) {
-      pushTag(x, state);
-      pushTag(y, state);
-      code.ior().istore(tagVariable);
+      slots.pushTag(x, state);
+      slots.pushTag(y, state);
+      code.ior().istore(slots.tagVariable);
     }
-    pushDouble(x, state);
-    pushDouble(y, state);
+    slots.pushDouble(x, state);
+    slots.pushDouble(y, state);
     switch (operation) {
       case Op.ADD -> code.dadd();
       case Op.SUBTRACT -> code.dsub();
@@ -620,24 +355,30 @@ final class DirectMethod {
 
   /** Stores the long on the stack as an int, if it is one. */
   private void storeInt(int slot, Supplier<Label> exit) {
-    code.dup2().lstore(numberVariable).l2i().i2l().lload(numberVariable).lcmp().ifne(exit.get());
-    code.lload(numberVariable).lstore(longs[slot]);
+    code.dup2()
+        .lstore(slots.numberVariable)
+        .l2i()
+        .i2l()
+        .lload(slots.numberVariable)
+        .lcmp()
+        .ifne(exit.get());
+    code.lload(slots.numberVariable).lstore(slots.longs[slot]);
   }
 
   /** Stores the double on the stack, whose tag stands in a variable unless it is a float. */
   private void storeNumber(int slot, int tags, Supplier<Label> exit) {
     if (tags == TagSet.FLOAT) {
-      code.dstore(doubles[slot]);
+      code.dstore(slots.doubles[slot]);
       return;
     }
     Label fits = code.newLabel();
-    code.dstore(numberVariable).iload(tagVariable).ifne(fits);
-    code.dload(numberVariable).dup2().d2i().i2d().dcmpl().ifne(exit.get());
+    code.dstore(slots.numberVariable).iload(slots.tagVariable).ifne(fits);
+    code.dload(slots.numberVariable).dup2().d2i().i2d().dcmpl().ifne(exit.get());
     // an int has no negative zero
-    code.dload(numberVariable).dconst_0().dadd().dstore(numberVariable);
+    code.dload(slots.numberVariable).dconst_0().dadd().dstore(slots.numberVariable);
     code.labelBinding(fits);
-    code.dload(numberVariable).dstore(doubles[slot]);
-    code.iload(tagVariable).istore(tagVariables[slot]);
+    code.dload(slots.numberVariable).dstore(slots.doubles[slot]);
+    code.iload(slots.tagVariable).istore(slots.tagVariables[slot]);
   }
 
   private void divide(int pc, int target, int x, int y, int[] state) {
@@ -645,11 +386,11 @@ final class DirectMethod {
     guard(x, state, Registers.FLOAT, exit);
     guard(y, state, Registers.FLOAT, exit);
     guardTarget(target, state, exit);
-    pushDouble(y, state);
+    slots.pushDouble(y, state);
     code.dconst_0().dcmpl().ifeq(exit.get());
-    pushDouble(x, state);
-    pushDouble(y, state);
-    code.ddiv().dstore(doubles[Instruction.index(target)]);
+    slots.pushDouble(x, state);
+    slots.pushDouble(y, state);
+    code.ddiv().dstore(slots.doubles[Instruction.index(target)]);
   }
 
   private void modulo(int pc, int target, int x, int y, int[] state) {
@@ -657,12 +398,12 @@ final class DirectMethod {
     guard(x, state, Registers.INT, exit);
     guard(y, state, Registers.INT, exit);
     guardTarget(target, state, exit);
-    pushLong(y, state);
+    slots.pushLong(y, state);
     code.lconst_0().lcmp().ifeq(exit.get());
-    pushLong(x, state);
+    slots.pushLong(x, state);
     code.l2i();
-    pushLong(y, state);
-    code.l2i().irem().i2l().lstore(longs[Instruction.index(target)]);
+    slots.pushLong(y, state);
+    code.l2i().irem().i2l().lstore(slots.longs[Instruction.index(target)]);
   }
 
   private void negate(int pc, int target, int x, int[] state, int[] after) {
@@ -671,16 +412,16 @@ final class DirectMethod {
     guardTarget(target, state, exit);
     int slot = Instruction.index(target);
     if (after[slot] == TagSet.INT) {
-      pushLong(x, state);
+      slots.pushLong(x, state);
       code.lneg();
       storeInt(slot, exit);
       return;
     }
     if (after[slot] != TagSet.FLOAT) {
-      pushTag(x, state);
-      code.istore(tagVariable);
+      slots.pushTag(x, state);
+      code.istore(slots.tagVariable);
     }
-    pushDouble(x, state);
+    slots.pushDouble(x, state);
     code.dneg();
     storeNumber(slot, after[slot], exit);
   }
@@ -697,8 +438,8 @@ final class DirectMethod {
     Label one = code.newLabel();
     Label done = code.newLabel();
     jump.to(one);
-    code.lconst_0().lstore(longs[slot]).goto_(done);
-    code.labelBinding(one).lconst_1().lstore(longs[slot]);
+    code.lconst_0().lstore(slots.longs[slot]).goto_(done);
+    code.labelBinding(one).lconst_1().lstore(slots.longs[slot]);
     code.labelBinding(done);
   }
 
@@ -707,12 +448,12 @@ final class DirectMethod {
     guard(x, state, Registers.FLOAT, exit);
     guard(y, state, Registers.FLOAT, exit);
     if (ints(x, y, state)) {
-      pushLong(x, state);
-      pushLong(y, state);
+      slots.pushLong(x, state);
+      slots.pushLong(y, state);
       code.lcmp().branch(when, target);
     } else {
-      pushDouble(x, state);
-      pushDouble(y, state);
+      slots.pushDouble(x, state);
+      slots.pushDouble(y, state);
       // a comparison with NaN counts as greater
       code.dcmpg().branch(when, target);
     }
@@ -720,8 +461,8 @@ final class DirectMethod {
 
   private void equal(int pc, int x, int y, int[] state, Opcode when, Label target) {
     if (form.tags(x, state) == TagSet.BOOL && form.tags(y, state) == TagSet.BOOL) {
-      pushLong(x, state);
-      pushLong(y, state);
+      slots.pushLong(x, state);
+      slots.pushLong(y, state);
       code.lcmp().branch(when, target);
       return;
     }
@@ -729,19 +470,19 @@ final class DirectMethod {
     guard(x, state, Registers.FLOAT, exit);
     guard(y, state, Registers.FLOAT, exit);
     if (ints(x, y, state)) {
-      pushLong(x, state);
-      pushLong(y, state);
+      slots.pushLong(x, state);
+      slots.pushLong(y, state);
       code.lcmp().branch(when, target);
     } else {
-      pushDouble(x, state);
-      pushDouble(y, state);
+      slots.pushDouble(x, state);
+      slots.pushDouble(y, state);
       code.dcmpl().branch(when, target);
     }
   }
 
   private void jumpIf(int pc, int operand, int[] state, Opcode when, Label target) {
     guard(operand, state, Registers.BOOL, interpreted(pc));
-    pushDouble(operand, state);
+    slots.pushDouble(operand, state);
     code.dconst_0().dcmpl().branch(when, target);
   }
 
@@ -752,7 +493,7 @@ final class DirectMethod {
       return;
     }
     if (tags != TagSet.UNASSIGNED) {
-      pushTag(parameter, state);
+      slots.pushTag(parameter, state);
       code.loadConstant(Registers.UNASSIGNED).if_icmpne(edge(state, target));
     }
     next(pc, state);
@@ -761,25 +502,25 @@ final class DirectMethod {
   // --- loops and calls
 
   private void turn(int pc, int target, int free, int[] after) {
-    count(Cost.turn(pc + 1 - target - free), exit(target, LeftFrames.IN_NEXT_SLICE, after));
+    slots.count(Cost.turn(pc + 1 - target - free), exit(target, LeftFrames.IN_NEXT_SLICE, after));
     code.goto_(edge(after, target));
   }
 
   /** Calls {@code callee} with its arguments. */
   private void arguments(long w, DirectForm callee, int[] state) {
     int first = Instruction.index(Instruction.c(w));
-    writeBudgetBack();
-    code.aload(THREAD).iload(ROOM).iconst_1().isub();
+    slots.writeBudgetBack();
+    code.aload(DirectSlots.THREAD).iload(DirectSlots.ROOM).iconst_1().isub();
     for (int i = 0; i < callee.function().parameterCount(); i++) {
       int slot = first + i;
-      switch (Kept.of(state[slot])) {
+      switch (DirectSlots.Kept.of(state[slot])) {
         case NOT -> {}
-        case LONG -> code.lload(longs[slot]);
-        case DOUBLE -> code.dload(doubles[slot]);
-        case TAGGED -> code.dload(doubles[slot]).iload(tagVariables[slot]);
+        case LONG -> code.lload(slots.longs[slot]);
+        case DOUBLE -> code.dload(slots.doubles[slot]);
+        case TAGGED -> code.dload(slots.doubles[slot]).iload(slots.tagVariables[slot]);
       }
     }
-    code.invokestatic(DirectUnit.SELF, unit.method(callee), type(callee));
+    code.invokestatic(DirectUnit.SELF, unit.method(callee), DirectSlots.type(callee));
   }
 
   private void call(int pc, long w, int[] state) {
@@ -787,24 +528,34 @@ final class DirectMethod {
     arguments(w, callee, state);
     int slot = Instruction.index(Instruction.a(w));
     Label left = code.newLabel();
-    if (returnsLong(callee)) {
-      code.lstore(longs[slot]).lload(longs[slot]).loadConstant(LEFT).lcmp().ifeq(left);
+    if (DirectSlots.returnsLong(callee)) {
+      code.lstore(slots.longs[slot])
+          .lload(slots.longs[slot])
+          .loadConstant(DirectSlots.LEFT)
+          .lcmp()
+          .ifeq(left);
     } else {
       Label valid = code.newLabel();
       Label unclear = code.newLabel();
-      code.dstore(doubles[slot]).dload(doubles[slot]).dload(doubles[slot]).dcmpl().ifne(unclear);
+      code.dstore(slots.doubles[slot])
+          .dload(slots.doubles[slot])
+          .dload(slots.doubles[slot])
+          .dcmpl()
+          .ifne(unclear);
       code.labelBinding(valid);
-      if (Kept.of(callee.result()) == Kept.TAGGED) {
-        code.aload(THREAD).getfield(JvmCode.THREAD, "resultTag", INT).istore(tagVariables[slot]);
+      if (DirectSlots.Kept.of(callee.result()) == DirectSlots.Kept.TAGGED) {
+        code.aload(DirectSlots.THREAD)
+            .getfield(JvmCode.THREAD, "resultTag", INT)
+            .istore(slots.tagVariables[slot]);
       }
       tail.add(
           () -> {
             code.labelBinding(unclear);
-            leftFrames();
+            slots.leftFrames();
             code.getfield(LEFT_FRAMES, "leaving", BOOLEAN).ifeq(valid).goto_(left);
           });
     }
-    loadBudget();
+    slots.loadBudget();
     tail.add(
         () -> {
           code.labelBinding(left);
@@ -816,45 +567,45 @@ final class DirectMethod {
   private void leaveWithCallee(int pc, long w, int[] state) {
     int[] before = state.clone();
     before[Instruction.index(Instruction.a(w))] = 0;
-    leftFrames();
+    slots.leftFrames();
     code.invokevirtual(LEFT_FRAMES, "entered", MethodTypeDesc.of(INT))
         .loadConstant(pc)
         .iadd()
-        .istore(pcVariable)
+        .istore(slots.pcVariable)
         .loadConstant(LeftFrames.WITH_CALL)
-        .istore(howVariable)
+        .istore(slots.howVariable)
         .goto_(exit(before));
   }
 
   private void giveBack(int pc, int operand, int[] state) {
     guard(operand, state, Registers.NONE, interpreted(pc));
-    writeBudgetBack();
-    switch (Kept.of(form.result())) {
+    slots.writeBudgetBack();
+    switch (DirectSlots.Kept.of(form.result())) {
       case NOT -> code.lconst_0().lreturn();
       case LONG -> {
-        pushLong(operand, state);
+        slots.pushLong(operand, state);
         code.lreturn();
       }
       case DOUBLE -> {
-        pushDouble(operand, state);
+        slots.pushDouble(operand, state);
         code.dreturn();
       }
       case TAGGED -> {
-        code.aload(THREAD);
-        pushTag(operand, state);
+        code.aload(DirectSlots.THREAD);
+        slots.pushTag(operand, state);
         code.putfield(JvmCode.THREAD, "resultTag", INT);
-        pushDouble(operand, state);
+        slots.pushDouble(operand, state);
         code.dreturn();
       }
     }
   }
 
   private void giveBackNone() {
-    writeBudgetBack();
-    if (returnsLong(form)) {
+    slots.writeBudgetBack();
+    if (DirectSlots.returnsLong(form)) {
       code.lconst_0().lreturn();
     } else {
-      code.aload(THREAD)
+      code.aload(DirectSlots.THREAD)
           .loadConstant((int) Registers.NONE)
           .putfield(JvmCode.THREAD, "resultTag", INT)
           .dconst_0()

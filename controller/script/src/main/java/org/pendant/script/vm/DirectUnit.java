@@ -113,14 +113,14 @@ final class DirectUnit {
                               .return_())
                   .withMethodBody(
                       "call",
-                      DirectMethod.CALL,
+                      DirectEntryMethod.CALL,
                       0,
-                      code -> new DirectMethod(code, root, this).writeEntry());
+                      code -> DirectEntryMethod.write(code, root, this));
               for (int i = 0; i < forms.size(); i++) {
                 DirectForm form = forms.get(i);
                 type.withMethodBody(
                     method(form),
-                    DirectMethod.type(form),
+                    DirectSlots.type(form),
                     ClassFile.ACC_STATIC,
                     code -> new DirectMethod(code, form, this).write());
               }
