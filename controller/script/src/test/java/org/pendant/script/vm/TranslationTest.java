@@ -14,6 +14,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
+import org.pendant.script.value.Registers;
 
 /** A program does the same whether its functions are interpreted or translated. */
 @Tag("slow")
@@ -883,6 +886,26 @@ class TranslationTest {
     interpreting.finish();
     assertEquals(List.of("46368", "46368"), translating.messages);
     assertEquals(translating.frames, interpreting.frames);
+  }
+
+  @Test
+  void aBreakpointHoldsAProgramWhoseFunctionsAreCalledDirectly() {
+    MachineFixture fixture = new MachineFixture(Translation.ALWAYS);
+    Program program = fixture.compile(FIBONACCI);
+    Debugger debugger = new Debugger(fixture.machine, _ -> {});
+    fixture.machine.start(program);
+    fixture.advance(1);
+    ScriptFunction fib = program.tables().functions().get(1);
+    assertNotNull(fib.direct(DirectEntry.key(0, 0, Registers.INT)).code());
+    assertFalse(fixture.machine.held());
+    debugger.set(Breakpoint.at(4));
+    fixture.advance(1);
+    assertTrue(fixture.machine.held());
+    assertEquals(4, fixture.machine.line());
+    debugger.removeBreakpoints();
+    debugger.resume();
+    fixture.finish();
+    assertEquals(List.of("46368"), fixture.messages);
   }
 
   @Test
