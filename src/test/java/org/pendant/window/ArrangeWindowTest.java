@@ -92,11 +92,11 @@ final class ArrangeWindowTest {
     window.awaitFocus("key-capture");
     window.press("A");
     window.awaitWords("key-conflict", "is needed for writing");
-    window.press("control alt 9");
-    window.awaitWords("key-table", "Show Log | Ctrl+Alt+9 | changed");
+    window.press("control alt K");
+    window.awaitWords("key-table", "Show Log | Ctrl+Alt+K | changed");
     window.press("ESCAPE");
     window.awaitHidden("key-table");
-    window.press("control alt 9");
+    window.press("control alt K");
     window.awaitShown("log-view");
     window.click("rail-run");
     window.awaitHidden("log-view");
