@@ -69,7 +69,7 @@ final class ExampleFiles {
   private void openBeside(String companion) {
     Background.run(
         () -> Example.companion(companion),
-        text -> files.openCopy(companion, text),
+        text -> files.openBehind(companion, text),
         failed -> tell.accept("Not opened: " + failed.getMessage()));
   }
 

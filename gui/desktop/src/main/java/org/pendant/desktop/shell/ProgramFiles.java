@@ -162,6 +162,11 @@ final class ProgramFiles {
     closeUntouched(before);
   }
 
+  /** As {@link #openCopy}, behind the current program, which stays. */
+  void openBehind(String name, String text) {
+    programs.open(ProgramDocument.untitled(name, text));
+  }
+
   private void opened(SavedProgram read) {
     // Another command may have opened it meanwhile.
     Optional<ProgramDocument> already = programs.of(read.path());

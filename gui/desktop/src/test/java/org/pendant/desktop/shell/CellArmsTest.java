@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
@@ -144,5 +145,20 @@ final class CellArmsTest {
     }
     assertTrue(told.getFirst().startsWith("wrong.script cannot run"), told::toString);
     assertEquals(ProgramState.STOPPED, member("left").state().program().state());
+  }
+
+  @Test
+  void theProgramsOfASceneThatIsNoFileAreThoseOfTheirNamesThatPeopleOpen() throws Exception {
+    CellStart start =
+        CellStart.of(SceneFile.of("copy.scene.json", SharedCell.SCENE), new NoSettings());
+    dispatch(() -> programs.all().forEach(each -> programs.close(each, own)));
+    arms.expect(start);
+    session.restart(start.setup());
+    dispatch(() -> {});
+    assertEquals(Optional.empty(), arms.program(member("cell")));
+    ProgramDocument opened = ProgramDocument.untitled("cell.script", "sleep(1)\n");
+    dispatch(() -> programs.open(opened));
+    assertSame(opened, arms.program(member("cell")).orElseThrow());
+    assertEquals("left", session.shown().name());
   }
 }
