@@ -364,7 +364,8 @@ final class MenuPlan {
         sub("Messages of clients", "", all("clients")),
         line(),
         sub("Controllers of the cell", "", all("controllers")),
-        all("robot.noise", "robot.start-ramp", "robot"));
+        sub("Simulation", "", all("robot.noise", "robot.start-ramp")),
+        all("robot"));
   }
 
   private static List<Entry> byHand() {
