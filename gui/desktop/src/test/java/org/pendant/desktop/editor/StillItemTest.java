@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Point;
 import java.awt.event.MouseEvent;
+import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.MenuElement;
 import javax.swing.MenuSelectionManager;
@@ -22,6 +23,7 @@ final class StillItemTest {
   StillItemTest() {
     menu.add(first);
     menu.add(second);
+    menu.setInvoker(new JPanel());
     MenuSelectionManager.defaultManager().setSelectedPath(new MenuElement[] {menu, first});
   }
 
