@@ -107,6 +107,7 @@ final class BodiesPictureCost {
                     Joints.of(-0.5 * sway, -1.2 - 0.2 * sway, 1.6, -1.9, -1.57, -sway),
                     Pose.ZERO,
                     new Pose(1.5, 0, 0, 0, 0, Math.PI),
+                    List.of(),
                     List.of())));
   }
 }

@@ -2,6 +2,7 @@ package org.pendant.desktop.scene;
 
 import java.util.List;
 import org.joml.Matrix4f;
+import org.pendant.controller.world.SceneObject;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
@@ -17,6 +18,7 @@ import org.pendant.models.pose.Pose;
  * @param tcpInFlange its tool centre point, m and rad
  * @param baseInScene where its base stands, in the frame of the picture
  * @param grippers on its flange
+ * @param toolBodies what else is on its flange, in the flange's frame
  */
 public record OtherArm(
     String name,
@@ -25,10 +27,12 @@ public record OtherArm(
     Joints positionRad,
     Pose tcpInFlange,
     Pose baseInScene,
-    List<DeviceSight.Gripper> grippers) {
-  /** Copies the list. */
+    List<DeviceSight.Gripper> grippers,
+    List<SceneObject> toolBodies) {
+  /** Copies the lists. */
   public OtherArm {
     grippers = List.copyOf(grippers);
+    toolBodies = List.copyOf(toolBodies);
   }
 
   /** Where its links are, in the frame of the picture. */

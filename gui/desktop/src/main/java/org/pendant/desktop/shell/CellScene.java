@@ -99,7 +99,8 @@ final class CellScene {
                 state.arm().tool().inFlange(),
                 Poses.trans(cellInBase, each.baseInCell()),
                 DeviceSight.of(each.options().equipment().devices(), state.devices(), false)
-                    .grippers()));
+                    .grippers(),
+                each.options().scene().toolBodies()));
       }
     }
     return others;

@@ -11,6 +11,7 @@ import java.util.Set;
 import org.joml.Matrix4f;
 import org.pendant.controller.world.GripperSetup;
 import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
 import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.LinkPlaces;
 import org.pendant.desktop.scene.OtherArm;
@@ -48,11 +49,17 @@ final class Bodies implements AutoCloseable {
   /** The grippers of other arms. */
   private final Map<GripperOf, LoadedGripper> others = new HashMap<>();
 
+  /** The bodies on the flanges of all arms. */
+  private final Map<List<SceneObject>, LoadedTool> tools = new HashMap<>();
+
   /** An arm in the memory of the graphics, and how far its links reach. */
   private record LoadedArm(ArmMeshes meshes, Map<Link, Mesh.Box> boxes, GpuMesh mesh) {}
 
   /** A gripper in the memory of the graphics, and how far its meshes reach. */
   private record LoadedGripper(GripperOf of, List<Mesh.Box> boxes, GpuMesh mesh) {}
+
+  /** Bodies on a flange in the memory of the graphics, and how far they reach. */
+  private record LoadedTool(Mesh.Box box, GpuMesh mesh) {}
 
   private record GripperOf(GripperSetup.Grip grip, double reachM, double strokeM, boolean holds) {
     static GripperOf of(DeviceSight.Gripper sight, Pose tcpInFlange) {
@@ -109,6 +116,31 @@ final class Bodies implements AutoCloseable {
       wanted.forEach(each -> grippers.add(load(each)));
     }
     loadGrippers(model.others());
+    loadTools(model);
+  }
+
+  private void loadTools(SceneModel model) {
+    Set<List<SceneObject>> wanted = new HashSet<>();
+    wanted.add(model.world().toolBodies());
+    model.others().forEach(each -> wanted.add(each.toolBodies()));
+    tools
+        .entrySet()
+        .removeIf(
+            each -> {
+              boolean gone = !wanted.contains(each.getKey());
+              if (gone) {
+                each.getValue().mesh.close();
+              }
+              return gone;
+            });
+    for (List<SceneObject> each : wanted) {
+      tools.computeIfAbsent(
+          each,
+          objects -> {
+            Mesh mesh = WorldMesh.of(objects, Set.of(), detail);
+            return new LoadedTool(mesh.box(), new GpuMesh(List.of(mesh)));
+          });
+    }
   }
 
   private void load(ArmDescription arm) {
@@ -155,6 +187,7 @@ final class Bodies implements AutoCloseable {
    */
   void addTo(ShadowReach reach, LinkPlaces places, List<List<Matrix4f>> gripperPlaces) {
     addTo(reach, arms.get(armId), places);
+    reach.add(tools.get(scene.toolBodies()).box, places.of(Link.WRIST_3));
     reach.add(worldBox, new Matrix4f());
     for (int i = 0; i < gripperPlaces.size(); i++) {
       List<Mesh.Box> boxes = grippers.get(i).boxes;
@@ -168,6 +201,7 @@ final class Bodies implements AutoCloseable {
   void addTo(
       ShadowReach reach, OtherArm other, LinkPlaces places, List<List<Matrix4f>> gripperPlaces) {
     addTo(reach, arms.get(other.arm().id()), places);
+    reach.add(tools.get(other.toolBodies()).box, places.of(Link.WRIST_3));
     for (int i = 0; i < gripperPlaces.size(); i++) {
       List<Mesh.Box> boxes = loaded(other, i).boxes;
       for (int j = 0; j < boxes.size(); j++) {
@@ -211,6 +245,11 @@ final class Bodies implements AutoCloseable {
     return world;
   }
 
+  /** Bodies on a flange, in place 0. */
+  GpuMesh tool(List<SceneObject> toolBodies) {
+    return tools.get(toolBodies).mesh;
+  }
+
   /** A gripper, one place for each of its meshes. */
   GpuMesh gripper(int number) {
     return grippers.get(number).mesh;
@@ -235,6 +274,7 @@ final class Bodies implements AutoCloseable {
   public void close() {
     arms.values().forEach(each -> each.mesh.close());
     others.values().forEach(each -> each.mesh.close());
+    tools.values().forEach(each -> each.mesh.close());
     world.close();
     grippers.forEach(each -> each.mesh.close());
     frame.close();

@@ -186,6 +186,7 @@ final class SceneRenderer implements AutoCloseable {
     sight.bodies.arm().draw();
     depth.set("places", 0, new Matrix4f());
     sight.bodies.world().draw();
+    drawTool(depth, sight.places, sight.bodies.tool(model.world().toolBodies()));
     drawGrippers(sight, depth);
     drawOthers(sight, depth);
     shadow.end();
@@ -253,6 +254,7 @@ final class SceneRenderer implements AutoCloseable {
     solid.setBits("hit", 0);
     solid.set("places", 0, new Matrix4f());
     bodies.world().draw();
+    drawTool(solid, sight.places, bodies.tool(model.world().toolBodies()));
     drawGrippers(sight, solid);
     drawOthers(sight, solid);
     float length = frameLengthM(model);
@@ -266,11 +268,16 @@ final class SceneRenderer implements AutoCloseable {
       float share = mark.chosen() ? CHOSEN_MARK_SHARE : MARK_SHARE;
       drawFrame(sight, solid, LinkPlaces.matrix(mark.inBase()), share * length);
     }
-    if (model.devices().grippers().isEmpty()) {
+    if (model.devices().grippers().isEmpty() && model.world().toolBodies().isEmpty()) {
       drawRod(sight, solid, new Matrix4f(sight.places.of(Link.WRIST_3)), tcp);
     }
     model.payload().ifPresent(ball -> drawBall(sight, solid, ball));
     drawLamps(sight, solid);
+  }
+
+  private static void drawTool(ShaderProgram program, LinkPlaces places, GpuMesh tool) {
+    program.set("places", 0, new Matrix4f(places.of(Link.WRIST_3)));
+    tool.draw();
   }
 
   private static void drawGrippers(Sight sight, ShaderProgram program) {
@@ -287,6 +294,7 @@ final class SceneRenderer implements AutoCloseable {
     for (Other other : sight.others) {
       place(program, other.places);
       sight.bodies.arm(other.arm).draw();
+      drawTool(program, other.places, sight.bodies.tool(other.arm.toolBodies()));
       for (int gripper = 0; gripper < other.gripperPlaces.size(); gripper++) {
         List<Matrix4f> places = other.gripperPlaces.get(gripper);
         for (int i = 0; i < places.size(); i++) {

@@ -29,7 +29,12 @@ import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.state.ArmState;
+import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
+import org.pendant.controller.world.SceneObject;
+import org.pendant.controller.world.Vector3;
+import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Wrench;
 
 final class OffscreenPicturesTest {
 
@@ -50,7 +55,7 @@ final class OffscreenPicturesTest {
           new Picture(
               options.robotId(),
               arm,
-              Scene.EMPTY,
+              options.scene(),
               options.equipment().devices(),
               controller.state().devices(),
               safety ? Optional.of(controller.safety()) : Optional.empty(),
@@ -105,6 +110,29 @@ final class OffscreenPicturesTest {
     assertFalse(
         Arrays.equals(
             picture(StandardView.ISO, false), picture(gripping, StandardView.ISO, false, false)));
+  }
+
+  @Test
+  void bodiesOfTheToolAreDrawnOnTheFlange() throws IOException {
+    SceneObject plate =
+        new SceneObject.Box(
+            "plate",
+            new Pose(0, 0, 0.05, 0, 0, 0),
+            new Vector3(0.2, 0.2, 0.1),
+            Material.DEFAULT,
+            0.5);
+    Scene tool =
+        new Scene(
+            List.of(),
+            Optional.empty(),
+            List.of(),
+            List.of(plate),
+            Wrench.ZERO,
+            Scene.EMPTY.links());
+    assertFalse(
+        Arrays.equals(
+            picture(StandardView.ISO, false),
+            picture(ControllerOptions.headless().withScene(tool), StandardView.ISO, false, false)));
   }
 
   @Test
