@@ -3,6 +3,7 @@ package org.pendant.desktop.shell;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -115,7 +116,7 @@ final class DesktopWindow {
     this.programs = programs;
     this.closed = closed;
     actions = new ActionTable(settings);
-    actions.setScreens(List.of("editor", "tree"));
+    actions.setScreens(List.of("editor", "tree", "edit"));
     workbench = new ShellWorkbench(session, actions, settings, status::tell, typing);
     runner = new ProgramRunner(session, programs, this::tellOfProgram, workbench::showSource);
     ProgramActions programActions = new ProgramActions(actions, session, runner);
@@ -261,6 +262,9 @@ final class DesktopWindow {
     actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
     programActions.addSpeed();
     UnitActions.addTo(actions, workbench.settings());
+    // The permanent owner: an open menu has the keyboard for a while.
+    ClipboardActions.addTo(
+        actions, KeyboardFocusManager.getCurrentKeyboardFocusManager()::getPermanentFocusOwner);
     WindowActions windowActions = new WindowActions(actions);
     windowActions.addViews(docks, List.copyOf(views.screens().keySet()));
     windowActions.addDocks(docks);

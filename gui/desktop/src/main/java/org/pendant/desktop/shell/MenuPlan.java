@@ -192,6 +192,8 @@ final class MenuPlan {
         one("editor.undo", "tree.undo", "installation.undo", "cell.undo"),
         one("editor.redo", "tree.redo", "installation.redo", "cell.redo"),
         line(),
+        all("edit.cut", "edit.copy", "edit.paste"),
+        line(),
         sub(
             "Find",
             "",
