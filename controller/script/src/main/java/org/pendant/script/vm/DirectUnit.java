@@ -1,11 +1,8 @@
 package org.pendant.script.vm;
 
 import java.lang.classfile.ClassFile;
-import java.lang.classfile.attribute.CodeAttribute;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.MethodType;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -48,12 +45,12 @@ final class DirectUnit {
       return false;
     }
     byte[] bytes = unit.write(root);
-    if (size(bytes) > LARGEST) {
+    if (HiddenClass.largestMethod(bytes) > LARGEST) {
       return false;
     }
     int slots =
         unit.forms.stream().mapToInt(form -> form.function().slotCount()).max().orElseThrow();
-    function.installDirect(key, define(bytes), slots);
+    function.installDirect(key, HiddenClass.make(bytes, DirectCode.class), slots);
     return true;
   }
 
@@ -125,26 +122,5 @@ final class DirectUnit {
                     code -> new DirectMethod(code, form, this).write());
               }
             });
-  }
-
-  /** The bytes of the largest method. */
-  private static int size(byte[] bytes) {
-    return ClassFile.of().parse(bytes).methods().stream()
-        .flatMap(method -> method.code().stream())
-        .mapToInt(code -> ((CodeAttribute) code).codeLength())
-        .max()
-        .orElseThrow();
-  }
-
-  private static DirectCode define(byte[] bytes) {
-    try {
-      MethodHandles.Lookup defined = MethodHandles.lookup().defineHiddenClass(bytes, true);
-      return (DirectCode)
-          defined
-              .findConstructor(defined.lookupClass(), MethodType.methodType(void.class))
-              .invoke();
-    } catch (Throwable e) {
-      throw new IllegalStateException("the translation is not a valid class", e);
-    }
   }
 }

@@ -3,12 +3,9 @@ package org.pendant.script.vm;
 import java.lang.classfile.ClassFile;
 import java.lang.classfile.CodeBuilder;
 import java.lang.classfile.Label;
-import java.lang.classfile.attribute.CodeAttribute;
 import java.lang.classfile.instruction.SwitchCase;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.MethodType;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -73,29 +70,9 @@ final class Translator {
                             JvmCode.RUN,
                             0,
                             code -> new Translator(code, function, tables).write()));
-    return size(bytes) > LARGEST ? Optional.empty() : Optional.of(define(bytes));
-  }
-
-  /** The bytes of the largest method. */
-  private static int size(byte[] bytes) {
-    return ClassFile.of().parse(bytes).methods().stream()
-        .flatMap(method -> method.code().stream())
-        .mapToInt(code -> ((CodeAttribute) code).codeLength())
-        .max()
-        .orElseThrow();
-  }
-
-  private static TranslatedCode define(byte[] bytes) {
-    try {
-      MethodHandles.Lookup lookup = MethodHandles.lookup();
-      MethodHandles.Lookup defined = lookup.defineHiddenClass(bytes, true);
-      return (TranslatedCode)
-          defined
-              .findConstructor(defined.lookupClass(), MethodType.methodType(void.class))
-              .invoke();
-    } catch (Throwable e) {
-      throw new IllegalStateException("the translation is not a valid class", e);
-    }
+    return HiddenClass.largestMethod(bytes) > LARGEST
+        ? Optional.empty()
+        : Optional.of(HiddenClass.make(bytes, TranslatedCode.class));
   }
 
   /** How often each local slot is read as a number, or has its tag looked at. */
