@@ -3,7 +3,9 @@ package org.pendant.desktop.shell;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,8 +24,8 @@ import org.pendant.models.arm.ArmLibrary;
  * Cell start: all that a scene with several controllers needs to be switched on, read from the
  * files that it names.
  *
- * @param named the file that each controller runs, by its name
- * @param programs what is in these, where the scene is a file
+ * @param named the file that each controller runs, by its name, in the order of the scene
+ * @param programs what is in these, in the same order, where the scene is a file
  * @param installations what each arm is set up as, by its name, where that is a file of ours
  * @param troubles what could not be used, in words for people
  */
@@ -34,8 +36,8 @@ record CellStart(
     Map<String, SavedProgram> installations,
     List<String> troubles) {
   CellStart {
-    named = Map.copyOf(named);
-    programs = Map.copyOf(programs);
+    named = Collections.unmodifiableMap(new LinkedHashMap<>(named));
+    programs = Collections.unmodifiableMap(new LinkedHashMap<>(programs));
     installations = Map.copyOf(installations);
     troubles = List.copyOf(troubles);
   }
@@ -67,8 +69,8 @@ record CellStart(
     private final SceneFile scene;
     private final Settings settings;
     private final List<ControllerOptions> options = new ArrayList<>();
-    private final Map<String, String> named = new HashMap<>();
-    private final Map<String, SavedProgram> programs = new HashMap<>();
+    private final Map<String, String> named = new LinkedHashMap<>();
+    private final Map<String, SavedProgram> programs = new LinkedHashMap<>();
     private final Map<String, SavedProgram> installations = new HashMap<>();
     private final List<String> troubles = new ArrayList<>();
 
