@@ -21,7 +21,7 @@ final class BodyContacts {
 
   private final List<CellBody> bodies;
   private final List<BodyHold> holds;
-  private final List<BodyRail> rails;
+  private final List<BodyGuide> guides;
   private final NarrowPhase narrowPhase;
   private final DContactGeomBuffer buffer = NarrowPhase.buffer();
 
@@ -43,9 +43,12 @@ final class BodyContacts {
   private final int[] beforeOf;
 
   BodyContacts(
-      List<CellBody> bodies, List<BodyHold> holds, List<BodyRail> rails, NarrowPhase narrowPhase) {
+      List<CellBody> bodies,
+      List<BodyHold> holds,
+      List<BodyGuide> guides,
+      NarrowPhase narrowPhase) {
     this.narrowPhase = narrowPhase;
-    this.rails = rails;
+    this.guides = guides;
     this.bodies = bodies;
     this.holds = holds;
     int size = bodies.size();
@@ -61,7 +64,7 @@ final class BodyContacts {
     awakeCount = 0;
     for (int i = 0; i < awake.length; i++) {
       CellBody body = bodies.get(i);
-      body.touched = body.hold != null || body.rail != null;
+      body.touched = body.hold != null || body.guide != null;
       body.kinematicTouched = body.hold != null;
       seen[i] = false;
       islandOf[i] = i;
@@ -99,9 +102,9 @@ final class BodyContacts {
       holds.get(i).begin(stepS);
     }
     boolean again = placeCount > 0 || !holds.isEmpty();
-    for (int i = 0; i < rails.size(); i++) {
-      if (rails.get(i).active()) {
-        rails.get(i).begin(stepS);
+    for (int i = 0; i < guides.size(); i++) {
+      if (guides.get(i).active()) {
+        guides.get(i).begin(stepS);
         again = true;
       }
     }
@@ -115,9 +118,9 @@ final class BodyContacts {
         BodyHold hold = holds.get(i);
         again |= hold.solve() * hold.body.inverseMass > ACCURACY_M_PER_S;
       }
-      for (int i = 0; i < rails.size(); i++) {
-        BodyRail rail = rails.get(i);
-        again |= rail.active() && rail.solve() * rail.body.inverseMass > ACCURACY_M_PER_S;
+      for (int i = 0; i < guides.size(); i++) {
+        BodyGuide guide = guides.get(i);
+        again |= guide.active() && guide.solve() * guide.body.inverseMass > ACCURACY_M_PER_S;
       }
     }
     for (int i = 0; i < holds.size(); i++) {

@@ -8,10 +8,7 @@ import org.pendant.models.pose.Transforms;
  *
  * <p>Each direction is a row of the solver, reckoned with those of contacts.
  */
-public final class BodyRail {
-  /** Share of how far the body is off its line that one step takes back. */
-  private static final double RECOVERY = 0.2;
-
+public final class BodyRail extends BodyGuide {
   /** Rows are corrected so often for each time that contacts are. */
   private static final int SWEEPS = 3;
 
@@ -45,7 +42,6 @@ public final class BodyRail {
     }
   }
 
-  final CellBody body;
   private final Line line;
   private final double[] start = new double[Transforms.SIZE];
 
@@ -58,7 +54,7 @@ public final class BodyRail {
   private double most;
 
   BodyRail(CellBody body, Line line) {
-    this.body = body;
+    super(body);
     this.line = line;
     System.arraycopy(body.pose, 0, start, 0, Transforms.SIZE);
     for (int k = 0; k < 3; k++) {
@@ -68,13 +64,9 @@ public final class BodyRail {
   }
 
   /** How far the body is along the line from where it was at first, m. */
-  public double placeM() {
+  @Override
+  public double place() {
     return off(0);
-  }
-
-  /** Whether its body moves. */
-  boolean active() {
-    return body.awake && body.present;
   }
 
   private double off(int axis) {
@@ -103,7 +95,7 @@ public final class BodyRail {
     }
   }
 
-  /** Begins a step: how far the body is off, and how fast it may go. */
+  @Override
   void begin(double stepS) {
     double[] pose = body.pose;
     for (int row = 0; row < 2; row++) {
@@ -121,8 +113,8 @@ public final class BodyRail {
       wanted[2 + k] = -RECOVERY * turned / stepS;
       mass[2 + k] = 1 / body.inverseInertia[4 * k];
     }
-    double place = placeM();
-    wanted[FRICTION] = 0;
+    double place = place();
+    wanted[FRICTION] = driven;
     wanted[NEAR_END] = toEnd(-place, stepS);
     wanted[FAR_END] = -toEnd(place - line.travelM(), stepS);
     for (int row = FRICTION; row < ROWS; row++) {
@@ -136,12 +128,7 @@ public final class BodyRail {
     }
   }
 
-  /** The least speed away from an end that is so far beyond the body, m/s. */
-  private static double toEnd(double beyondM, double stepS) {
-    return (beyondM > 0 ? RECOVERY : 1) * beyondM / stepS;
-  }
-
-  /** Corrects the impulses; answers by how much, Ns. */
+  @Override
   double solve() {
     double change = 0;
     for (int sweep = 0; sweep < SWEEPS; sweep++) {

@@ -55,7 +55,7 @@ final class CellBody {
   BodyHold hold;
 
   /** What guides it; null where nothing does. */
-  BodyRail rail;
+  BodyGuide guide;
 
   /** Whether something touched it in the latest step. */
   boolean touched;

@@ -39,7 +39,7 @@ public final class RigidBodyWorld {
 
   private final List<CellBody> bodies = new ArrayList<>();
   private final List<BodyHold> holds = new ArrayList<>();
-  private final List<BodyRail> rails = new ArrayList<>();
+  private final List<BodyGuide> guides = new ArrayList<>();
   private final BodyRay ray = new BodyRay();
   private final NarrowPhase narrowPhase = new NarrowPhase();
   private BodyContacts contacts;
@@ -71,7 +71,7 @@ public final class RigidBodyWorld {
       bodies.add(new CellBody(description, bodies.size()));
     }
     requireApart();
-    contacts = new BodyContacts(bodies, holds, rails, narrowPhase);
+    contacts = new BodyContacts(bodies, holds, guides, narrowPhase);
   }
 
   /**
@@ -90,7 +90,7 @@ public final class RigidBodyWorld {
       }
     }
     bodies.add(new CellBody(description, bodies.size()));
-    contacts = new BodyContacts(bodies, holds, rails, narrowPhase);
+    contacts = new BodyContacts(bodies, holds, guides, narrowPhase);
     return bodies.size() - 1;
   }
 
@@ -185,25 +185,42 @@ public final class RigidBodyWorld {
   /**
    * Puts a free body on a rail, which begins where the body is.
    *
-   * @throws IllegalArgumentException if it is not free, or is on one
+   * @throws IllegalArgumentException if it is not free, or is guided
    */
-  public BodyRail rail(int body, BodyRail.Line line) {
-    CellBody of = bodies.get(body);
-    if (!of.free() || of.rail != null) {
-      throw new IllegalArgumentException(
-          of.description.name() + ": is not free, or on a rail already");
-    }
-    of.rail = new BodyRail(of, line);
-    rails.add(of.rail);
-    of.wake();
-    return of.rail;
+  public BodyGuide rail(int body, BodyRail.Line line) {
+    return guide(new BodyRail(unguided(body), line));
   }
 
-  /** Takes a body off its rail. */
-  public void unrail(BodyRail rail) {
-    if (rails.remove(rail)) {
-      rail.body.rail = null;
-      rail.body.wake();
+  /**
+   * Puts a free body on a hinge, which begins as the body is turned.
+   *
+   * @throws IllegalArgumentException if it is not free, or is guided
+   */
+  public BodyGuide hinge(int body, BodyHinge.Axis axis) {
+    return guide(new BodyHinge(unguided(body), axis));
+  }
+
+  private CellBody unguided(int body) {
+    CellBody of = bodies.get(body);
+    if (!of.free() || of.guide != null) {
+      throw new IllegalArgumentException(
+          of.description.name() + ": is not free, or guided already");
+    }
+    return of;
+  }
+
+  private BodyGuide guide(BodyGuide guide) {
+    guide.body.guide = guide;
+    guides.add(guide);
+    guide.body.wake();
+    return guide;
+  }
+
+  /** Takes a body off what guides it. */
+  public void unguide(BodyGuide guide) {
+    if (guides.remove(guide)) {
+      guide.body.guide = null;
+      guide.body.wake();
     }
   }
 
