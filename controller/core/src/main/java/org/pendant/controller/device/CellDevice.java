@@ -31,6 +31,21 @@ interface CellDevice {
     return fingers().map(Fingers::partWidthM).orElse(0.0);
   }
 
+  /** How far its fingers, or its door, open, m; 0 where it has none. */
+  default double strokeM() {
+    return fingers().map(Fingers::strokeM).orElse(0.0);
+  }
+
+  /** How far they are open now, m. */
+  default double openingM() {
+    return fingers().map(Fingers::openingM).orElse(0.0);
+  }
+
+  /** How hard its fingers press on a part, N. */
+  default double pressN() {
+    return fingers().map(Fingers::pressN).orElse(0.0);
+  }
+
   /** What it is and where programs reach it, for people. */
   String described();
 

@@ -100,6 +100,7 @@ public final class CellDevices {
               new SourceDevice(source, world.pool(source.object(), source.count()), lines, log);
           case DeviceSetup.Rail rail ->
               new RailDevice(rail, world.rail(rail.object(), rail.line()), lines);
+          case DeviceSetup.Door door -> new DoorDevice(door, drive(door), lines);
           case DeviceSetup.Sink sink -> new SinkDevice(sink, world);
           case DeviceSetup.Camera camera -> new CameraDevice(camera, world, log);
           case DeviceSetup.Modbus modbus -> new PlcDevice(modbus);
@@ -120,6 +121,17 @@ public final class CellDevices {
     }
     device.signals().ifPresent(each -> lines.add(device.name(), each));
     log.info(device.name() + ": " + device.described());
+  }
+
+  private Optional<DoorDrive> drive(DeviceSetup.Door door) {
+    return door.leaf()
+        .flatMap(
+            leaf ->
+                switch (leaf) {
+                  case DoorLeaf.Slide slide -> world.rail(slide.object(), slide.line());
+                  case DoorLeaf.Turn turn -> world.hinge(turn.object(), turn.axis());
+                })
+        .map(guide -> new DoorDrive(guide, door.leaf().orElseThrow(), door.timeS()));
   }
 
   /** Has scanners of the cell reach the adapter of the controller. */
@@ -318,23 +330,20 @@ public final class CellDevices {
   }
 
   private static boolean isAt(CellDevice device, DeviceState state) {
-    Optional<Fingers> fingers = device.fingers();
     return device.on() == state.on()
         && device.signalStates().equals(state.signals())
         && device.partWidthM() == state.partWidthM()
-        && (fingers.isEmpty()
-            || (fingers.get().openingM() == state.openingM()
-                && fingers.get().pressN() == state.forceN()));
+        && device.openingM() == state.openingM()
+        && device.pressN() == state.forceN();
   }
 
   private static DeviceState state(CellDevice device) {
-    Optional<Fingers> fingers = device.fingers();
     return new DeviceState(
         device.name(),
         device.kind(),
-        fingers.map(Fingers::strokeM).orElse(0.0),
-        fingers.map(Fingers::openingM).orElse(0.0),
-        fingers.map(Fingers::pressN).orElse(0.0),
+        device.strokeM(),
+        device.openingM(),
+        device.pressN(),
         device.on(),
         device.maxPartWidthM(),
         device.partWidthM(),

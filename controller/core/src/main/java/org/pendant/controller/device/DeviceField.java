@@ -103,6 +103,54 @@ public sealed interface DeviceField {
   }
 
   /**
+   * Three numbers along the axes of the base that are no place: a way, a direction, a turn.
+   *
+   * @param range of each
+   */
+  record Direction(String key, String title, String help, Range range) implements DeviceField {
+    @Override
+    public boolean required() {
+      return true;
+    }
+  }
+
+  /**
+   * Fields of which a device has those of one way, or none.
+   *
+   * @param ways the first of which may be without fields, and holds where a file has no others
+   */
+  record Choice(String title, String help, List<Way> ways) implements DeviceField {
+    /**
+     * One way.
+     *
+     * @param title what people call it
+     * @param mark the key that no other way has; empty for one without fields
+     */
+    public record Way(String title, String mark, List<DeviceField> fields) {
+      /** Copies the list. */
+      public Way {
+        fields = List.copyOf(fields);
+      }
+    }
+
+    /** Copies the list. */
+    public Choice {
+      ways = List.copyOf(ways);
+    }
+
+    /** None: the fields of its ways have keys. */
+    @Override
+    public String key() {
+      return "";
+    }
+
+    @Override
+    public boolean required() {
+      return false;
+    }
+  }
+
+  /**
    * Objects of the scene that have a mass, by their names; all where there is no name.
    *
    * @param most how many

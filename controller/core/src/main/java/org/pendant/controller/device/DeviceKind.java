@@ -84,7 +84,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
               "door",
               "Door",
               SIGNALS,
-              List.of(close(), open(), closed(), opened(), time("from end to end", 2))),
+              List.of(close(), open(), closed(), opened(), time("from end to end", 2), leaf())),
           sensor(
               "light-barrier",
               "Light barrier",
@@ -298,13 +298,57 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
         "inputs",
         List.of(
             new DeviceField.Subject("object", "Object", "which goes along it", true),
-            place("along", "Along", "direction in the base from where the object is at first"),
+            new DeviceField.Direction(
+                "along",
+                "Along",
+                "direction in the base from where the object is at first",
+                new Range(-10, 10, "")),
             wanted("travel", "Travel", "how far the object goes", DISTANCE),
             amount(
                 "friction", "Friction", "what it takes to move it", new Range(0, 10_000, "N"), 5),
             amount("damping", "Damping", "force for each m/s", new Range(0, 100_000, "N s/m"), 0),
             told("closed", "Closed", "the input of the switch where it is at first"),
             told("opened", "Opened", "the input of the switch at the other end")));
+  }
+
+  private static DeviceField leaf() {
+    DeviceField object =
+        new DeviceField.Subject("object", "Object", "which stands open at first", true);
+    return new DeviceField.Choice(
+        "Moves",
+        "what it moves in the scene",
+        List.of(
+            new DeviceField.Choice.Way("nothing", "", List.of()),
+            new DeviceField.Choice.Way(
+                "an object that slides",
+                "slides",
+                List.of(
+                    object,
+                    new DeviceField.Direction(
+                        "slides", "Slides", "from open to closed, along the base", POSITION),
+                    amount(
+                        "force",
+                        "Force",
+                        "with which it moves at most",
+                        new Range(1, 10_000, "N"),
+                        150))),
+            new DeviceField.Choice.Way(
+                "an object that turns",
+                "turns",
+                List.of(
+                    object,
+                    place("hinge", "Hinge", "a point on its line, in the base"),
+                    new DeviceField.Direction(
+                        "turns",
+                        "Turns",
+                        "from open to closed, as a rotation vector",
+                        new Range(-Math.PI, Math.PI, "rad")),
+                    amount(
+                        "torque",
+                        "Torque",
+                        "with which it turns at most",
+                        new Range(0.1, 10_000, "Nm"),
+                        50)))));
   }
 
   private static DeviceKind pressed(String type, String title) {

@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.models.json.FilePosition;
 import org.pendant.models.json.Json;
@@ -115,18 +114,14 @@ public final class DeviceReader {
               fields.flag("part"),
               GripperReader.cup(fields));
       case "door" ->
-          new DeviceSetup.Driven(
+          new DeviceSetup.Door(
               name,
-              kind.type(),
               fields.signal("close"),
               fields.wire("open"),
               fields.wire("closed"),
               fields.wire("opened"),
-              Optional.empty(),
-              1,
               fields.number("time"),
-              0,
-              Optional.empty());
+              parts.leaf(fields));
       case "belt" -> parts.belt(name, fields);
       case "source" -> parts.source(name, fields);
       case "rail" -> parts.rail(name, fields);
@@ -152,7 +147,6 @@ public final class DeviceReader {
     double strokeM = fields.number("stroke");
     return new DeviceSetup.Driven(
         name,
-        "gripper",
         fields.signal("close"),
         fields.wire("open"),
         fields.wire("closed"),

@@ -117,10 +117,8 @@ public sealed interface DeviceSetup {
   }
 
   /**
-   * Something that two outputs, or one, drive from end to end: a gripper with two fingers, or a
-   * door.
+   * Gripper with two fingers that two outputs, or one, drive from end to end.
    *
-   * @param kind gripper or door
    * @param close the output that closes it
    * @param open the output that opens it; without one it opens while {@code close} is low
    * @param closed the input that tells that it is closed, where there is one
@@ -129,11 +127,10 @@ public sealed interface DeviceSetup {
    * @param strokeM how far it opens
    * @param timeS how long it takes from end to end
    * @param partWidthM width of a part in it, 0 for none
-   * @param gripper the fingertips of a gripper; empty for a door
+   * @param gripper its fingertips
    */
   record Driven(
       String name,
-      String kind,
       CellSignal close,
       Optional<CellSignal> open,
       Optional<CellSignal> closed,
@@ -144,6 +141,36 @@ public sealed interface DeviceSetup {
       double partWidthM,
       Optional<GripperSetup> gripper)
       implements DeviceSetup {}
+
+  /**
+   * Door that two outputs, or one, drive from end to end.
+   *
+   * @param close the output that closes it
+   * @param open the output that opens it; without one it opens while {@code close} is low
+   * @param closed the input that tells that it is closed, where there is one
+   * @param opened the input that tells that it is open, where there is one
+   * @param timeS how long it takes from end to end
+   * @param leaf what it moves, where that is an object of the scene
+   */
+  record Door(
+      String name,
+      CellSignal close,
+      Optional<CellSignal> open,
+      Optional<CellSignal> closed,
+      Optional<CellSignal> opened,
+      double timeS,
+      Optional<DoorLeaf> leaf)
+      implements DeviceSetup {
+    @Override
+    public boolean holdsParts() {
+      return false;
+    }
+
+    @Override
+    public double strokeM() {
+      return 0;
+    }
+  }
 
   /**
    * Vacuum gripper.

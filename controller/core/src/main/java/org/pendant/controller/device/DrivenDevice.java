@@ -8,7 +8,7 @@ import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.wire.SignalLine;
 import org.pendant.controller.wire.SignalLines;
 
-/** Driven device: a gripper or a door that outputs drive, with sensors at its ends. */
+/** Driven device: a gripper that outputs drive, with sensors at its ends. */
 final class DrivenDevice implements CellDevice {
   private final DeviceSetup.Driven setup;
   private final SignalLine close;
@@ -38,7 +38,7 @@ final class DrivenDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return setup.kind();
+    return "gripper";
   }
 
   @Override
@@ -48,12 +48,12 @@ final class DrivenDevice implements CellDevice {
 
   @Override
   public double maxPartWidthM() {
-    return setup.kind().equals("door") ? 0 : setup.strokeM();
+    return setup.strokeM();
   }
 
   @Override
   public String described() {
-    return setup.kind() + " that " + setup.close() + " closes";
+    return "gripper that " + setup.close() + " closes";
   }
 
   @Override

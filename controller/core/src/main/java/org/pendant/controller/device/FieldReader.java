@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.language.check.Nearest;
@@ -34,11 +35,17 @@ final class FieldReader {
       List<DeviceField> declared, JsonFields fields, CellSignalNames signals, String... others)
       throws JsonException {
     this.signals = signals;
-    this.declared = declared;
+    this.declared = declared.stream().flatMap(FieldReader::withKeys).toList();
     this.fields = fields;
     List<String> keys = new ArrayList<>(List.of(others));
-    declared.forEach(each -> keys.add(each.key()));
+    this.declared.forEach(each -> keys.add(each.key()));
     fields.allow(Nearest::among, keys.toArray(String[]::new));
+  }
+
+  private static Stream<DeviceField> withKeys(DeviceField field) {
+    return field instanceof DeviceField.Choice choice
+        ? choice.ways().stream().flatMap(way -> way.fields().stream())
+        : Stream.of(field);
   }
 
   private <F extends DeviceField> F declared(String key, Class<F> as) {
@@ -121,7 +128,15 @@ final class FieldReader {
   }
 
   Zone.Place place(String key) throws JsonException {
-    Range range = declared(key, DeviceField.Place.class).range();
+    return three(key, declared(key, DeviceField.Place.class).range());
+  }
+
+  /** Three numbers that are no place. */
+  Zone.Place vector(String key) throws JsonException {
+    return three(key, declared(key, DeviceField.Direction.class).range());
+  }
+
+  private Zone.Place three(String key, Range range) throws JsonException {
     List<Json> three = fields.numbers(key, AXES);
     double[] xyz = new double[AXES];
     for (int i = 0; i < AXES; i++) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.pendant.cell.BodyHinge;
 import org.pendant.cell.BodyRail;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.models.json.FilePosition;
@@ -20,7 +21,11 @@ final class PartReader {
   private static final String OBJECT = "object";
   private static final String ALONG = "along";
   private static final int MAX_OBJECTS = 1000;
-  private static final double MIN_DIRECTION = 0.001;
+  private static final double MIN_LENGTH = 0.001;
+  private static final double MAX_TRAVEL_M = 10;
+
+  /** Beyond, it would not be known which way it has turned. */
+  private static final double MAX_TURN_RAD = 3;
 
   /** What kind of object each name stands for. */
   private enum Kind {
@@ -31,7 +36,7 @@ final class PartReader {
 
   private final Map<String, Kind> objects = new HashMap<>();
 
-  private final Set<String> railed = new HashSet<>();
+  private final Set<String> guided = new HashSet<>();
   private final Set<String> sourced = new HashSet<>();
 
   private int count;
@@ -78,40 +83,18 @@ final class PartReader {
           "sources have " + count + " parts together, must be at most " + DeviceKind.MAX_PARTS);
     }
     String object = object(fields, Kind.WITH_MASS);
-    if (railed.contains(object)) {
-      throw place.refusal("object is " + Json.quoted(object) + ", which is on a rail");
+    if (guided.contains(object)) {
+      throw place.refusal(
+          "object is " + Json.quoted(object) + ", which a rail or a door guides already");
     }
     sourced.add(object);
     return new DeviceSetup.Source(name, object, timed ? fields.number("every") : 0, when, parts);
   }
 
   DeviceSetup rail(String name, FieldReader fields) throws JsonException {
-    String object = object(fields, Kind.WITH_MASS);
-    Json.Text of = fields.all().text(OBJECT);
-    if (sourced.contains(object)) {
-      throw of.place().refusal("object is " + of.described() + ", which a source has");
-    }
-    if (!railed.add(object)) {
-      throw of.place().refusal("object is " + of.described() + ", which is on a rail already");
-    }
-    Zone.Place along = fields.place(ALONG);
-    double length =
-        Math.sqrt(along.x() * along.x() + along.y() * along.y() + along.z() * along.z());
-    if (length < MIN_DIRECTION) {
-      throw fields
-          .all()
-          .required(ALONG)
-          .place()
-          .refusal(
-              "along is ["
-                  + Range.number(along.x())
-                  + ", "
-                  + Range.number(along.y())
-                  + ", "
-                  + Range.number(along.z())
-                  + "], must have a length of at least "
-                  + MIN_DIRECTION);
-    }
+    String object = guided(fields);
+    Zone.Place along = fields.vector(ALONG);
+    double length = length(fields, ALONG, along, Double.POSITIVE_INFINITY);
     return new DeviceSetup.Rail(
         name,
         object,
@@ -124,6 +107,104 @@ final class PartReader {
             fields.number("damping")),
         fields.wire("closed"),
         fields.wire("opened"));
+  }
+
+  /** What a door moves, where that is an object. */
+  Optional<DoorLeaf> leaf(FieldReader fields) throws JsonException {
+    boolean slides = fields.has("slides");
+    boolean turns = fields.has("turns");
+    JsonFields all = fields.all();
+    if (!fields.has(OBJECT)) {
+      for (String key : List.of("slides", "turns", "hinge", "force", "torque")) {
+        if (fields.has(key)) {
+          throw all.required(key).place().refusal(key + " is there, and no object that it is of");
+        }
+      }
+      return Optional.empty();
+    }
+    if (slides == turns) {
+      throw all.required(OBJECT)
+          .place()
+          .refusal(
+              "a door with an object must have slides or turns, has " + (slides ? "both" : "none"));
+    }
+    for (String key : slides ? List.of("hinge", "torque") : List.of("force")) {
+      if (fields.has(key)) {
+        throw all.required(key)
+            .place()
+            .refusal(key + " is there, and the door " + (slides ? "slides" : "turns"));
+      }
+    }
+    String object = guided(fields);
+    return Optional.of(slides ? slide(object, fields) : turn(object, fields));
+  }
+
+  private static DoorLeaf slide(String object, FieldReader fields) throws JsonException {
+    Zone.Place way = fields.vector("slides");
+    double travelM = length(fields, "slides", way, MAX_TRAVEL_M);
+    return new DoorLeaf.Slide(
+        object,
+        new BodyRail.Line(
+            way.x() / travelM,
+            way.y() / travelM,
+            way.z() / travelM,
+            travelM,
+            fields.number("force"),
+            0));
+  }
+
+  private static DoorLeaf turn(String object, FieldReader fields) throws JsonException {
+    Zone.Place hinge = fields.place("hinge");
+    Zone.Place turn = fields.vector("turns");
+    double angleRad = length(fields, "turns", turn, MAX_TURN_RAD);
+    return new DoorLeaf.Turn(
+        object,
+        new BodyHinge.Axis(
+            hinge.x(),
+            hinge.y(),
+            hinge.z(),
+            turn.x() / angleRad,
+            turn.y() / angleRad,
+            turn.z() / angleRad,
+            angleRad,
+            fields.number("torque")));
+  }
+
+  /** An object that nothing else guides or makes copies of. */
+  private String guided(FieldReader fields) throws JsonException {
+    String object = object(fields, Kind.WITH_MASS);
+    Json.Text of = fields.all().text(OBJECT);
+    if (sourced.contains(object)) {
+      throw of.place().refusal("object is " + of.described() + ", which a source has");
+    }
+    if (!guided.add(object)) {
+      throw of.place()
+          .refusal("object is " + of.described() + ", which a rail or a door guides already");
+    }
+    return object;
+  }
+
+  private static double length(FieldReader fields, String key, Zone.Place of, double most)
+      throws JsonException {
+    double length = Math.sqrt(of.x() * of.x() + of.y() * of.y() + of.z() * of.z());
+    if (length < MIN_LENGTH || length > most) {
+      throw fields
+          .all()
+          .required(key)
+          .place()
+          .refusal(
+              key
+                  + " is ["
+                  + Range.number(of.x())
+                  + ", "
+                  + Range.number(of.y())
+                  + ", "
+                  + Range.number(of.z())
+                  + "], must have a length of at least "
+                  + MIN_LENGTH
+                  + (most < Double.POSITIVE_INFINITY ? " and at most " + Range.number(most) : ""));
+    }
+    return length;
   }
 
   /** Names of objects with a mass; none for all. */

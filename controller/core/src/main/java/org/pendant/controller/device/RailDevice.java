@@ -1,7 +1,7 @@
 package org.pendant.controller.device;
 
 import java.util.Optional;
-import org.pendant.cell.BodyRail;
+import org.pendant.cell.BodyGuide;
 import org.pendant.controller.wire.SignalLines;
 
 /** Rail device: guides an object along a line, with switches at its ends. */
@@ -10,11 +10,11 @@ final class RailDevice implements CellDevice {
   private static final double AT_END_M = 0.001;
 
   private final DeviceSetup.Rail setup;
-  private final Optional<BodyRail> rail;
+  private final Optional<BodyGuide> rail;
   private final SensorLine closed;
   private final SensorLine opened;
 
-  RailDevice(DeviceSetup.Rail setup, Optional<BodyRail> rail, SignalLines lines) {
+  RailDevice(DeviceSetup.Rail setup, Optional<BodyGuide> rail, SignalLines lines) {
     this.setup = setup;
     this.rail = rail;
     closed = new SensorLine(lines, setup.closed());
@@ -38,7 +38,7 @@ final class RailDevice implements CellDevice {
   }
 
   private double placeM() {
-    return rail.map(BodyRail::placeM).orElse(0.0);
+    return rail.map(BodyGuide::place).orElse(0.0);
   }
 
   @Override

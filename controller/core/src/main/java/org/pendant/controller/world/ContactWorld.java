@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.pendant.cell.BodyGuide;
+import org.pendant.cell.BodyHinge;
 import org.pendant.cell.BodyProbe;
 import org.pendant.cell.BodyRail;
 import org.pendant.models.collision.Capsule;
@@ -325,8 +327,18 @@ public final class ContactWorld {
    * @param line in the frame of the cell
    * @return empty where there is none of that name
    */
-  public Optional<BodyRail> rail(String object, BodyRail.Line line) {
+  public Optional<BodyGuide> rail(String object, BodyRail.Line line) {
     return free == null ? Optional.empty() : free.rail(object, line);
+  }
+
+  /**
+   * Puts an object that has a mass on a hinge.
+   *
+   * @param axis in the frame of the cell
+   * @return empty where there is none of that name
+   */
+  public Optional<BodyGuide> hinge(String object, BodyHinge.Axis axis) {
+    return free == null ? Optional.empty() : free.hinge(object, axis);
   }
 
   /**

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.pendant.cell.BodyDescription;
+import org.pendant.cell.BodyGuide;
+import org.pendant.cell.BodyHinge;
 import org.pendant.cell.BodyRail;
 import org.pendant.cell.BodyShape;
 import org.pendant.cell.BodySurface;
@@ -162,10 +164,20 @@ final class FreeBodies {
   }
 
   /** Puts an object that can move on a rail; empty where there is none of that name. */
-  Optional<BodyRail> rail(String name, BodyRail.Line line) {
+  Optional<BodyGuide> rail(String name, BodyRail.Line line) {
+    return movable(name).map(body -> bodies.rail(body, line));
+  }
+
+  /** Puts an object that can move on a hinge; empty where there is none of that name. */
+  Optional<BodyGuide> hinge(String name, BodyHinge.Axis axis) {
+    return movable(name).map(body -> bodies.hinge(body, axis));
+  }
+
+  /** The number of an object of the scene that can move. */
+  private Optional<Integer> movable(String name) {
     for (int i = 0; i < objects.size(); i++) {
       if (objects.get(i).massKg() > 0 && objects.get(i).name().equals(name)) {
-        return Optional.of(bodies.rail(i, line));
+        return Optional.of(i);
       }
     }
     return Optional.empty();

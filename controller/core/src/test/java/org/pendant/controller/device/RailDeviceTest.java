@@ -91,7 +91,8 @@ class RailDeviceTest {
   @Test
   void whatIsWrongWithItIsToldWithItsPlace() {
     assertRefused("\"object\": \"wall\", \"along\": [1, 0, 0]", "an object with a mass");
-    assertRefused("\"object\": \"drawer\", \"along\": [1, 0, 0]", "which is on a rail already");
+    assertRefused(
+        "\"object\": \"drawer\", \"along\": [1, 0, 0]", "which a rail or a door guides already");
     assertRefused("\"object\": \"door\", \"along\": [0, 0, 0]", "along is [0, 0, 0], must have a");
   }
 

@@ -115,6 +115,7 @@ final class CellShift {
       case DeviceSetup.TwoFinger _,
           DeviceSetup.RpcGripper _,
           DeviceSetup.Driven _,
+          DeviceSetup.Door _,
           DeviceSetup.Vacuum _,
           DeviceSetup.Belt _,
           DeviceSetup.Source _,

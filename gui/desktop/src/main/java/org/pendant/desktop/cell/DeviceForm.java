@@ -174,7 +174,11 @@ final class DeviceForm {
                   part.change(device, text -> text.withFlag(flag.key(), on, flag.standing())));
       case DeviceField.Amount amount -> addAmount(amount, part);
       case DeviceField.Wire wire -> addWire(wire, part);
-      case DeviceField.Place place -> addPlace(place, part);
+      case DeviceField.Place place ->
+          addAxes(place.title(), place.help(), place.key(), place.range(), part);
+      case DeviceField.Direction way ->
+          addAxes(way.title(), way.help(), way.key(), way.range(), part);
+      case DeviceField.Choice choice -> addChoice(choice, part);
       case DeviceField.Words words ->
           form.text(
               words.title(),
@@ -211,19 +215,64 @@ final class DeviceForm {
     }
   }
 
-  private void addPlace(DeviceField.Place place, Part part) {
-    form.heading(place.title() + ": " + place.help());
+  private void addAxes(String title, String help, String key, Range range, Part part) {
+    form.heading(title + ": " + help);
+    Measure usual = measure(range);
     Axes.addTo(
         form,
-        place.title(),
-        Measure.MILLIMETRE,
-        device -> part.get.apply(device).place(place.key()),
+        title,
+        usual,
+        device -> part.get.apply(device).place(key),
         (device, at) -> {
           for (double each : List.of(at.x(), at.y(), at.z())) {
-            require(place.range(), each, measures.of(Measure.MILLIMETRE));
+            require(range, each, measures.of(usual));
           }
-          return part.change(device, text -> text.withPlace(place.key(), at));
+          return part.change(device, text -> text.withPlace(key, at));
         });
+  }
+
+  /** A row for the way, and the fields of each that are there while it is chosen. */
+  private void addChoice(DeviceField.Choice choice, Part part) {
+    form.choice(
+        choice.title(),
+        choice.title() + ": " + choice.help(),
+        device -> choice.ways(),
+        DeviceField.Choice.Way::title,
+        device -> way(choice, part.get.apply(device)),
+        (device, way) -> part.change(device, text -> withWay(text, choice, way)));
+    for (DeviceField.Choice.Way way : choice.ways()) {
+      form.naming(part.name + "-" + way.mark() + "-");
+      form.section(
+          device -> way(choice, part.get.apply(device)).equals(way),
+          () -> way.fields().forEach(each -> addRow(each, part)));
+    }
+    form.naming(part.name + "-");
+  }
+
+  private static DeviceField.Choice.Way way(DeviceField.Choice choice, DeviceText device) {
+    return choice.ways().stream()
+        .filter(each -> device.has(each.mark()))
+        .findFirst()
+        .orElse(choice.ways().getFirst());
+  }
+
+  /** The device with the fields of another way; those that both have stay as they are. */
+  private DeviceText withWay(
+      DeviceText device, DeviceField.Choice choice, DeviceField.Choice.Way to) {
+    Set<String> kept = new HashSet<>();
+    to.fields().forEach(each -> kept.add(each.key()));
+    DeviceText next = device;
+    for (DeviceField.Choice.Way way : choice.ways()) {
+      for (DeviceField field : way.fields()) {
+        next = kept.contains(field.key()) ? next : next.withText(field.key(), "");
+      }
+    }
+    for (DeviceField field : to.fields()) {
+      if (field.required() && !next.has(field.key())) {
+        next = first(next, field, Set.of(), scene.get());
+      }
+    }
+    return next;
   }
 
   /** Names with commas between. */
@@ -283,6 +332,8 @@ final class DeviceForm {
       case "m" -> Measure.MILLIMETRE;
       case "s" -> Measure.SECOND;
       case "N" -> Measure.NEWTON;
+      case "Nm" -> Measure.NEWTON_METRE;
+      case "N s/m" -> Measure.NEWTON_SECOND_PER_METRE;
       case "rad" -> Measure.DEGREE;
       case "m/s" -> Measure.MILLIMETRE_PER_S;
       case "m/s^2" -> Measure.MILLIMETRE_PER_S2;
@@ -374,30 +425,36 @@ final class DeviceForm {
     others.forEach(each -> used.addAll(each.texts()));
     for (DeviceField field : kind.fields()) {
       if (field.required()) {
-        device =
-            switch (field) {
-              case DeviceField.Wire wire -> device.withText(wire.key(), free(wire, used));
-              case DeviceField.Amount amount ->
-                  device.withNumber(amount.key(), OptionalDouble.of(FIRST_NUMBER));
-              case DeviceField.Place place -> device.withPlace(place.key(), first(place.key()));
-              case DeviceField.Subject subject ->
-                  device.withText(
-                      subject.key(),
-                      subjects(subject, scene).stream().findFirst().orElse(NO_SUBJECT));
-              case DeviceField.Words words -> device.withText(words.key(), words.example());
-              case DeviceField.Flag _,
-                  DeviceField.Values _,
-                  DeviceField.Subjects _,
-                  DeviceField.Spot _,
-                  DeviceField.Group _ ->
-                  device;
-            };
+        device = first(device, field, used, scene);
       }
     }
     return switch (kind.type()) {
       case SOURCE -> device.withNumber("every", OptionalDouble.of(FIRST_EVERY_S));
       case CAMERA -> withFreePorts(device, others);
       default -> device;
+    };
+  }
+
+  /** With what a field that must be there begins with. */
+  private static DeviceText first(
+      DeviceText device, DeviceField field, Set<String> used, Scene scene) {
+    return switch (field) {
+      case DeviceField.Wire wire -> device.withText(wire.key(), free(wire, used));
+      case DeviceField.Amount amount ->
+          device.withNumber(amount.key(), OptionalDouble.of(FIRST_NUMBER));
+      case DeviceField.Place place -> device.withPlace(place.key(), first(place.key()));
+      case DeviceField.Direction way -> device.withPlace(way.key(), first(way.key()));
+      case DeviceField.Subject subject ->
+          device.withText(
+              subject.key(), subjects(subject, scene).stream().findFirst().orElse(NO_SUBJECT));
+      case DeviceField.Words words -> device.withText(words.key(), words.example());
+      case DeviceField.Flag _,
+          DeviceField.Values _,
+          DeviceField.Subjects _,
+          DeviceField.Spot _,
+          DeviceField.Choice _,
+          DeviceField.Group _ ->
+          device;
     };
   }
 
@@ -417,13 +474,16 @@ final class DeviceForm {
             .withNumber("rpc", OptionalDouble.of(next + 1));
   }
 
-  /** In front of the base: a beam from side to side, or a box. */
+  /** In front of the base: a beam from side to side, or a box; a way ahead, down or round. */
   private static Vector3 first(String key) {
     return switch (key) {
       case "from" -> new Vector3(0.4, -0.3, 0.2);
       case "to" -> new Vector3(0.4, 0.3, 0.2);
       case "min" -> new Vector3(0.3, -0.1, 0);
       case "max" -> new Vector3(0.5, 0.1, 0.2);
+      case "along" -> new Vector3(1, 0, 0);
+      case "slides" -> new Vector3(0, 0, -0.3);
+      case "turns" -> new Vector3(0, 0, Math.PI / 2);
       default -> new Vector3(0.4, 0, 0.2);
     };
   }

@@ -110,6 +110,11 @@ record DeviceText(Map<String, String> members) {
     return with(NAME, JsonValues.text(name));
   }
 
+  /** Whether it says something of a key. */
+  boolean has(String key) {
+    return members.containsKey(key);
+  }
+
   /** A text; empty where there is none. */
   String text(String key) {
     String json = members.get(key);

@@ -233,7 +233,7 @@ public record DeviceSight(
         belts.add(new Belt(belt.name(), belt.object(), belt.speedMPerS() < 0, 0));
       } else if (setup.gripper().isPresent()) {
         grippers.add(gripper(setup, state, begins));
-      } else if (setup instanceof DeviceSetup.Driven door) {
+      } else if (setup instanceof DeviceSetup.Door door) {
         doors.add(new Door(door.name(), share(state, begins)));
       }
     }

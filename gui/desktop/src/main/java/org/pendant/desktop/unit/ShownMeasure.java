@@ -39,6 +39,7 @@ public final class ShownMeasure {
           NEWTON,
           NEWTON_METRE,
           NEWTON_PER_METRE,
+          NEWTON_SECOND_PER_METRE,
           SECOND_PER_METRE,
           KILOGRAM,
           VOLT,

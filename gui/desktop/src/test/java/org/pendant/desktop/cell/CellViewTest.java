@@ -33,8 +33,10 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.pendant.cell.BodyRail;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.device.DeviceSetup;
+import org.pendant.controller.device.DoorLeaf;
 import org.pendant.controller.world.GripperSetup;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
@@ -249,6 +251,36 @@ final class CellViewTest {
   }
 
   @Test
+  void aDoorMovesAnObjectInOneWayOrAnother() throws Exception {
+    show(
+        view -> {
+          press(view, "cell-object-add-box");
+          type(view, "cell-object-mass", "4");
+          add(view, "door");
+          JComboBox<?> moves = find(view, "cell-device-door-moves", JComboBox.class);
+          moves.setSelectedIndex(1);
+          assertTrue(find(view, "cell-device-door-slides-slides-x", JTextField.class).isVisible());
+          type(view, "cell-device-door-slides-slides-x", "200");
+          type(view, "cell-device-door-slides-slides-z", "0");
+          type(view, "cell-device-door-slides-force", "80");
+          DeviceSetup.Door door = (DeviceSetup.Door) draft.devices().getFirst().getFirst();
+          assertEquals(
+              new DoorLeaf.Slide("Box_1", new BodyRail.Line(1, 0, 0, 0.2, 80, 0)),
+              door.leaf().orElseThrow());
+          moves.setSelectedIndex(2);
+          assertFalse(find(view, "cell-device-door-slides-slides-x", JTextField.class).isVisible());
+          type(view, "cell-device-door-turns-turns-z", "60");
+          door = (DeviceSetup.Door) draft.devices().getFirst().getFirst();
+          DoorLeaf.Turn turn = (DoorLeaf.Turn) door.leaf().orElseThrow();
+          assertEquals(Math.toRadians(60), turn.axis().angleRad(), 1e-9);
+          assertEquals(50, turn.axis().frictionNm());
+          moves.setSelectedIndex(0);
+          door = (DeviceSetup.Door) draft.devices().getFirst().getFirst();
+          assertTrue(door.leaf().isEmpty());
+        });
+  }
+
+  @Test
   void whatADeviceCannotHaveIsRefusedAtItsFieldAndStaysThere() throws Exception {
     show(
         view -> {
@@ -265,7 +297,7 @@ final class CellViewTest {
           assertEquals(
               "is 70 s, must be 0.01 to 60 s", problem(view, "cell-device-door-time-problem"));
           type(view, "cell-device-door-time", "4");
-          assertEquals(4, ((DeviceSetup.Driven) draft.devices().getFirst().get(1)).timeS());
+          assertEquals(4, ((DeviceSetup.Door) draft.devices().getFirst().get(1)).timeS());
           JTextField name = find(view, "cell-device-name", JTextField.class);
           name.setText("two-finger");
           assertEquals(

@@ -28,17 +28,13 @@ import org.pendant.models.pose.Poses;
 final class DeviceSightTest {
   private static final DeviceSetup GRIPPER = new DeviceSetup.TwoFinger("left", false, true, 0);
   private static final DeviceSetup DOOR =
-      new DeviceSetup.Driven(
+      new DeviceSetup.Door(
           "guard",
-          "door",
           new CellSignal("", "digital_out", 0),
           Optional.empty(),
           Optional.empty(),
           Optional.empty(),
-          Optional.empty(),
-          1,
           2,
-          0,
           Optional.empty());
   private static final DeviceSetup GATE =
       new DeviceSetup.Sensor(

@@ -25,6 +25,7 @@ public enum Measure {
   NEWTON("N", 1, 2),
   NEWTON_METRE("Nm", 1, 3),
   NEWTON_PER_METRE("N/m", 1, 0),
+  NEWTON_SECOND_PER_METRE("N s/m", 1, 2),
   SECOND_PER_METRE("s/m", 1, 3),
   KILOGRAM("kg", 1, 3),
   VOLT("V", 1, 3),
