@@ -84,7 +84,7 @@ public final class Cell implements Frames {
     List<String> names = plan.layout().names();
     List<Standing> standing = new ArrayList<>();
     for (int i = 0; i < arms.size(); i++) {
-      standing.add(standing(plan, arms.get(i), options.get(i)));
+      standing.add(standing(plan, arms.get(i), placed(options.get(i), arms.get(i))));
     }
     world = world(plan, standing);
     ToolPlaces tools = new ToolPlaces();
@@ -101,6 +101,7 @@ public final class Cell implements Frames {
               signals.get(i),
               lines.of(signals.get(i).digital()),
               armless ? world.withoutArm() : world.contacts(i),
+              armless ? Optional.empty() : Optional.of(world.neighbours(i)),
               armless ? Optional.empty() : world.encounters(i),
               tools,
               encoders,
@@ -126,6 +127,11 @@ public final class Cell implements Frames {
     wires = new WireBoard(plan.equipment().wires(), lines);
   }
 
+  /** What an arm is switched on with where the file may say where it starts. */
+  private static ControllerOptions placed(ControllerOptions options, ArmEntry entry) {
+    return entry.startRad().map(options::withStart).orElse(options);
+  }
+
   private static Standing standing(CellPlan plan, ArmEntry entry, ControllerOptions options)
       throws JsonException {
     try {
@@ -134,6 +140,7 @@ public final class Cell implements Frames {
           entry.name(),
           options.arm(),
           seen,
+          options.startRad(),
           entry.baseInCell(),
           options.armChoice() != ArmChoice.IDEAL);
     } catch (IllegalArgumentException e) {
@@ -153,8 +160,7 @@ public final class Cell implements Frames {
       ControllerOptions options, ArmEntry entry, Builtins<ControlBox> builtins)
       throws JsonException {
     try {
-      Controller controller =
-          new Controller(entry.startRad().map(options::withStart).orElse(options), builtins);
+      Controller controller = new Controller(placed(options, entry), builtins);
       mount(controller, entry.baseInCell());
       return controller;
     } catch (IllegalArgumentException e) {

@@ -159,6 +159,11 @@ public final class ControllerOptions {
     return changed(copy -> copy.startRad = positionRad);
   }
 
+  /** Where the joints are at first, rad. */
+  public Joints startRad() {
+    return startRad;
+  }
+
   /** With another seed of random numbers and noise. */
   public ControllerOptions withSeed(long number) {
     return changed(copy -> copy.seed = number);

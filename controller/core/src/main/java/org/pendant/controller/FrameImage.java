@@ -23,6 +23,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.LinkDistance;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.controller.state.SafetyStatus;
+import org.pendant.controller.world.ArmNeighbours;
 import org.pendant.controller.world.MovedObject;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
@@ -44,9 +45,7 @@ final class FrameImage {
   private final Debugger debugger;
   private final VariableSampler sampler;
   private final VariableTracer tracer;
-
-  /** Made once, since every snapshot hands it on. */
-  private final LinkDistance links;
+  private final ArmNeighbours neighbours;
 
   private boolean still;
   private boolean broughtMessages;
@@ -59,6 +58,10 @@ final class FrameImage {
 
   // from here on all belongs to whoever holds this object's lock
   private final ArmImage arm;
+
+  /** Where the joints of the other arms of the cell are, rad. */
+  private final double[] othersRad;
+
   private long frame;
   private double timeS;
   private double executionTimeS;
@@ -91,7 +94,8 @@ final class FrameImage {
     this.debugger = debugger;
     this.tracer = tracer;
     sampler = new VariableSampler(machine);
-    links = of -> box.arm().surroundings().nearestM(of.actualPositionRad(), of.tool().inFlange());
+    neighbours = box.arm().neighbours();
+    othersRad = new double[neighbours.numbers()];
     arm = new ArmImage(box);
     safety = SafetyStatus.of(box, Optional.empty());
     devices = List.of();
@@ -131,7 +135,8 @@ final class FrameImage {
     frame = box.clock().frame();
     timeS = box.clock().timeS();
     behindS = box.clock().behindS();
-    armRests = box.arm().simulated().rests();
+    neighbours.read(othersRad);
+    armRests = box.arm().simulated().rests() && neighbours.rest();
     io = box.signals().digital().levels();
     signals = box.signals().state();
     modbus = List.copyOf(box.links().modbus().state());
@@ -191,6 +196,13 @@ final class FrameImage {
     return known.get();
   }
 
+  /** How near links are to something, with the other arms where they are now. */
+  private LinkDistance links() {
+    double[] others = othersRad.clone();
+    return of ->
+        box.arm().surroundings().nearestM(of.actualPositionRad(), of.tool().inFlange(), others);
+  }
+
   private ControllerState snapshot() {
     ArmState armState = arm.state();
     ArmReadings readings = arm.readings();
@@ -202,7 +214,7 @@ final class FrameImage {
         armRests,
         armState,
         readings,
-        new ArmGeometry(armState, readings, links),
+        new ArmGeometry(armState, readings, links()),
         safety,
         program,
         debug,

@@ -175,6 +175,63 @@ final class CellTest {
     assertTrue(state(cell, "right").safety().stop().orElseThrow().message().contains("of left"));
   }
 
+  private static double nearestM(Cell cell, String name) {
+    return state(cell, name).geometry().linkDistanceM();
+  }
+
+  @Test
+  void theNearestDistanceIsThatToAnotherArmAndTheSameForBoth() throws JsonException {
+    String beside =
+        "\"arms\": [{\"name\": \"left\"}, {\"name\": \"right\", \"base\": [0, %s, 0, 0, 0, 0]}]";
+    double aloneM = nearestM(cell(beside.formatted(5)), "left");
+    Cell near = cell(beside.formatted(0.3));
+    double nearM = nearestM(near, "left");
+    assertTrue(nearM > 0 && nearM < aloneM - 0.02, nearM + " m, alone " + aloneM);
+    assertEquals(nearM + 0.01, nearestM(cell(beside.formatted(0.31)), "left"), 1e-4);
+    near.advance();
+    assertEquals(nearM, nearestM(near, "left"), 1e-5);
+    assertEquals(nearestM(near, "left"), nearestM(near, "right"), 1e-6);
+  }
+
+  private static Cell near(ControllerOptions each) throws JsonException {
+    Cell cell =
+        cell(
+            """
+            "arms": [
+              {"name": "left", "start": [0, -1.5708, -1.5708, -1.5708, 1.5708, 0]},
+              {"name": "right", "base": [1, 0, 0, 0, 0, 3.141592653589793],
+               "start": [1, -1.5708, -1.5708, -1.5708, 1.5708, 0]}
+            ]\
+            """,
+            each);
+    start(cell, "right", "movej([0.7, -1.5708, -1.5708, -1.5708, 1.5708, 0])");
+    return cell;
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void anArmThatStandsStillKnowsHowNearTheOtherOneComes(ArmChoice arms) throws JsonException {
+    Cell cell = near(ControllerOptions.headless().withArm(arms));
+    double beforeM = nearestM(cell, "left");
+    runUntilStopped(cell, "right", 3000);
+    double afterM = nearestM(cell, "left");
+    assertTrue(afterM < beforeM - 0.01, afterM + " m, before " + beforeM);
+    assertEquals(nearestM(cell, "right"), afterM, 1e-4);
+  }
+
+  @Test
+  void anArmDoesNotRestForRecordingsWhileAnotherOneMoves() throws JsonException {
+    Cell cell = near(ControllerOptions.headless().withMeasuredNoise(true));
+    int rested = 0;
+    for (int i = 0; i < 2500; i++) {
+      cell.advance();
+      ControllerState other = state(cell, "right");
+      rested += state(cell, "left").armRests() && !other.armRests() && other.arm().moving() ? 1 : 0;
+    }
+    assertEquals(0, rested);
+    assertTrue(state(cell, "left").armRests());
+  }
+
   @ParameterizedTest
   @EnumSource
   void anArmPushesWhatTheOtherOneSees(ArmChoice arms) throws JsonException {

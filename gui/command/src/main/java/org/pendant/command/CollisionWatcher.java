@@ -10,7 +10,6 @@ import org.pendant.controller.world.LinkHit;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
-import org.pendant.models.collision.ArmClearance;
 
 /**
  * Collision watcher: notes what the links of the arm get into while a program runs, which passes
@@ -43,7 +42,6 @@ final class CollisionWatcher implements FrameWatcher {
   record Nearest(LinkHit pair, int line, double timeS) {}
 
   private final ArmSurroundings surroundings;
-  private final ArmClearance clearance;
   private final double limitS;
   private final double[] q = new double[Joints.COUNT];
   private final List<Collision> collisions = new ArrayList<>();
@@ -62,9 +60,8 @@ final class CollisionWatcher implements FrameWatcher {
    */
   CollisionWatcher(ArmDescription arm, Scene scene, double limitS) {
     surroundings = new ArmSurroundings(arm, scene);
-    clearance = surroundings.clearance();
     this.limitS = limitS;
-    open = new int[clearance.pairs()];
+    open = new int[surroundings.pairs()];
     Arrays.fill(open, EXCUSED);
   }
 
@@ -93,14 +90,14 @@ final class CollisionWatcher implements FrameWatcher {
     timeS = state.timeS();
     int line = state.program().line();
     state.arm().actualPositionRad().copyTo(q);
-    clearance.at(q);
+    surroundings.at(q);
     boolean bare = surroundings.bareFlange(state.arm().tool().inFlange());
     for (int pair = 0; pair < open.length; pair++) {
       if (bare && surroundings.presses(pair)) {
         open[pair] = EXCUSED;
         continue;
       }
-      double distanceM = clearance.distanceM(pair, Math.max(LEFT_M, nearestM));
+      double distanceM = surroundings.distanceM(pair, Math.max(LEFT_M, nearestM));
       if (distanceM >= LEFT_M) {
         open[pair] = NONE;
       }

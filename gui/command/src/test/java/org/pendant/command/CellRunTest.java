@@ -148,6 +148,24 @@ final class CellRunTest {
   }
 
   @Test
+  void aTestKnowsHowNearAnotherArmIs() throws IOException {
+    write(
+        "near.scene.json",
+        """
+        {"arms": [{"name": "left"}, {"name": "right", "base": [0, 0.3, 0, 0, 0, 0]}]}
+        """);
+    write(
+        "near_test.script",
+        """
+        # @scene near.scene.json
+        def test_near():
+          assert_near(min_distance(), 0.0369, 0.0002)
+        end
+        """);
+    assertEquals(ExitCode.DONE, pendant("test", file("near_test.script")), errors.toString(UTF_8));
+  }
+
+  @Test
   void whatWorksWithOneControllerRefusesSeveral() {
     assertEquals(
         ExitCode.WRONG_USAGE,

@@ -140,6 +140,7 @@ public final class ArmDrive {
     history.add(q);
     flange.contactWatch().add(flange.wrenchInBase());
     watchForceMode();
+    setup.arm().neighbours().say(q, arm.rests());
     watchLinks();
     if (freedrive.active()) {
       freedrive.follow(actual.joints(), arm.speedRadPerS());

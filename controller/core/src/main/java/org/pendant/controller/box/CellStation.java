@@ -5,6 +5,7 @@ import org.pendant.controller.device.EncoderLines;
 import org.pendant.controller.device.ToolPlaces;
 import org.pendant.controller.io.Signals;
 import org.pendant.controller.wire.SignalLines;
+import org.pendant.controller.world.ArmNeighbours;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.LinkCollisions;
 
@@ -14,6 +15,7 @@ import org.pendant.controller.world.LinkCollisions;
  * @param signals its own
  * @param lines the signals of all controllers, its own without a name in front
  * @param contacts what its arm may touch, in the base frame of that arm
+ * @param neighbours the other arms, as its own sees them; empty where it has none
  * @param encounters what its links get into of other arms; empty where they pass through
  * @param tools of all arms in the cell
  * @param encoders of all controllers in the cell
@@ -23,6 +25,7 @@ public record CellStation(
     Signals signals,
     SignalLines lines,
     ContactWorld contacts,
+    Optional<ArmNeighbours> neighbours,
     Optional<LinkCollisions> encounters,
     ToolPlaces tools,
     EncoderLines encoders,

@@ -8,12 +8,15 @@ import org.pendant.controller.arm.DynamicArm;
 import org.pendant.controller.arm.IdealArm;
 import org.pendant.controller.arm.SimulatedArm;
 import org.pendant.controller.arm.SupplyMeter;
+import org.pendant.controller.world.ArmNeighbours;
 import org.pendant.controller.world.ArmSurroundings;
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.LinkCollisions;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
 import org.pendant.models.collision.LinkCapsules;
+import org.pendant.models.pose.Pose;
 
 /**
  * Robot arm: the simulated one in its world, what the controller believes about it, how its base is
@@ -25,6 +28,7 @@ public final class RobotArm {
   private final ArmModel model;
   private final ContactWorld world;
   private final List<LinkCollisions> collisions = new ArrayList<>();
+  private final ArmNeighbours neighbours;
 
   /** Made when it is asked for: most runs never do. */
   private Optional<ArmSurroundings> surroundings = Optional.empty();
@@ -44,6 +48,11 @@ public final class RobotArm {
             .station()
             .map(CellStation::contacts)
             .orElseGet(() -> new ContactWorld(scene, () -> LinkCapsules.of(description)));
+    neighbours =
+        setup
+            .station()
+            .flatMap(CellStation::neighbours)
+            .orElseGet(() -> ArmNeighbours.alone(description, scene));
     // nothing stops an ideal arm
     if (setup.armChoice() != ArmChoice.IDEAL) {
       LinkCollisions.of(description, scene).ifPresent(collisions::add);
@@ -110,15 +119,30 @@ public final class RobotArm {
     return collisions;
   }
 
+  /** The other arms of its cell. */
+  public ArmNeighbours neighbours() {
+    return neighbours;
+  }
+
   /**
-   * How near its links are to one another and to what stands around; ask for the nearest only. Any
-   * thread.
+   * How near its links are to one another, to what stands around and to other arms; ask for the
+   * nearest only. Any thread.
    */
   public synchronized ArmSurroundings surroundings() {
     if (surroundings.isEmpty()) {
-      surroundings = Optional.of(new ArmSurroundings(description, scene));
+      surroundings = Optional.of(neighbours.surroundings());
     }
     return surroundings.get();
+  }
+
+  /**
+   * How near its links are to anything with the other arms where they are now, as {@link
+   * ArmSurroundings#nearestM} has it.
+   */
+  public double nearestM(Joints positionRad, Pose tcpInFlange) {
+    double[] othersRad = new double[neighbours.numbers()];
+    neighbours.read(othersRad);
+    return surroundings().nearestM(positionRad, tcpInFlange, othersRad);
   }
 
   /** What is felt at the flange. */

@@ -26,8 +26,8 @@ final class ToolQuantities {
     list.group("Links");
     list.number("link_distance", "Nearest distance", METRE, s -> s.geometry().linkDistanceM())
         .explained(
-            "Of a link of the arm from another, or from an object of the scene that stands still;"
-                + " negative where it is inside");
+            "Of a link of the arm from another, from an object of the scene that stands still, or"
+                + " from another arm; negative where it is inside");
     list.group("Forces");
     addForces(list);
   }

@@ -35,8 +35,8 @@ public final class ArmGeometry {
   }
 
   /**
-   * How far a link of the arm is from another one or from an object that stands still, at the
-   * nearest, m: below 0 by the depth inside. No number where nobody knows.
+   * How far a link of the arm is from another one, from an object that stands still or from another
+   * arm, at the nearest, m: below 0 by the depth inside. No number where nobody knows.
    */
   public double linkDistanceM() {
     Double known = linkDistanceM;

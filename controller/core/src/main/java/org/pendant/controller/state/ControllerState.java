@@ -33,7 +33,8 @@ import org.pendant.script.vm.ProgramEvent;
  * @param behindS by how much robot time has fallen behind the wall clock since the controller was
  *     switched on, s: delays that the computer was too slow to catch up; not part of recordings
  * @param armRests whether readings of the arm differ from those of the frame before, and by their
- *     noise alone; a recording may say so of frames whose readings it has left out
+ *     noise alone; no other arm of its cell moves then. A recording may say so of frames whose
+ *     readings it has left out
  * @param geometry what follows from the joints, worked out on demand
  * @param debug whether a debugger has paused the program, and where its threads are then; snapshots
  *     of a held frame repeat its number

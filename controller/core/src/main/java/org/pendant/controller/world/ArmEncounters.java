@@ -2,6 +2,8 @@ package org.pendant.controller.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.controller.world.CellWorld.Standing;
+import org.pendant.models.arm.Joints;
 import org.pendant.models.collision.LinkCapsules;
 import org.pendant.models.collision.PlacedLinks;
 import org.pendant.models.pose.Pose;
@@ -23,6 +25,7 @@ final class ArmEncounters implements LinkPairs {
 
   private final PlacedLinks own;
   private final List<Neighbour> others;
+  private final double[] q = new double[Joints.COUNT];
   private final List<Encounter> encounters = new ArrayList<>();
   private double travelledM;
 
@@ -37,6 +40,32 @@ final class ArmEncounters implements LinkPairs {
           }
         }
       }
+    }
+  }
+
+  /** An arm where it stands, with its joints where they are at first. */
+  static Neighbour neighbour(Standing arm) {
+    PlacedLinks links =
+        new PlacedLinks(
+            arm.arm(),
+            ArmSurroundings.capsules(arm.arm(), arm.scene().toolPoints()),
+            ToolBody.solids(arm.scene().toolBodies()),
+            arm.baseInCell());
+    double[] q = new double[Joints.COUNT];
+    arm.startRad().copyTo(q);
+    links.at(q);
+    return new Neighbour(arm.name(), links);
+  }
+
+  /**
+   * Moves the others, unless they do so themselves.
+   *
+   * @param othersRad six joint positions of each, in their order, rad
+   */
+  void moveOthers(double[] othersRad) {
+    for (int i = 0; i < others.size(); i++) {
+      System.arraycopy(othersRad, Joints.COUNT * i, q, 0, Joints.COUNT);
+      others.get(i).links().at(q);
     }
   }
 

@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.pendant.controller.world.CellWorld.Standing;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.collision.ArmClearance;
@@ -11,21 +12,37 @@ import org.pendant.models.collision.SolidShape;
 import org.pendant.models.pose.Pose;
 
 /**
- * Arm surroundings: what the links of an arm can get into in a scene: one another, and the objects
- * that stand still. Tool points with a radius belong to the arm, as its tool: they can get into
- * links; what they do with objects is up to {@link ContactWorld}.
+ * Arm surroundings: what the links of an arm can get into in a scene: one another, the objects that
+ * stand still, and, after these, the links of other arms. Tool points with a radius belong to the
+ * arm, as its tool: they can get into links; what they do with objects is up to {@link
+ * ContactWorld}.
  */
 public final class ArmSurroundings implements LinkPairs {
   /** A tool that ends this near the flange is wrist 3 itself, m. */
   private static final double BARE_FLANGE_M = 0.02;
 
   private final ArmClearance clearance;
+
+  /** Those with other arms; their pairs come after the others. */
+  private final ArmEncounters encounters;
+
   private final double[] q = new double[Joints.COUNT];
   private final List<String> names;
   private final List<ToolPoint> toolPoints;
 
   /** The links of an arm in a scene. */
   public ArmSurroundings(ArmDescription arm, Scene scene) {
+    this(new Standing("", arm, scene, Joints.ZERO, Pose.ZERO, true), List.of());
+  }
+
+  /**
+   * The links of an arm in a cell.
+   *
+   * @param others the other arms there, at first with their joints where they start
+   */
+  public ArmSurroundings(Standing own, List<Standing> others) {
+    ArmDescription arm = own.arm();
+    Scene scene = own.scene();
     List<Capsule> capsules = capsules(arm, scene.toolPoints());
     List<SceneObject> still =
         scene.objects().stream().filter(object -> object.massKg() == 0).toList();
@@ -37,6 +54,10 @@ public final class ArmSurroundings implements LinkPairs {
             capsules,
             capsules.isEmpty() ? List.of() : ToolBody.solids(scene.toolBodies()),
             still.stream().map(ArmSurroundings::solid).toList());
+    encounters =
+        new ArmEncounters(
+            ArmEncounters.neighbour(own).links(),
+            others.stream().map(ArmEncounters::neighbour).toList());
   }
 
   /** What an arm is made of, with those tool points that have a radius. */
@@ -60,9 +81,13 @@ public final class ArmSurroundings implements LinkPairs {
     return capsules;
   }
 
-  /** How far they are from one another, pair by pair. */
-  public ArmClearance clearance() {
-    return clearance;
+  /**
+   * Moves the other arms.
+   *
+   * @param othersRad six joint positions of each, in their order, rad
+   */
+  public void moveOthers(double[] othersRad) {
+    encounters.moveOthers(othersRad);
   }
 
   /**
@@ -81,43 +106,58 @@ public final class ArmSurroundings implements LinkPairs {
 
   @Override
   public int pairs() {
-    return clearance.pairs();
+    return clearance.pairs() + encounters.pairs();
   }
 
   @Override
   public void at(double[] positionRad) {
     clearance.at(positionRad);
+    if (encounters.pairs() > 0) {
+      encounters.at(positionRad);
+    }
   }
 
   @Override
   public double travelM(double[] positionRad) {
-    return clearance.travelM(positionRad);
+    double ownM = clearance.travelM(positionRad);
+    return encounters.pairs() > 0 ? Math.max(ownM, encounters.travelM(positionRad)) : ownM;
   }
 
   @Override
   public double distanceM(int pair, double farM) {
-    return clearance.distanceM(pair, farM);
+    return ofOthers(pair)
+        ? encounters.distanceM(pair - clearance.pairs(), farM)
+        : clearance.distanceM(pair, farM);
+  }
+
+  private boolean ofOthers(int pair) {
+    return pair >= clearance.pairs();
   }
 
   /** Whether a pair is that of wrist 3 and an object, which touch where the flange presses. */
   @Override
   public boolean presses(int pair) {
-    return clearance.body(pair) == LinkCapsules.WRIST_3 && clearance.obstacle(pair) >= 0;
+    return !ofOthers(pair)
+        && clearance.body(pair) == LinkCapsules.WRIST_3
+        && clearance.obstacle(pair) >= 0;
   }
 
   /**
    * How far the two of the nearest pair are apart, m: below 0 by the depth where they overlap. No
-   * number for an arm of which no shape is known. Any thread may ask where nobody uses {@link
-   * #clearance}.
+   * number for an arm of which no shape is known. Any thread may ask where nobody calls another
+   * method.
+   *
+   * @param othersRad as {@link #moveOthers} takes it
    */
-  public synchronized double nearestM(Joints positionRad, Pose tcpInFlange) {
+  public synchronized double nearestM(Joints positionRad, Pose tcpInFlange, double[] othersRad) {
     positionRad.copyTo(q);
-    clearance.at(q);
+    moveOthers(othersRad);
+    at(q);
     boolean bare = bareFlange(tcpInFlange);
     double least = Double.POSITIVE_INFINITY;
-    for (int pair = 0; pair < clearance.pairs(); pair++) {
+    for (int pair = 0; pair < pairs(); pair++) {
       if (!bare || !presses(pair)) {
-        least = Math.min(least, clearance.distanceM(pair, least));
+        least = Math.min(least, distanceM(pair, least));
       }
     }
     return least == Double.POSITIVE_INFINITY ? Double.NaN : least;
@@ -126,6 +166,9 @@ public final class ArmSurroundings implements LinkPairs {
   /** The two of a pair, as one that overlaps by so much. */
   @Override
   public LinkHit hit(int pair, double depthM) {
+    if (ofOthers(pair)) {
+      return encounters.hit(pair - clearance.pairs(), depthM);
+    }
     int body = clearance.body(pair);
     int obstacle = clearance.obstacle(pair);
     if (obstacle >= 0) {

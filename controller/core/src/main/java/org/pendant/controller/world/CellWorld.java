@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.world.ArmEncounters.Neighbour;
 import org.pendant.models.arm.ArmDescription;
+import org.pendant.models.arm.Joints;
 import org.pendant.models.collision.LinkCapsules;
-import org.pendant.models.collision.PlacedLinks;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.time.FrameTime;
 
@@ -22,11 +22,17 @@ public final class CellWorld {
    *
    * @param name what messages call it by
    * @param scene the objects as they are seen from its base, and what its tool is
+   * @param startRad where its joints are at first
    * @param baseInCell where it stands
    * @param stops whether its links stop at those of others
    */
   public record Standing(
-      String name, ArmDescription arm, Scene scene, Pose baseInCell, boolean stops) {}
+      String name,
+      ArmDescription arm,
+      Scene scene,
+      Joints startRad,
+      Pose baseInCell,
+      boolean stops) {}
 
   private final List<Standing> arms;
   private final boolean solid;
@@ -35,6 +41,7 @@ public final class CellWorld {
   private final FreeBodies free;
 
   private final List<Neighbour> links = new ArrayList<>();
+  private final List<ArmNeighbours> neighbours;
 
   /**
    * A cell with its arms.
@@ -50,16 +57,8 @@ public final class CellWorld {
         FreeBodies.any(scene.objects())
             ? new FreeBodies(scene.objects(), arms.stream().map(this::bodies).toList())
             : null;
-    for (Standing arm : arms) {
-      links.add(
-          new Neighbour(
-              arm.name(),
-              new PlacedLinks(
-                  arm.arm(),
-                  ArmSurroundings.capsules(arm.arm(), arm.scene().toolPoints()),
-                  ToolBody.solids(arm.scene().toolBodies()),
-                  arm.baseInCell())));
-    }
+    arms.forEach(arm -> links.add(ArmEncounters.neighbour(arm)));
+    neighbours = ArmNeighbours.of(arms);
   }
 
   private ArmBodies.Setup bodies(Standing arm) {
@@ -77,6 +76,11 @@ public final class CellWorld {
   /** What a controller without an arm has there: nothing but what its sensors see. */
   public ContactWorld withoutArm() {
     return new ContactWorld(Scene.EMPTY, free, null, new ArmPlace(Pose.ZERO), true);
+  }
+
+  /** The other arms, as an arm sees them. */
+  public ArmNeighbours neighbours(int arm) {
+    return neighbours.get(arm);
   }
 
   /**

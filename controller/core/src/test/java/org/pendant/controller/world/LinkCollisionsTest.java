@@ -10,7 +10,6 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
-import org.pendant.models.collision.ArmClearance;
 import org.pendant.models.pose.Pose;
 
 class LinkCollisionsTest {
@@ -116,7 +115,7 @@ class LinkCollisionsTest {
             new SceneObject.Plane(
                 "table", new Vector3(0, 0, 0), new Vector3(0, 0, 1), Material.DEFAULT),
             new SceneObject.Sphere("ball", new Vector3(0.4, 0.4, 0.4), 0.1, Material.DEFAULT));
-    ArmClearance always = new ArmSurroundings(UR5E, scene).clearance();
+    ArmSurroundings always = new ArmSurroundings(UR5E, scene);
     int hits = 0;
     for (int n = 0; n < 200; n++) {
       LinkCollisions links = of(scene);
@@ -144,7 +143,7 @@ class LinkCollisionsTest {
     assertTrue(hits > 30, "only " + hits);
   }
 
-  private static boolean clear(ArmClearance clearance, double[] q) {
+  private static boolean clear(ArmSurroundings clearance, double[] q) {
     clearance.at(q);
     for (int pair = 0; pair < clearance.pairs(); pair++) {
       if (clearance.distanceM(pair, 1) < 0) {

@@ -62,8 +62,9 @@ final class NearBuiltins {
         .does(call -> inside(call, call.host().kinematics().actualTcpInBase()));
     TestBuiltins.declare(builtins, "min_distance", SECTION)
         .doc(
-            "How far a link of the arm is from another link, or from an object of the scene that"
-                + " stands still, at the nearest; negative where it is inside.")
+            "How far a link of the arm is from another link, from an object of the scene that"
+                + " stands still, or from another arm, at the nearest; negative where it is"
+                + " inside.")
         .returns(Unit.METRE)
         .effect(Effect.SENSES)
         .does(
@@ -71,7 +72,6 @@ final class NearBuiltins {
                 call.answer(
                     call.host()
                         .arm()
-                        .surroundings()
                         .nearestM(
                             call.host().drive().actualPositionRad(),
                             call.host().flange().tool().inFlange())));
