@@ -39,8 +39,9 @@ import org.pendant.script.function.Builtins;
  * the order of what happens within one frame. The same plan and the same programs give the same
  * bits in every run.
  *
- * <p>A debugger that pauses one of the programs holds all of them. What came into force between two
- * controllers of a cell is in no journal: runs in a cell are not repeated.
+ * <p>A debugger that pauses one of the programs holds all of them. Each call lets every controller
+ * take its commands once, in that order, so that commands at the same places have another cell of
+ * the same plan do the same.
  */
 public final class Cell implements Frames {
   private static final int NOBODY = -1;
@@ -114,7 +115,6 @@ public final class Cell implements Frames {
               : placed.withScene(standing.get(i).scene());
       Controller controller =
           armless ? new Controller(own, ArmlessBuiltins.create()) : arm(own, arms.get(i), builtins);
-      controller.determinism().taint("several controllers share the cell");
       members.add(
           new Member(
               names.get(i),
@@ -194,29 +194,28 @@ public final class Cell implements Frames {
   }
 
   private void advance(boolean beforeCommands) {
-    int from = 0;
+    int from = Math.max(0, heldMember);
     if (heldMember == NOBODY) {
       begin();
-    } else {
-      from = heldMember;
-      for (int i = 0; i < members.size(); i++) {
-        if (i != heldMember) {
-          members.get(i).controller().applyCommands();
-        }
-      }
     }
     heldMember = NOBODY;
-    for (int i = from; i < members.size(); i++) {
+    for (int i = 0; i < members.size(); i++) {
       Controller controller = members.get(i).controller();
-      if (beforeCommands) {
-        controller.advanceBeforeCommands();
+      if (i < from || heldMember != NOBODY) {
+        // has run its frame already, or waits for the one whose program is paused
+        controller.applyCommands();
       } else {
-        controller.advance();
+        advance(controller, beforeCommands);
+        heldMember = controller.held() ? i : NOBODY;
       }
-      if (controller.held()) {
-        heldMember = i;
-        return;
-      }
+    }
+  }
+
+  private static void advance(Controller controller, boolean beforeCommands) {
+    if (beforeCommands) {
+      controller.advanceBeforeCommands();
+    } else {
+      controller.advance();
     }
   }
 

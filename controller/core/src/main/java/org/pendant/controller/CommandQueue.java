@@ -122,8 +122,7 @@ final class CommandQueue {
    * @param afterEach runs after each command: the next one may end what this one has begun
    */
   void drain(Runnable afterEach) {
-    turn = clock.frame() == frame ? turn + 1 : 0;
-    frame = clock.frame();
+    countTurn();
     linesOfFrame = 0;
     interpretWaiting();
     for (int left = CAPACITY; left > 0; left--) {
@@ -150,6 +149,16 @@ final class CommandQueue {
         afterEach.run();
       }
     }
+  }
+
+  /** Leaves what has arrived for the next time. */
+  void leave() {
+    countTurn();
+  }
+
+  private void countTurn() {
+    turn = clock.frame() == frame ? turn + 1 : 0;
+    frame = clock.frame();
   }
 
   private void letWaitBeside(PendingCommand secondary) {

@@ -195,7 +195,9 @@ final class Frame {
   private void takeInputs() {
     box.links().modbus().step(box.clock().timeS());
     box.links().toolLine().step();
-    if (!beforeCommands) {
+    if (beforeCommands) {
+      commandQueue.leave();
+    } else {
       commandQueue.drain(follow);
     }
     box.signals().player().step(warn);

@@ -346,14 +346,6 @@ final class CellTest {
   }
 
   @Test
-  void aRunInACellIsNotRepeated() throws JsonException {
-    Cell cell = cell(FACING);
-    assertEquals(
-        "several controllers share the cell",
-        controller(cell, "right").determinism().loss().orElseThrow().reason());
-  }
-
-  @Test
   void idealArmsPassThroughOneAnother() throws JsonException {
     Cell cell =
         cell(
