@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
-import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Controller;
 import org.pendant.models.time.FrameTime;
 import org.pendant.script.value.Value;
 
@@ -30,8 +30,8 @@ public final class ParkedRuns implements AutoCloseable {
   private static final Comparator<Repetition> BY_FRAME =
       Comparator.comparingLong(Repetition::frame);
 
-  private final Journal journal;
-  private final ControllerOptions options;
+  private final RunJournal journal;
+  private final SwitchOn switchOn;
   private final Executor background;
   private final ParkingPlaces places;
   private final Object lock = new Object();
@@ -71,29 +71,33 @@ public final class ParkedRuns implements AutoCloseable {
   /**
    * None yet.
    *
-   * @param options those of the controller whose run it is
+   * @param switchOn that of the run
    * @param background leads them, until nothing is to be done
    */
-  public ParkedRuns(Journal journal, ControllerOptions options, Executor background) {
-    this(journal, options, background, new ParkingPlaces(FrameTime.FRAMES_PER_SECOND));
+  public ParkedRuns(RunJournal journal, SwitchOn switchOn, Executor background) {
+    this(journal, switchOn, background, new ParkingPlaces(FrameTime.FRAMES_PER_SECOND));
   }
 
   /** As above, at other places. */
-  ParkedRuns(
-      Journal journal, ControllerOptions options, Executor background, ParkingPlaces places) {
+  ParkedRuns(RunJournal journal, SwitchOn switchOn, Executor background, ParkingPlaces places) {
     this.places = places;
     this.journal = journal;
-    this.options = options;
+    this.switchOn = switchOn;
     this.background = background;
   }
 
   /** Never keeps any: all ways go from the switch-on. */
-  public static ParkedRuns none(Journal journal, ControllerOptions options) {
-    return new ParkedRuns(journal, options, work -> {});
+  public static ParkedRuns none(RunJournal journal, SwitchOn switchOn) {
+    return new ParkedRuns(journal, switchOn, work -> {});
+  }
+
+  /** None yet of a run that goes on from a moment of this one. */
+  public ParkedRuns branch(RunJournal branch) {
+    return new ParkedRuns(branch, switchOn, background, places);
   }
 
   /** The commands of the run. */
-  public Journal journal() {
+  public RunJournal journal() {
     return journal;
   }
 
@@ -135,8 +139,8 @@ public final class ParkedRuns implements AutoCloseable {
   }
 
   /**
-   * The repetition that is closest before the end of a frame, and if there is none a controller
-   * that was just switched on. It belongs to the caller. Waits for a frame at most.
+   * The repetition that is closest before the end of a frame, and if there is none one that was
+   * just switched on. It belongs to the caller. Waits for a frame at most.
    */
   public Repetition before(long frame) {
     synchronized (lock) {
@@ -145,7 +149,7 @@ public final class ParkedRuns implements AutoCloseable {
       }
       Optional<Repetition> best = closest(frame);
       best.ifPresent(parked::remove);
-      return best.orElseGet(() -> Repetition.begin(journal, options));
+      return best.orElseGet(() -> Repetition.begin(journal, switchOn));
     }
   }
 
@@ -211,14 +215,14 @@ public final class ParkedRuns implements AutoCloseable {
     nearest
         .or(() -> gap.free().stream().max(BY_FRAME).filter(each -> parked.size() >= most()))
         .ifPresent(parked::remove);
-    return nearest.orElseGet(() -> Repetition.begin(journal, options));
+    return nearest.orElseGet(() -> Repetition.begin(journal, switchOn));
   }
 
   private void lead(Work work) {
     boolean good = false;
     try {
       // asked after the goal was chosen: the commands of all frames up to it are there
-      work.run().lead(work.goal(), journal.size(), state -> {}, () -> interrupted);
+      work.run().lead(work.goal(), journal.size(), () -> {}, () -> interrupted);
       good = true;
     } catch (CancellationException e) {
       good = true;
@@ -245,8 +249,11 @@ public final class ParkedRuns implements AutoCloseable {
   }
 
   private static long bytes(Repetition run) {
-    return BYTES_EACH
-        + run.controller().globals().values().stream().mapToLong(Value::sizeBytes).sum();
+    return run.controllers().all().stream().mapToLong(ParkedRuns::bytes).sum();
+  }
+
+  private static long bytes(Controller controller) {
+    return BYTES_EACH + controller.globals().values().stream().mapToLong(Value::sizeBytes).sum();
   }
 
   private int most() {

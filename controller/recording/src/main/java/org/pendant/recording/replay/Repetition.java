@@ -1,141 +1,163 @@
 package org.pendant.recording.replay;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalLong;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import org.pendant.controller.Controller;
-import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.time.FrameTime;
 import org.pendant.script.vm.ProgramEvent;
 
 /**
- * Repetition: a controller that repeats another one's run, command by command, and can stand at any
- * frame on its way. It is compared with the other one before each command, and reaches nothing
- * outside before {@link #connect}. One thread at a time leads it.
+ * Repetition: controllers that repeat the run of others, command by command, and can stand at any
+ * frame on its way. They are compared with the others before each command, and reach nothing
+ * outside before {@link #connect}. One thread at a time leads them.
  */
 public final class Repetition {
-  private final Journal original;
-  private final Controller fresh;
-  private final AtomicReference<Connectors> outside;
+  private final RunJournal original;
+  private final Controllers fresh;
+  private final List<AtomicReference<Connectors>> outside;
 
-  /** The first command that it has not got yet. */
+  /** The first command that they have not got yet. */
   private int next;
 
   private long turn;
-  private OptionalLong startedFrame = OptionalLong.empty();
 
-  private Repetition(Journal original, Controller fresh, AtomicReference<Connectors> outside) {
+  /** The frame in which each of them has started a program last; 0 before the first. */
+  private final long[] startedFrames;
+
+  private Repetition(
+      RunJournal original, Controllers fresh, List<AtomicReference<Connectors>> outside) {
     this.original = original;
     this.fresh = fresh;
     this.outside = outside;
+    startedFrames = new long[fresh.all().size()];
   }
 
   /**
-   * One that stands where a controller does that was just switched on.
+   * One that stands where the run began.
    *
-   * @param options those of the run that is repeated
+   * @param switchOn that of the run that is repeated
    */
-  static Repetition begin(Journal original, ControllerOptions options) {
-    AtomicReference<Connectors> outside = new AtomicReference<>(Connectors.NONE);
-    ControllerOptions own = options.withOutside(Connectors.by(outside::get));
-    return new Repetition(original, new Controller(own, original.controller().builtins()), outside);
+  static Repetition begin(RunJournal original, SwitchOn switchOn) {
+    List<AtomicReference<Connectors>> outside = nowhere(original.controllers());
+    Controllers fresh =
+        switchOn.with(outside.stream().map(each -> Connectors.by(each::get)).toList());
+    return new Repetition(original, fresh, outside);
   }
 
-  /** As {@link #begin}, with a controller that was made with these options. */
-  static Repetition with(Journal original, Controller fresh) {
-    long frame = fresh.state().frame();
+  private static List<AtomicReference<Connectors>> nowhere(Controllers controllers) {
+    return controllers.all().stream().map(_ -> new AtomicReference<>(Connectors.NONE)).toList();
+  }
+
+  /** As {@link #begin}, with controllers that were switched on in the same way. */
+  static Repetition with(RunJournal original, Controllers fresh) {
+    long frame = fresh.frame();
     if (frame != 0) {
       throw new IllegalArgumentException(
           "the controller is in frame " + frame + ", must not have run yet");
     }
-    return new Repetition(original, fresh, new AtomicReference<>(Connectors.NONE));
+    return new Repetition(original, fresh, nowhere(fresh));
   }
 
-  /** The controller. */
-  public Controller controller() {
+  /** The controllers, in their order. */
+  public Controllers controllers() {
     return fresh;
   }
 
-  /** The frame that it stands in; any thread. */
+  /** The frame that they stand in; any thread. */
   public long frame() {
-    return fresh.state().frame();
+    return fresh.frame();
   }
 
-  /** The frame in which a program was started last; empty if none was. */
-  public OptionalLong startedFrame() {
-    return startedFrame;
+  /** The frame in which a controller has started a program last; empty if it has not. */
+  public OptionalLong startedFrame(int member) {
+    return startedFrames[member] == 0
+        ? OptionalLong.empty()
+        : OptionalLong.of(startedFrames[member]);
   }
 
-  /** Has it reach other computers by {@code connectors} from now on. */
-  public void connect(Connectors connectors) {
-    outside.set(connectors);
+  /** Has a controller reach other computers by {@code connectors} from now on. */
+  public void connect(int member, Connectors connectors) {
+    outside.get(member).set(connectors);
   }
 
   /**
-   * Has it go on as a run of its own.
+   * Has them go on as a run of its own.
    *
    * @return its commands so far, and those to come
    */
-  Journal goOn() {
-    return Journal.continuing(original, next, fresh);
+  RunJournal goOn() {
+    return RunJournal.continuing(original, next, fresh);
   }
 
   /**
-   * Leads it on to the end of a frame, or up to where a debugger pauses that.
+   * Leads them on to the end of a frame, or up to where a debugger pauses that.
    *
-   * @param frame not before the one that it stands in
+   * @param frame not before the one that they stand in
    * @param commands of the other run that are known; all of those up to that frame
-   * @param each sees every snapshot on the way
+   * @param each runs after each step on the way
    * @throws RerunRefused if it came out otherwise
-   * @throws CancellationException as soon as {@code cancelled} says so; it can be led on after that
+   * @throws CancellationException as soon as {@code cancelled} says so; they can be led on after
+   *     that
    */
-  void lead(long frame, int commands, Consumer<ControllerState> each, BooleanSupplier cancelled)
+  void lead(long frame, int commands, Runnable each, BooleanSupplier cancelled)
       throws RerunRefused {
     while (!arrived(frame, commands)) {
       if (cancelled.getAsBoolean()) {
         throw new CancellationException("the rerun was cancelled");
       }
-      ControllerState before = fresh.state();
-      boolean begins = !before.debug().held() && !isIn(before.frame(), commands);
+      long before = fresh.frame();
+      boolean begins = !fresh.frames().held() && !isIn(before, commands);
       turn = begins ? 0 : turn + 1;
-      long step = before.frame() + (begins ? 1 : 0);
+      long step = before + (begins ? 1 : 0);
       submit(step, commands);
       if (begins) {
-        fresh.advance();
+        fresh.frames().advance();
       } else {
-        fresh.applyCommands();
+        fresh.frames().applyCommands();
       }
-      see(fresh.state());
-      each.accept(fresh.state());
-      if (!fresh.state().debug().held() && isIn(step, commands) && original.entry(next).held()) {
-        throw otherwise(step, "the debugger did not pause the program");
+      seePrograms();
+      each.run();
+      if (isIn(step, commands)) {
+        refuseUnlessHeld(original.entry(next));
       }
     }
   }
 
-  private void see(ControllerState state) {
-    for (ProgramEvent event : state.newProgramEvents()) {
-      if (event instanceof ProgramEvent.Started) {
-        startedFrame = OptionalLong.of(state.frame());
+  private void seePrograms() {
+    for (int i = 0; i < startedFrames.length; i++) {
+      ControllerState state = fresh.all().get(i).state();
+      for (ProgramEvent event : state.newProgramEvents()) {
+        if (event instanceof ProgramEvent.Started) {
+          startedFrames[i] = state.frame();
+        }
       }
+    }
+  }
+
+  /** What came while a debugger had paused a program must come so again. */
+  private void refuseUnlessHeld(RunJournal.Entry entry) throws RerunRefused {
+    if (entry.held() && !fresh.all().get(entry.member()).held()) {
+      throw otherwise(
+          entry.frame(), fresh.told(entry.member(), "the debugger did not pause the program"));
     }
   }
 
   private boolean arrived(long frame, int commands) throws RerunRefused {
-    ControllerState state = fresh.state();
-    if (isIn(state.frame(), commands)) {
+    long stands = fresh.frame();
+    if (isIn(stands, commands)) {
       return false;
     }
-    if (!state.debug().held()) {
-      return state.frame() == frame;
+    if (!fresh.frames().held()) {
+      return stands == frame;
     }
-    if (state.frame() < frame) {
-      throw otherwise(state.frame(), "the debugger paused the program");
+    if (stands < frame) {
+      throw otherwise(stands, "the debugger paused the program");
     }
     return true;
   }
@@ -148,11 +170,13 @@ public final class Repetition {
   /** Leaves the commands of the next step. */
   private void submit(long begun, int commands) throws RerunRefused {
     while (isIn(begun, commands) && original.entry(next).turn() == turn) {
-      Journal.Entry entry = original.entry(next);
-      if (entry.before() != Fingerprint.of(fresh.state())) {
-        throw otherwise(begun - 1, "arm, signals or program were not as before");
+      RunJournal.Entry entry = original.entry(next);
+      Controller controller = fresh.all().get(entry.member());
+      if (entry.before() != Fingerprint.of(controller.state())) {
+        throw otherwise(
+            begun - 1, fresh.told(entry.member(), "arm, signals or program were not as before"));
       }
-      if (fresh.submit(entry.command()).isDone()) {
+      if (controller.submit(entry.command()).isDone()) {
         // never so for as many as come into force in a frame, but a debugger may be asked for more
         throw otherwise(begun, "a frame got more commands than it takes");
       }

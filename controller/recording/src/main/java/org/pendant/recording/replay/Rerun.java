@@ -3,16 +3,14 @@ package org.pendant.recording.replay;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.function.Consumer;
 import org.pendant.controller.Controller;
-import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.Determinism;
 import org.pendant.controller.state.ControllerState;
 
 /**
- * Rerun: brings a controller to the end of a frame of another one's run, as fast as the processor
- * allows, and compares the two at every command and in the end: a fresh one, or one that has gone a
- * part of the way ({@link ParkedRuns}). The other controller is not touched and may continue.
+ * Rerun: brings controllers to the end of a frame of the run of others, as fast as the processor
+ * allows, and compares the two at every command and in the end: fresh ones, or some that have gone
+ * a part of the way ({@link ParkedRuns}). The others are not touched and may continue.
  *
  * <p>A frame that a debugger still pauses is repeated up to where it is paused. The end of a frame
  * after which robot time stood is with the commands that came into force meanwhile.
@@ -20,14 +18,14 @@ import org.pendant.controller.state.ControllerState;
  * <p>One thread runs it, once; any thread may ask how far it is, or cancel it.
  */
 public final class Rerun {
-  private final Journal journal;
+  private final RunJournal journal;
   private final int commands;
   private final long frame;
-  private final Optional<ControllerState> recorded;
+  private final List<Optional<ControllerState>> recorded;
   private volatile long reached;
   private volatile boolean cancelled;
 
-  private Rerun(Journal journal, long frame, Optional<ControllerState> recorded)
+  private Rerun(RunJournal journal, long frame, List<Optional<ControllerState>> recorded)
       throws RerunRefused {
     // Asked before the commands are counted: those of all frames up to this one are there then.
     Optional<String> refusal = journal.refusal(frame);
@@ -36,27 +34,36 @@ public final class Rerun {
     }
     this.journal = journal;
     this.frame = frame;
-    this.recorded = recorded;
+    this.recorded = List.copyOf(recorded);
     commands = journal.size();
   }
 
   /**
    * A rerun up to the end of a frame, or up to where that is paused.
    *
-   * @param frame 0 for a controller that was just switched on
+   * @param frame 0 for controllers that were just switched on
    * @throws RerunRefused if there is no such frame, or it cannot be repeated
    */
-  public static Rerun to(long frame, Journal journal) throws RerunRefused {
-    return new Rerun(journal, frame, Optional.empty());
+  public static Rerun to(long frame, RunJournal journal) throws RerunRefused {
+    return new Rerun(journal, frame, List.of());
   }
 
   /**
-   * As {@link #to(long, Journal)}, and the new run must end as the old one was then.
+   * As {@link #to(long, RunJournal)}, and the new run must end as the old one was then.
    *
-   * @param recorded a snapshot of the old run
+   * @param recorded a snapshot of each controller of the old run at the end of the frame, in their
+   *     order; empty where nothing is recorded
    */
-  public static Rerun to(ControllerState recorded, Journal journal) throws RerunRefused {
-    return new Rerun(journal, recorded.frame(), Optional.of(recorded));
+  public static Rerun to(long frame, RunJournal journal, List<Optional<ControllerState>> recorded)
+      throws RerunRefused {
+    if (recorded.size() != journal.controllers().all().size()) {
+      throw new IllegalArgumentException(
+          "there are "
+              + recorded.size()
+              + " snapshots, must be "
+              + journal.controllers().all().size());
+    }
+    return new Rerun(journal, frame, recorded);
   }
 
   /** The frame that it leads to. */
@@ -75,75 +82,79 @@ public final class Rerun {
   }
 
   /**
-   * Runs a controller that it switches on.
+   * Runs controllers that were just switched on as those of the run that is repeated; only their
+   * ways to the outside may be others. The calling thread drives them; when this returns, nobody
+   * does.
    *
-   * @param options those of the run that is repeated
-   * @return the commands of the new controller, and with them the controller
+   * @param each runs after each step, as for a reader who saw every snapshot of the old run
+   * @return the commands of the new controllers, and with them the controllers
    * @throws RerunRefused if the new run came out otherwise than the old one
    * @throws CancellationException after {@link #cancel}
    */
-  public Journal run(ControllerOptions options) throws RerunRefused {
-    return run(new Controller(options, journal.controller().builtins()), state -> {});
-  }
-
-  /**
-   * As {@link #run(ControllerOptions)}, with a controller that was just switched on with the same
-   * options; only its ways to the outside may be others. The calling thread drives it; when this
-   * returns, nobody does.
-   *
-   * @param each sees every snapshot, as a reader did who saw those of the old controller
-   */
-  public Journal run(Controller fresh, Consumer<ControllerState> each) throws RerunRefused {
+  public RunJournal run(Controllers fresh, Runnable each) throws RerunRefused {
     return run(Repetition.with(journal, fresh), each);
   }
 
   /**
-   * As {@link #run(ControllerOptions)}, by leading on what has repeated a part of the way already.
+   * As {@link #run(Controllers, Runnable)}, by leading on what has repeated a part of the way
+   * already.
    *
    * @param part of this run, and not beyond the frame; it goes on as a run of its own
    */
-  public Journal run(Repetition part) throws RerunRefused {
-    return run(part, state -> {});
+  public RunJournal run(Repetition part) throws RerunRefused {
+    return run(part, () -> {});
   }
 
-  private Journal run(Repetition part, Consumer<ControllerState> each) throws RerunRefused {
+  private RunJournal run(Repetition part, Runnable each) throws RerunRefused {
     reached = part.frame();
     part.lead(
         frame,
         commands,
-        state -> {
-          reached = state.frame();
-          each.accept(state);
+        () -> {
+          reached = part.frame();
+          each.run();
         },
         () -> cancelled);
-    refuseUnlessSame(part.controller());
+    for (int i = 0; i < part.controllers().all().size(); i++) {
+      refuseUnlessSame(part.controllers(), i);
+    }
     return part.goOn();
   }
 
-  private void refuseUnlessSame(Controller fresh) throws RerunRefused {
-    List<Determinism.FileRead> was = files(journal.controller());
+  private void refuseUnlessSame(Controllers all, int member) throws RerunRefused {
+    Controller fresh = all.all().get(member);
+    List<Determinism.FileRead> was = files(journal.controllers().all().get(member));
     List<Determinism.FileRead> is = files(fresh);
     for (int i = 0; i < Math.min(was.size(), is.size()); i++) {
       if (!was.get(i).equals(is.get(i))) {
         throw Repetition.otherwise(
-            was.get(i).frame(), "the file " + was.get(i).file() + " has changed");
+            was.get(i).frame(), all.told(member, "the file " + was.get(i).file() + " has changed"));
       }
     }
     if (was.size() != is.size()) {
       throw Repetition.otherwise(
-          frame, "programs read " + is.size() + " files, before " + was.size());
+          frame, all.told(member, "programs read " + is.size() + " files, before " + was.size()));
     }
     Optional<Determinism.Loss> loss = fresh.determinism().loss();
     if (loss.isPresent()) {
-      throw Repetition.otherwise(loss.get().frame(), loss.get().reason());
+      throw Repetition.otherwise(loss.get().frame(), all.told(member, loss.get().reason()));
     }
-    boolean sameMoment =
-        recorded.isPresent() && recorded.get().debug().held() == fresh.state().debug().held();
     Optional<String> difference =
-        sameMoment ? StateDifference.between(recorded.get(), fresh.state()) : Optional.empty();
+        comparable(all, member).flatMap(state -> StateDifference.between(state, fresh.state()));
     if (difference.isPresent()) {
-      throw Repetition.otherwise(frame, difference.get());
+      throw Repetition.otherwise(frame, all.told(member, difference.get()));
     }
+  }
+
+  /** What a controller was at the same moment; empty in the middle of a frame that went on. */
+  private Optional<ControllerState> comparable(Controllers all, int member) {
+    if (recorded.isEmpty()) {
+      return Optional.empty();
+    }
+    boolean held = all.all().get(member).held();
+    return all.frames().held() == held
+        ? recorded.get(member).filter(state -> state.debug().held() == held)
+        : Optional.empty();
   }
 
   private List<Determinism.FileRead> files(Controller controller) {

@@ -22,7 +22,8 @@ import org.pendant.recording.replay.Journal;
 /**
  * Later commands: what came from outside after the moment, for it to come again at the same robot
  * time: signals, clients, the world, the speed slider, lines for the interpreter. What people did
- * to the program itself, pauses and steps, does not come again.
+ * to the program itself, pauses and steps, does not come again. The other controllers of a cell
+ * have their programs started again as well.
  */
 final class LaterCommands {
   private final List<Journal.Noted> all;
@@ -31,18 +32,32 @@ final class LaterCommands {
   /** Starts the program in the frame after the moment; empty where it runs already. */
   private Optional<Journal.Noted> start;
 
+  /** Whether it is another controller than that of the variant. */
+  private final boolean neighbour;
+
   private final Map<Long, Answer> answers = new HashMap<>();
   private int next;
 
   LaterCommands(List<Journal.Noted> all, Variant variant, Optional<Journal.Noted> start) {
+    this(all, variant, start, false);
+  }
+
+  private LaterCommands(
+      List<Journal.Noted> all, Variant variant, Optional<Journal.Noted> start, boolean neighbour) {
     this.all = all;
     this.variant = variant;
     this.start = start;
+    this.neighbour = neighbour;
     for (Journal.Noted each : all) {
       if (each.command() instanceof MessageCommand.AnswerQuestion(long number, Answer answer)) {
         answers.put(number, answer);
       }
     }
+  }
+
+  /** Those of a controller that goes on as it was beside that of the variant. */
+  static LaterCommands ofNeighbour(List<Journal.Noted> all) {
+    return new LaterCommands(all, Variant.asItWas(""), Optional.empty(), true);
   }
 
   /** What was answered to a question. */
@@ -100,8 +115,22 @@ final class LaterCommands {
     }
     boolean comes =
         command instanceof ProgramCommand.RunSecondary
-            || command instanceof ProgramCommand.SetProgramsFolder;
+            || command instanceof ProgramCommand.SetProgramsFolder
+            || (neighbour && comesToNeighbour(command));
     return Optional.<Command>of(command).filter(each -> comes);
+  }
+
+  /** Programs start again; one that people stop goes on unless it has to give way to another. */
+  private boolean comesToNeighbour(ProgramCommand command) {
+    return starts(command)
+        || (command instanceof ProgramCommand.StopProgram
+            && all.subList(next, all.size()).stream().anyMatch(each -> starts(each.command())));
+  }
+
+  /** Whether a command starts a program. */
+  static boolean starts(Command command) {
+    return command instanceof ProgramCommand.StartProgram
+        || command instanceof ProgramCommand.ReplaceProgram;
   }
 
   private InputUpdate slowed(InputUpdate update) {

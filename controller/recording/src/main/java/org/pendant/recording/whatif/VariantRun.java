@@ -23,6 +23,7 @@ import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.time.FrameTime;
+import org.pendant.recording.replay.Controllers;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.Repetition;
@@ -36,7 +37,8 @@ import org.pendant.script.vm.ProgramState;
 /**
  * Variant run: one variant, from a moment of a run to the end of its program, as fast as the
  * processor goes and in a controller of its own, which reaches nothing outside. The controller
- * whose run it was is not touched and may continue meanwhile.
+ * whose run it was is not touched and may continue meanwhile. In a cell the variant is that of one
+ * of the controllers; the others go on as they did.
  *
  * <p>What came from outside after the moment comes again at the same robot time, and breakpoints
  * and pauses do not. Popups are closed at once, questions get the answers that they got.
@@ -46,6 +48,7 @@ import org.pendant.script.vm.ProgramState;
 public final class VariantRun {
   private final Journal journal;
   private final ParkedRuns parked;
+  private final int member;
   private final Variant variant;
   private final VariantLimits limits;
   private final Rerun rerun;
@@ -58,10 +61,12 @@ public final class VariantRun {
   private volatile double reachedS;
   private OptionalLong startedFrame = OptionalLong.empty();
 
-  private VariantRun(ParkedRuns parked, Variant variant, VariantLimits limits, OptionalLong moment)
+  private VariantRun(
+      ParkedRuns parked, int member, Variant variant, VariantLimits limits, OptionalLong moment)
       throws RerunRefused {
     this.parked = parked;
-    journal = parked.journal();
+    this.member = member;
+    journal = parked.journal().of(member);
     this.variant = variant;
     this.limits = limits;
     long frame = moment.orElse(journal.controller().state().frame());
@@ -71,7 +76,7 @@ public final class VariantRun {
             .orElseThrow(() -> new RerunRefused("no program has been started yet"));
     boolean anew = moment.isEmpty() || variant.program().isPresent();
     start = anew ? Optional.of(started) : Optional.empty();
-    rerun = Rerun.to(anew ? Math.max(0, started.frame() - 1) : frame, journal);
+    rerun = Rerun.to(anew ? Math.max(0, started.frame() - 1) : frame, parked.journal());
   }
 
   /**
@@ -80,17 +85,19 @@ public final class VariantRun {
    *
    * @param frame at whose end it begins
    * @param parked of the run
+   * @param member number of the controller that the variant is of
    * @throws RerunRefused if no program was started before, or the run cannot be repeated so far
    */
   public static VariantRun from(
-      long frame, ParkedRuns parked, Variant variant, VariantLimits limits) throws RerunRefused {
-    return new VariantRun(parked, variant, limits, OptionalLong.of(frame));
+      long frame, ParkedRuns parked, int member, Variant variant, VariantLimits limits)
+      throws RerunRefused {
+    return new VariantRun(parked, member, variant, limits, OptionalLong.of(frame));
   }
 
   /** As {@link #from}, from the start of the program that was started last. */
-  public static VariantRun fromStart(ParkedRuns parked, Variant variant, VariantLimits limits)
-      throws RerunRefused {
-    return new VariantRun(parked, variant, limits, OptionalLong.empty());
+  public static VariantRun fromStart(
+      ParkedRuns parked, int member, Variant variant, VariantLimits limits) throws RerunRefused {
+    return new VariantRun(parked, member, variant, limits, OptionalLong.empty());
   }
 
   /** What it is a run of. */
@@ -128,27 +135,29 @@ public final class VariantRun {
   public VariantOutcome run() throws RerunRefused {
     Repetition repetition = parked.before(rerun.frame());
     rerun.run(repetition);
-    startedFrame = repetition.startedFrame();
-    Controller fresh = repetition.controller();
+    startedFrame = repetition.startedFrame(member);
+    Controllers all = repetition.controllers();
+    Controller fresh = all.all().get(member);
     ControllerState moment = fresh.state();
     if (start.isEmpty() && moment.program().state() == ProgramState.STOPPED) {
       throw new RerunRefused("no program runs at that moment");
     }
-    LaterCommands later = new LaterCommands(journal.after(rerun.frame()), variant, start);
+    List<LaterCommands> later = later(all.all().size());
     VariantMeasure measure = new VariantMeasure(moment, fresh.safety());
-    begin(fresh, moment);
+    vary(fresh, moment);
+    all.all().forEach(VariantRun::leaveDebugger);
     long stopNs = System.nanoTime() + limits.wallTime().toNanos();
     double mostS = limits.robotTime().toNanos() / 1e9;
     while (measure.timeS() < mostS && System.nanoTime() < stopNs) {
       if (cancelled) {
         throw new CancellationException("the variant was cancelled");
       }
-      step(fresh, later);
+      step(all, later);
       ControllerState state = fresh.state();
       noteStart(state);
       measure.see(state);
       reachedS = measure.timeS();
-      Optional<VariantOutcome> ended = ended(state, later, measure);
+      Optional<VariantOutcome> ended = ended(state, later.get(member), measure);
       if (ended.isPresent()) {
         return ended.get();
       }
@@ -172,8 +181,21 @@ public final class VariantRun {
     }
   }
 
-  /** Leaves what makes the variant, and has a program continue that people had paused. */
-  private void begin(Controller fresh, ControllerState moment) {
+  /** What came to each of {@code count} controllers after the moment. */
+  private List<LaterCommands> later(int count) {
+    List<LaterCommands> later = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      List<Journal.Noted> noted = parked.journal().of(i).after(rerun.frame());
+      later.add(
+          i == member
+              ? new LaterCommands(noted, variant, start)
+              : LaterCommands.ofNeighbour(noted));
+    }
+    return later;
+  }
+
+  /** Leaves what makes the variant. */
+  private void vary(Controller fresh, ControllerState moment) {
     variant
         .speedFraction()
         .ifPresent(share -> wishes.add(fresh.submit(new BoxCommand.SetSpeedFraction(share))));
@@ -185,9 +207,13 @@ public final class VariantRun {
                     fresh.submit(
                         new WorldCommand.AttachLoad(
                             Optional.of(load(kg, moment.readings().payload()))))));
+  }
+
+  /** Has no debugger pause a program, and one continue that people had paused. */
+  private static void leaveDebugger(Controller fresh) {
     var _ = fresh.submit(new DebugCommand.Debug(new DebugRequest.RemoveBreakpoints()));
     var _ = fresh.submit(new DebugCommand.Debug(new DebugRequest.StopOnErrors(false)));
-    if (moment.debug().held()) {
+    if (fresh.held()) {
       var _ = fresh.submit(new DebugCommand.Debug(new DebugRequest.Resume()));
     }
   }
@@ -196,7 +222,22 @@ public final class VariantRun {
     return Payload.of(kg, declared.cogXM(), declared.cogYM(), declared.cogZM());
   }
 
-  private void step(Controller fresh, LaterCommands later) {
+  private void step(Controllers all, List<LaterCommands> later) {
+    for (int i = 0; i < later.size(); i++) {
+      goOn(all.all().get(i), later.get(i));
+    }
+    if (all.frames().held()) {
+      all.frames().applyCommands();
+      return;
+    }
+    for (int i = 0; i < later.size(); i++) {
+      repeat(all.all().get(i), later.get(i));
+    }
+    all.frames().advance();
+  }
+
+  /** Nobody waits for people: they have said already what they had to say. */
+  private static void goOn(Controller fresh, LaterCommands later) {
     ControllerState before = fresh.state();
     for (Popup each : before.openPopups()) {
       var _ = fresh.submit(new MessageCommand.AnswerPopup(each.number()));
@@ -211,23 +252,17 @@ public final class VariantRun {
     if (before.program().state() == ProgramState.PAUSED) {
       var _ = fresh.submit(new ProgramCommand.ResumeProgram());
     }
-    if (before.debug().held()) {
-      fresh.applyCommands();
-      return;
-    }
+  }
+
+  /** Leaves what came in the next frame. */
+  private void repeat(Controller fresh, LaterCommands later) {
     boolean awaited = later.awaitsStart();
-    for (Command each : later.of(before.frame() + 1)) {
+    for (Command each : later.of(fresh.state().frame() + 1)) {
       CompletableFuture<Reply> reply = fresh.submit(each);
-      if (awaited && !later.awaitsStart() && starts(each)) {
+      if (awaited && !later.awaitsStart() && LaterCommands.starts(each)) {
         wishes.add(reply);
       }
     }
-    fresh.advance();
-  }
-
-  private static boolean starts(Command command) {
-    return command instanceof ProgramCommand.StartProgram
-        || command instanceof ProgramCommand.ReplaceProgram;
   }
 
   private Optional<VariantOutcome> ended(

@@ -140,8 +140,9 @@ final class HeldRerunTest {
   void aRerunMakesTheSameStopsAndChanges() throws RerunRefused {
     run(1500);
     List<List<Object>> again = new ArrayList<>();
-    Rerun.to(1500, play.journal)
-        .run(new Controller(play.options), state -> again.add(Play.facts(state)));
+    Controller fresh = new Controller(play.options);
+    Rerun.to(1500, play.journal.run())
+        .run(Controllers.of(fresh), () -> again.add(Play.facts(fresh.state())));
     assertEquals(all, again);
   }
 
@@ -151,7 +152,7 @@ final class HeldRerunTest {
     SplittableRandom random = new SplittableRandom(23);
     for (int i = 0; i < 20; i++) {
       long frame = random.nextLong(1, 1500);
-      ControllerState state = Rerun.to(frame, play.journal).run(play.options).controller().state();
+      ControllerState state = play.again(frame).controller().state();
       assertFalse(state.debug().held());
       assertEquals(frames.get(frame), Play.facts(state), "frame " + frame);
     }
@@ -168,7 +169,7 @@ final class HeldRerunTest {
     advance();
     advance();
     ControllerState now = controller.state();
-    Journal branch = Rerun.to(now, play.journal).run(play.options);
+    Journal branch = play.again(now);
     ControllerState there = branch.controller().state();
     assertTrue(there.debug().held());
     assertEquals(
@@ -183,11 +184,11 @@ final class HeldRerunTest {
   void looksAreNotKept() {
     var _ = controller.submit(new ProgramCommand.StartProgram(play.program(PROGRAM)));
     advance();
-    int kept = play.journal.size();
+    int kept = play.journal.run().size();
     ask(debugger -> evaluate(debugger, "q[0] + i"));
     ask(Debugger::threads);
     ask(debugger -> debugger.variables(Debugger.MAIN, Debugger.OUTERMOST));
     advance();
-    assertEquals(kept, play.journal.size());
+    assertEquals(kept, play.journal.run().size());
   }
 }

@@ -52,7 +52,8 @@ final class ParkedRunsTest {
   }
 
   private ParkedRuns parked(Play play) {
-    return new ParkedRuns(play.journal, play.options, background::add, new ParkingPlaces(S));
+    return new ParkedRuns(
+        play.journal.run(), play.switchOn(), background::add, new ParkingPlaces(S));
   }
 
   private void work() {
@@ -71,16 +72,18 @@ final class ParkedRunsTest {
     assertEquals(List.of(moment - 3 * S, 60 * S), parked.frames());
     Repetition near = parked.before(moment);
     assertEquals(moment - 3 * S, near.frame());
-    Rerun rerun = Rerun.to(moment, play.journal);
-    Journal branch = rerun.run(near);
-    assertEquals(play.frames.get((int) moment - 1), Play.facts(near.controller().state()));
-    ControllerState old = Rerun.to(moment, play.journal).run(play.options).controller().state();
-    assertEquals(Play.facts(old), Play.facts(near.controller().state()));
+    Rerun rerun = Rerun.to(moment, play.journal.run());
+    Journal branch = rerun.run(near).of(0);
+    assertEquals(
+        play.frames.get((int) moment - 1), Play.facts(near.controllers().all().getFirst().state()));
+    ControllerState old = play.again(moment).controller().state();
+    assertEquals(Play.facts(old), Play.facts(near.controllers().all().getFirst().state()));
     assertEquals(
         play.frames.subList((int) moment, (int) moment + 400),
-        play.follow(near.controller(), moment + 400));
+        play.follow(near.controllers().all().getFirst(), moment + 400));
     // its journal is whole: a branch of the branch comes out the same
-    ControllerState second = Rerun.to(moment + 300, branch).run(play.options).controller().state();
+    ControllerState second =
+        Play.again(Rerun.to(moment + 300, branch.run()), play.options).controller().state();
     assertEquals(play.frames.get((int) moment + 299), Play.facts(second));
   }
 
@@ -139,13 +142,18 @@ final class ParkedRunsTest {
   @Test
   void oneThatComesOutOtherwiseEndsThemAll() {
     Play play = play(LAST);
-    ParkedRuns parked = new ParkedRuns(play.journal, play.options.withSeed(4), background::add);
+    ParkedRuns parked =
+        new ParkedRuns(
+            play.journal.run(),
+            SwitchOn.of(play.options.withSeed(4), play.controller().builtins()),
+            background::add);
     parked.follow();
     work();
     assertEquals(List.of(), parked.frames());
     parked.look(OptionalLong.of(90 * S));
     assertEquals(List.of(), List.copyOf(background));
-    assertThrows(RerunRefused.class, () -> Rerun.to(LAST, play.journal).run(parked.before(LAST)));
+    assertThrows(
+        RerunRefused.class, () -> Rerun.to(LAST, play.journal.run()).run(parked.before(LAST)));
   }
 
   @Test
@@ -191,15 +199,16 @@ final class ParkedRunsTest {
       play.controller().applyCommands();
     }
     Repetition near = parked.before(LAST);
-    Rerun.to(play.controller().state(), play.journal).run(near);
-    assertEquals(play.controller().state().io(), near.controller().state().io());
+    play.to(play.controller().state()).run(near);
+    assertEquals(play.controller().state().io(), near.controllers().all().getFirst().state().io());
     var _ = play.controller().submit(new ProgramCommand.StopProgram());
     play.controller().applyCommands();
     parked.look(OptionalLong.of(LAST));
     work();
     Repetition late = parked.before(LAST);
-    Rerun.to(play.controller().state(), play.journal).run(late);
+    play.to(play.controller().state()).run(late);
     assertEquals(
-        play.controller().state().program().state(), late.controller().state().program().state());
+        play.controller().state().program().state(),
+        late.controllers().all().getFirst().state().program().state());
   }
 }

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -38,6 +39,30 @@ final class Play {
 
   Controller controller() {
     return journal.controller();
+  }
+
+  SwitchOn switchOn() {
+    return SwitchOn.of(options, controller().builtins());
+  }
+
+  /** Repeats the run up to the end of a frame, all the way from the switch-on. */
+  Journal again(long frame) throws RerunRefused {
+    return again(Rerun.to(frame, journal.run()), options);
+  }
+
+  /** As {@link #again(long)}, to where the run was as in a snapshot. */
+  Journal again(ControllerState recorded) throws RerunRefused {
+    return again(to(recorded), options);
+  }
+
+  /** A rerun to where the run was as in a snapshot. */
+  Rerun to(ControllerState recorded) throws RerunRefused {
+    return Rerun.to(recorded.frame(), journal.run(), List.of(Optional.of(recorded)));
+  }
+
+  /** Carries out a rerun with a controller that has other options. */
+  static Journal again(Rerun rerun, ControllerOptions options) throws RerunRefused {
+    return rerun.run(Controllers.of(new Controller(options)), () -> {}).of(0);
   }
 
   Program program(String text) {

@@ -38,13 +38,14 @@ final class RerunRefusalTest {
       ControllerOptions.headless().withSystemTime(() -> Instant.EPOCH);
 
   private static String refusal(Play play, long frame) {
-    String why = assertThrows(RerunRefused.class, () -> Rerun.to(frame, play.journal)).getMessage();
-    assertEquals(Optional.of(why), play.journal.refusal(frame));
+    String why =
+        assertThrows(RerunRefused.class, () -> Rerun.to(frame, play.journal.run())).getMessage();
+    assertEquals(Optional.of(why), play.journal.run().refusal(frame));
     return why;
   }
 
   private static void repeats(Play play, long frame) throws RerunRefused {
-    Controller branch = Rerun.to(frame, play.journal).run(play.options).controller();
+    Controller branch = play.again(frame).controller();
     assertEquals(frame, branch.state().frame());
     assertEquals(Optional.empty(), branch.determinism().loss());
   }
@@ -159,7 +160,7 @@ final class RerunRefusalTest {
         new Play(REAL_TIME)
             .start("def f():\n  movej([0, -1.4, -1.6, -1.6, 1.6, 0])\n  textmsg(time(0))\nend\n")
             .until(1000);
-    Controller branch = Rerun.to(700, play.journal).run(play.options).controller();
+    Controller branch = play.again(700).controller();
     assertEquals(play.frames.get(699), Play.facts(branch.state()));
     assertEquals(play.frames.subList(700, 1000), play.follow(branch, 1000));
   }
@@ -195,7 +196,7 @@ final class RerunRefusalTest {
       play.at(frame, new IoCommand.SetInput("digital_in[0]", frame % 20 == 0));
     }
     play.until(60);
-    assertEquals(3, play.journal.size());
+    assertEquals(3, play.journal.run().size());
     assertEquals(
         "only what was before 0.080 s can be run again: then there were more commands than are"
             + " kept, 3 or 1 MB",
@@ -219,7 +220,7 @@ final class RerunRefusalTest {
     Play play = new Play(ControllerOptions.headless(), new JournalLimits(1000, 10_000));
     String large = "def f():\n" + "  textmsg(1)\n".repeat(100) + "end\n";
     play.start(large).until(10);
-    assertEquals(0, play.journal.size());
+    assertEquals(0, play.journal.run().size());
     repeats(play, 0);
     assertTrue(refusal(play, 1).contains("more commands than are kept"));
   }
@@ -232,7 +233,8 @@ final class RerunRefusalTest {
             .until(30);
     ControllerOptions other = play.options.withStart(new Joints(0.1, -1.5, -1.6, -1.6, 1.6, 0));
     String why =
-        assertThrows(RerunRefused.class, () -> Rerun.to(25, play.journal).run(other)).getMessage();
+        assertThrows(RerunRefused.class, () -> Play.again(Rerun.to(25, play.journal.run()), other))
+            .getMessage();
     assertEquals(
         "the run came out otherwise at 0.038 s: arm, signals or program were not as before", why);
   }
@@ -241,15 +243,13 @@ final class RerunRefusalTest {
   void aSnapshotThatIsNotOfThisRunIsToldFromIt() throws RerunRefused {
     Play play = new Play(ControllerOptions.headless()).until(30);
     ControllerState mine = play.controller().state();
-    assertEquals(30, Rerun.to(mine, play.journal).run(play.options).controller().state().frame());
+    assertEquals(30, play.again(mine).controller().state().frame());
     ControllerState other =
         new Play(ControllerOptions.headless().withStart(new Joints(0.1, -1.5, -1.6, -1.6, 1.6, 0)))
             .until(30)
             .controller()
             .state();
-    String why =
-        assertThrows(RerunRefused.class, () -> Rerun.to(other, play.journal).run(play.options))
-            .getMessage();
+    String why = assertThrows(RerunRefused.class, () -> play.again(other)).getMessage();
     assertTrue(why.startsWith("the run came out otherwise at 0.060 s: the target position"), why);
   }
 
@@ -271,24 +271,23 @@ final class RerunRefusalTest {
     assertEquals(1, play.controller().determinism().files().size());
     repeats(play, 100);
     Files.writeString(file, "G01 X0 Y0 Z0 F100\nX6\n");
-    String why =
-        assertThrows(RerunRefused.class, () -> Rerun.to(100, play.journal).run(play.options))
-            .getMessage();
+    String why = assertThrows(RerunRefused.class, () -> play.again(100)).getMessage();
     assertTrue(why.endsWith("the file path.nc has changed"), why);
   }
 
   @Test
   void aCancelledRerunEnds() throws RerunRefused {
     Play play = new Play(ControllerOptions.headless()).until(100);
-    Rerun rerun = Rerun.to(100, play.journal);
+    Rerun rerun = Rerun.to(100, play.journal.run());
+    Controller fresh = new Controller(play.options);
     assertEquals(0, rerun.progress());
     assertThrows(
         CancellationException.class,
         () ->
             rerun.run(
-                new Controller(play.options),
-                state -> {
-                  if (state.frame() == 50) {
+                Controllers.of(fresh),
+                () -> {
+                  if (fresh.state().frame() == 50) {
                     rerun.cancel();
                   }
                 }));
@@ -323,6 +322,6 @@ final class RerunRefusalTest {
             .at(5, new IoCommand.ReleaseSignals("one"))
             .until(10);
     assertEquals(Set.of("two"), play.journal.owners());
-    assertFalse(play.journal.refusal(10).isPresent());
+    assertFalse(play.journal.run().refusal(10).isPresent());
   }
 }

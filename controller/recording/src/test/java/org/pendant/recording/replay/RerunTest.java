@@ -329,7 +329,7 @@ final class RerunTest {
     SplittableRandom random = new SplittableRandom(LAST);
     for (int i = 0; i < BRANCHES; i++) {
       long frame = random.nextLong(1, LAST);
-      Controller branch = Rerun.to(frame, play.journal).run(play.options).controller();
+      Controller branch = play.again(frame).controller();
       String where = "frame " + frame;
       assertEquals(play.frames.get((int) frame - 1), Play.facts(branch.state()), where);
       long until = Math.min(LAST, frame + 200);
@@ -343,15 +343,16 @@ final class RerunTest {
   void everyFrameOfTheRerunIsThatOfTheOldRun(Supplier<Play> made) throws RerunRefused {
     Play play = made.get().until(LAST);
     List<List<Object>> again = new ArrayList<>();
-    Rerun.to(LAST, play.journal)
-        .run(new Controller(play.options), state -> again.add(Play.facts(state)));
+    Controller fresh = new Controller(play.options);
+    Rerun.to(LAST, play.journal.run())
+        .run(Controllers.of(fresh), () -> again.add(Play.facts(fresh.state())));
     assertEquals(play.frames, again);
   }
 
   @Test
   void anInputThatIsChangedInTheBranchChangesWhatHappens() throws RerunRefused {
     Play play = threadsAndInputs().until(LAST);
-    Controller branch = Rerun.to(500, play.journal).run(play.options).controller();
+    Controller branch = play.again(500).controller();
     var _ = branch.submit(new IoCommand.SetInput("digital_in[2]", true));
     List<List<Object>> other = play.follow(branch, 799);
     assertNotEquals(play.frames.subList(500, 799), other);
@@ -363,21 +364,21 @@ final class RerunTest {
   @Test
   void theBranchHasAJournalOfItsOwnFromTheBeginning() throws RerunRefused {
     Play play = threadsAndInputs().until(LAST);
-    Journal branch = Rerun.to(850, play.journal).run(play.options);
+    Journal branch = play.again(850);
     List<List<Object>> went = play.follow(branch.controller(), 950);
-    Controller second = Rerun.to(950, branch).run(play.options).controller();
+    Controller second = Play.again(Rerun.to(950, branch.run()), play.options).controller();
     assertEquals(went.getLast(), Play.facts(second.state()));
   }
 
   @Test
   void theOldControllerGoesOnUndisturbed() throws RerunRefused {
     Play disturbed = threadsAndInputs().until(600);
-    Controller branch = Rerun.to(500, disturbed.journal).run(disturbed.options).controller();
+    Controller branch = disturbed.again(500).controller();
     var _ = branch.submit(new IoCommand.SetInput("digital_in[2]", true));
     branch.runUntil(() -> false, 100);
     disturbed.until(LAST);
     assertEquals(threadsAndInputs().until(LAST).frames, disturbed.frames);
-    assertTrue(disturbed.journal.size() > 5);
+    assertTrue(disturbed.journal.run().size() > 5);
   }
 
   @Test
@@ -391,13 +392,13 @@ final class RerunTest {
     ControllerState recorded = ring.recording().atFrame(333);
     assertNotEquals(
         play.controller().state().arm().actualPositionRad(), recorded.arm().actualPositionRad());
-    Controller branch = Rerun.to(recorded, play.journal).run(play.options).controller();
+    Controller branch = play.again(recorded).controller();
     assertEquals(Play.facts(play.controller().state()), Play.facts(branch.state()));
   }
 
   @Test
   void frameZeroIsAFreshController() throws RerunRefused {
     Play play = threadsAndInputs().until(10);
-    assertEquals(0, Rerun.to(0, play.journal).run(play.options).controller().state().frame());
+    assertEquals(0, play.again(0).controller().state().frame());
   }
 }

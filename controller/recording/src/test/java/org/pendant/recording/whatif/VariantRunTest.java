@@ -21,6 +21,7 @@ import org.pendant.language.source.Source;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.recording.replay.SwitchOn;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.DebugRequest;
 import org.pendant.script.vm.Program;
@@ -40,7 +41,8 @@ final class VariantRunTest {
   private final ControllerOptions options =
       ControllerOptions.headless().withSeed(3).withMeasuredNoise(true);
   private final Journal journal = Journal.of(new Controller(options));
-  private final ParkedRuns parked = ParkedRuns.none(journal, options);
+  private final SwitchOn switchOn = SwitchOn.of(options, journal.controller().builtins());
+  private final ParkedRuns parked = ParkedRuns.none(journal.run(), switchOn);
   private final Controller robot = journal.controller();
 
   private Program program(String text) {
@@ -73,11 +75,11 @@ final class VariantRunTest {
   }
 
   private VariantOutcome run(Variant variant) throws RerunRefused {
-    return VariantRun.fromStart(parked, variant, VariantLimits.STANDARD).run();
+    return VariantRun.fromStart(parked, 0, variant, VariantLimits.STANDARD).run();
   }
 
   private VariantOutcome run(long frame, Variant variant) throws RerunRefused {
-    return VariantRun.from(frame, parked, variant, VariantLimits.STANDARD).run();
+    return VariantRun.from(frame, parked, 0, variant, VariantLimits.STANDARD).run();
   }
 
   @Test
@@ -192,6 +194,7 @@ final class VariantRunTest {
     VariantOutcome outcome =
         VariantRun.fromStart(
                 parked,
+                0,
                 Variant.asItWas("as it was"),
                 new VariantLimits(Duration.ofSeconds(5), Duration.ofMinutes(1)))
             .run();
@@ -228,13 +231,14 @@ final class VariantRunTest {
 
   @Test
   void aVariantFromAParkedRunIsTheSame() throws RerunRefused {
-    ParkedRuns near = new ParkedRuns(journal, options, Runnable::run);
+    ParkedRuns near = new ParkedRuns(journal.run(), switchOn, Runnable::run);
     play("sleep(30)\n" + SWING);
     long moment = robot.state().frame() - 400;
     VariantOutcome expected = run(moment, Variant.asItWas("as it was"));
     near.look(OptionalLong.of(moment));
     VariantOutcome outcome =
-        VariantRun.from(moment, near, Variant.asItWas("as it was"), VariantLimits.STANDARD).run();
+        VariantRun.from(moment, near, 0, Variant.asItWas("as it was"), VariantLimits.STANDARD)
+            .run();
     assertEquals(expected, outcome);
   }
 
@@ -242,7 +246,7 @@ final class VariantRunTest {
   void itCanBeCancelled() throws RerunRefused {
     play(SWING);
     VariantRun run =
-        VariantRun.fromStart(parked, Variant.asItWas("as it was"), VariantLimits.STANDARD);
+        VariantRun.fromStart(parked, 0, Variant.asItWas("as it was"), VariantLimits.STANDARD);
     run.cancel();
     assertThrows(CancellationException.class, run::run);
   }

@@ -39,20 +39,19 @@ final class DrivenControllers implements AutoCloseable {
   /**
    * Starts driving.
    *
-   * @param frames lets time pass for all members
+   * @param members one that is alone, or those of a cell
    * @param shown number of the member whose frames are told
    * @param listeners told of every frame of the member that is shown; may change at any time, so it
    *     must allow that
    * @param cellListeners told of every frame of each member; likewise
    */
   DrivenControllers(
-      Frames frames,
       List<SessionMember> members,
       int shown,
       Pace pace,
       List<FrameListener> listeners,
       List<CellListener> cellListeners) {
-    this.frames = frames;
+    frames = members.getFirst().on().frames();
     this.members = List.copyOf(members);
     this.shown = shown;
     this.listeners = listeners;
@@ -79,9 +78,7 @@ final class DrivenControllers implements AutoCloseable {
           tell(each, member, state);
         }
       }
-      if (members.size() == 1) {
-        followBehind(members.getFirst());
-      }
+      followBehind();
     } finally {
       frame.unlock();
     }
@@ -105,20 +102,28 @@ final class DrivenControllers implements AutoCloseable {
   }
 
   /** Has the repetitions follow the run, unless people are in a hurry or nothing happens. */
-  private void followBehind(SessionMember alone) {
-    ControllerState state = alone.on().controller().state();
-    happened |= state.program().state() == ProgramState.RUNNING || !state.arm().rests();
-    if (state.frame() % FOLLOWED_FRAMES == 0
+  private void followBehind() {
+    for (int i = 0; i < members.size() && !happened; i++) {
+      ControllerState state = members.get(i).state();
+      happened = state.program().state() == ProgramState.RUNNING || !state.arm().rests();
+    }
+    SessionMember first = members.getFirst();
+    if (first.state().frame() % FOLLOWED_FRAMES == 0
         && happened
         && clock.pace() instanceof Pace.Times(double factor)
         && factor <= 1) {
       happened = false;
       try {
-        alone.on().parked().follow(alone.on().ring().recording().firstFrame());
+        first.on().parked().follow(firstRecorded());
       } catch (RuntimeException | Error fault) {
         Faults.report(fault);
       }
     }
+  }
+
+  /** The first frame that people can look at. */
+  private long firstRecorded() {
+    return members.stream().mapToLong(each -> each.recording().firstFrame()).min().orElseThrow();
   }
 
   List<SessionMember> members() {
@@ -128,6 +133,11 @@ final class DrivenControllers implements AutoCloseable {
   /** The member whose frames are told. */
   SessionMember shown() {
     return members.get(shown);
+  }
+
+  /** Its number. */
+  int shownNumber() {
+    return shown;
   }
 
   /** Has the frames of another member told from now on. */

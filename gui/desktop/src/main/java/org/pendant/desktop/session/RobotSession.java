@@ -1,6 +1,8 @@
 package org.pendant.desktop.session;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -72,16 +74,12 @@ public final class RobotSession implements AutoCloseable {
 
   private RobotSession(ControllerOptions options) {
     alone = options;
-    driven = drive(SwitchedOn.with(options, store), Pace.REAL_TIME);
+    SessionMember only = SessionMember.alone(SwitchedOn.with(options, store));
+    driven = drive(List.of(only), 0, Pace.REAL_TIME);
   }
 
-  private DrivenControllers drive(SwitchedOn on, Pace pace) {
-    return drive(SessionMember.alone(on), pace);
-  }
-
-  private DrivenControllers drive(SessionMember member, Pace pace) {
-    return new DrivenControllers(
-        member.on().controller(), List.of(member), 0, pace, listeners, cellListeners);
+  private DrivenControllers drive(List<SessionMember> members, int shown, Pace pace) {
+    return new DrivenControllers(members, shown, pace, listeners, cellListeners);
   }
 
   /**
@@ -363,7 +361,7 @@ public final class RobotSession implements AutoCloseable {
    * @throws IllegalArgumentException if the cell cannot be as its file says; nothing has changed
    */
   public void restart(CellSetup setup) {
-    SwitchedOn.OfCell next;
+    List<SessionMember> next;
     try {
       next = SwitchedOn.with(setup, store);
     } catch (JsonException e) {
@@ -372,13 +370,9 @@ public final class RobotSession implements AutoCloseable {
     cancelBranch();
     switching.lock();
     try {
-      List<String> names = next.members().stream().map(SessionMember::name).toList();
+      List<String> names = next.stream().map(SessionMember::name).toList();
       int before = Math.max(0, names.indexOf(shown().name()));
-      exchange(
-          Optional.of(setup),
-          () ->
-              new DrivenControllers(
-                  next.cell(), next.members(), before, pace(), listeners, cellListeners));
+      exchange(Optional.of(setup), () -> drive(next, before, pace()));
     } finally {
       switching.unlock();
     }
@@ -435,15 +429,9 @@ public final class RobotSession implements AutoCloseable {
     boolean wasAlone = !inCell();
     exchange(
         Optional.empty(),
-        () -> {
-          DrivenControllers made =
-              drive(wasAlone ? before.replacedBy(next) : SessionMember.alone(next), pace);
-          // clients that had taken signals are gone with the ports; a new controller knows of none
-          for (String owner : next.journal().owners()) {
-            var _ = made.submit(made.shown(), new IoCommand.ReleaseSignals(owner));
-          }
-          return made;
-        });
+        () ->
+            drive(
+                List.of(wasAlone ? before.replacedBy(next) : SessionMember.alone(next)), 0, pace));
   }
 
   private void exchange(Optional<CellSetup> setup, Supplier<DrivenControllers> next) {
@@ -456,7 +444,7 @@ public final class RobotSession implements AutoCloseable {
 
   /** Why there can be no branch from the end of a frame; empty if there can. */
   public Optional<String> branchRefusal(long frame) {
-    return shown().journal().refusal(frame);
+    return shown().journal().run().refusal(frame);
   }
 
   /**
@@ -470,29 +458,51 @@ public final class RobotSession implements AutoCloseable {
   }
 
   /**
-   * Begins to branch from the end of a frame of the present run: another controller with the same
-   * options runs up to it, with the same commands in the same frames and as fast as the processor
-   * goes, and takes the place of the present one as after {@link #restart}. Robot time is paused
+   * Begins to branch from the end of a frame of the present run: other controllers with the same
+   * options run up to it, with the same commands in the same frames and as fast as the processor
+   * goes, and take the places of the present ones as after {@link #restart}. Robot time is paused
    * then, so that people can look and change something before it continues. Until that moment the
-   * present controller continues; a branch that was begun before is cancelled.
+   * present controllers continue; a branch that was begun before is cancelled.
    *
    * @param frame 0 to that of the newest snapshot
    * @throws RerunRefused if the run cannot be repeated so far; nothing has changed
    */
   public Branching branch(long frame) throws RerunRefused {
     DrivenControllers from = driven;
-    return branch(from, Rerun.to(frame, from.shown().journal()));
+    return branch(from, Rerun.to(frame, from.shown().journal().run()));
   }
 
   /**
-   * As {@link #branch(long)}; refused in the end if the new controller does not stand as the old
-   * one did.
+   * As {@link #branch(long)}; refused in the end if the new controllers do not stand as the old
+   * ones did.
    *
-   * @param recorded a snapshot of the present run
+   * @param recorded a snapshot of the present run, of the controller that is shown
    */
   public Branching branch(ControllerState recorded) throws RerunRefused {
     DrivenControllers from = driven;
-    return branch(from, Rerun.to(recorded, from.shown().journal()));
+    List<Optional<ControllerState>> all = new ArrayList<>();
+    for (SessionMember each : from.members()) {
+      all.add(each == from.shown() ? Optional.of(recorded) : recorded(each, recorded.frame()));
+    }
+    return branch(from, Rerun.to(recorded.frame(), from.shown().journal().run(), all));
+  }
+
+  /** What another controller was in a frame; empty where its recording does not reach. */
+  private static Optional<ControllerState> recorded(SessionMember other, long frame)
+      throws RerunRefused {
+    Recording recording = other.recording();
+    if (frame < recording.firstFrame() || frame > recording.lastFrame()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(recording.atFrame(frame));
+    } catch (UncheckedIOException e) {
+      throw new RerunRefused(
+          "the recording of "
+              + other.name()
+              + " can no longer be read: "
+              + e.getCause().getMessage());
+    }
   }
 
   private Branching branch(DrivenControllers from, Rerun rerun) {
@@ -503,33 +513,56 @@ public final class RobotSession implements AutoCloseable {
   }
 
   private void branchOff(DrivenControllers from, Rerun rerun) throws RerunRefused {
-    SwitchedOn next = SwitchedOn.again(from.shown().on(), rerun, from.shown().recording(), store);
+    List<SwitchedOn> next =
+        SwitchedOn.again(from.members().stream().map(SessionMember::on).toList(), rerun, store);
     switching.lock();
     try {
       if (closed || driven != from) {
-        next.close();
+        next.forEach(SwitchedOn::close);
         throw new RerunRefused("the controller was switched off meanwhile");
       }
-      exchange(next, new Pace.Paused());
+      exchange(cell, () -> drive(replaced(from.members(), next), from.shownNumber()));
     } finally {
       switching.unlock();
     }
   }
 
+  private static List<SessionMember> replaced(List<SessionMember> members, List<SwitchedOn> next) {
+    List<SessionMember> replaced = new ArrayList<>();
+    for (int i = 0; i < members.size(); i++) {
+      replaced.add(members.get(i).replacedBy(next.get(i)));
+    }
+    return replaced;
+  }
+
+  /** Drives those of a branch. */
+  private DrivenControllers drive(List<SessionMember> members, int shown) {
+    DrivenControllers made = drive(members, shown, new Pace.Paused());
+    for (SessionMember each : members) {
+      // clients that had taken signals are gone with the ports
+      for (String owner : each.journal().owners()) {
+        var _ = made.submit(each, new IoCommand.ReleaseSignals(owner));
+      }
+    }
+    return made;
+  }
+
   /**
-   * Prepares a run of a variant of the present run; nothing has run yet. Not for the dispatch
-   * thread.
+   * Prepares a run of a variant of the present run, of the controller that is shown; nothing has
+   * run yet. Not for the dispatch thread.
    *
    * @param frame at whose end it begins; empty for the start of the program that was started last
    * @throws RerunRefused if the run cannot be repeated so far, or no program was started
    */
   public VariantRun variant(OptionalLong frame, Variant variant, VariantLimits limits)
       throws RerunRefused {
-    ParkedRuns parked = shown().on().parked();
+    SessionMember of = shown();
+    ParkedRuns parked = of.on().parked();
+    int member = of.journal().member();
     parked.follow();
     return frame.isPresent()
-        ? VariantRun.from(frame.getAsLong(), parked, variant, limits)
-        : VariantRun.fromStart(parked, variant, limits);
+        ? VariantRun.from(frame.getAsLong(), parked, member, variant, limits)
+        : VariantRun.fromStart(parked, member, variant, limits);
   }
 
   /** Whether a program has been started that is still known. */

@@ -7,6 +7,8 @@ import java.util.concurrent.CancellationException;
 import org.pendant.controller.Cell;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Frames;
+import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.models.json.JsonException;
 import org.pendant.protocols.ScriptConnectors;
@@ -15,11 +17,15 @@ import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.NumberStore;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
+import org.pendant.recording.replay.Controllers;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.Repetition;
 import org.pendant.recording.replay.Rerun;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.recording.replay.RunJournal;
+import org.pendant.recording.replay.SwitchOn;
+import org.pendant.script.function.Builtins;
 
 /**
  * Controller that is switched on and that no thread drives yet.
@@ -29,7 +35,7 @@ import org.pendant.recording.replay.RerunRefused;
  * @param tool the serial line of its tool connector
  * @param journal the commands that it got so far
  * @param ring what it did so far
- * @param parked repetitions of its run
+ * @param parked repetitions of its run; those that share a cell have the same
  * @param guest sees its frames before all others, in the thread that drives it
  */
 record SwitchedOn(
@@ -52,17 +58,19 @@ record SwitchedOn(
     ToolSerialLine tool = new ToolSerialLine();
     boolean made = false;
     try {
+      Builtins<ControlBox> builtins = StandardBuiltins.create();
       Controller controller =
           new Controller(
-              options.withOutside(scriptConnectors.connectors().withToolSerial(tool)),
-              StandardBuiltins.create());
+              options.withOutside(scriptConnectors.connectors().withToolSerial(tool)), builtins);
+      Journal journal = Journal.of(controller);
       SwitchedOn on =
-          of(
+          new SwitchedOn(
               options,
               scriptConnectors,
               tool,
-              Journal.of(controller),
+              journal,
               new RecordingRing(controller.state(), controller::programSource, store),
+              parked(journal.run(), SwitchOn.of(options, builtins)),
               state -> {});
       made = true;
       return on;
@@ -74,16 +82,13 @@ record SwitchedOn(
     }
   }
 
-  /** Controllers that share a cell, and what lets time pass for all of them. */
-  record OfCell(Cell cell, List<SessionMember> members) {}
-
   /**
    * Switches the controllers of a cell on.
    *
    * @param store for what they do
    * @throws JsonException if the cell cannot be as its file says
    */
-  static OfCell with(CellSetup setup, NumberStore store) throws JsonException {
+  static List<SessionMember> with(CellSetup setup, NumberStore store) throws JsonException {
     List<ScriptConnectors> scriptConnectors = new ArrayList<>();
     List<ToolSerialLine> tools = new ArrayList<>();
     List<ControllerOptions> options = new ArrayList<>();
@@ -96,24 +101,28 @@ record SwitchedOn(
     }
     boolean made = false;
     try {
-      Cell cell = new Cell(setup.plan(), options, StandardBuiltins.create());
+      Builtins<ControlBox> builtins = StandardBuiltins.create();
+      Cell cell = new Cell(setup.plan(), options, builtins);
+      RunJournal run = RunJournal.of(Controllers.of(cell));
+      ParkedRuns parked = parked(run, SwitchOn.of(setup.plan(), setup.options(), builtins));
       List<SessionMember> members = new ArrayList<>();
       for (Cell.Member each : cell.members()) {
         Controller controller = each.controller();
         SwitchedOn on =
-            of(
+            new SwitchedOn(
                 each.options(),
                 scriptConnectors.get(members.size()),
                 tools.get(members.size()),
-                Journal.of(controller),
+                run.of(members.size()),
                 new RecordingRing(controller.state(), controller::programSource, store),
+                parked,
                 state -> {});
         Optional<String> address =
             each.armless() ? Optional.empty() : setup.plan().arms().get(members.size()).address();
         members.add(SessionMember.of(each, address, on));
       }
       made = true;
-      return new OfCell(cell, List.copyOf(members));
+      return List.copyOf(members);
     } finally {
       if (!made) {
         scriptConnectors.forEach(ScriptConnectors::close);
@@ -123,28 +132,38 @@ record SwitchedOn(
   }
 
   /**
-   * Leads a repetition of a run on to where {@code rerun} leads, as a controller of its own.
+   * Leads a repetition of a run on to where {@code rerun} leads, as controllers of their own.
    *
-   * @param from whose run is repeated
-   * @param before what that did
+   * @param from whose run is repeated, in their order
+   * @return those that take their places
    * @throws RerunRefused if the run came out otherwise
    * @throws CancellationException if the rerun was cancelled
    */
-  static SwitchedOn again(SwitchedOn from, Rerun rerun, Recording before, NumberStore store)
+  static List<SwitchedOn> again(List<SwitchedOn> from, Rerun rerun, NumberStore store)
       throws RerunRefused {
-    Repetition repetition = from.parked().before(rerun.frame());
-    Journal journal = rerun.run(repetition);
-    Controller controller = repetition.controller();
-    ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
-    ToolSerialLine tool = new ToolSerialLine();
-    repetition.connect(scriptConnectors.connectors().withToolSerial(tool));
-    return of(
-        from.options(),
-        scriptConnectors,
-        tool,
-        journal,
-        RecordingRing.continuing(before, controller.state(), controller::programSource, store),
-        state -> {});
+    List<Recording> before = from.stream().map(each -> each.ring().recording()).toList();
+    ParkedRuns parked = from.getFirst().parked();
+    Repetition repetition = parked.before(rerun.frame());
+    RunJournal run = rerun.run(repetition);
+    ParkedRuns next = parked.branch(run);
+    List<SwitchedOn> again = new ArrayList<>();
+    for (int i = 0; i < from.size(); i++) {
+      ScriptConnectors scriptConnectors = new ScriptConnectors(AllowedHosts.ANY);
+      ToolSerialLine tool = new ToolSerialLine();
+      repetition.connect(i, scriptConnectors.connectors().withToolSerial(tool));
+      Controller controller = run.controllers().all().get(i);
+      again.add(
+          new SwitchedOn(
+              from.get(i).options(),
+              scriptConnectors,
+              tool,
+              run.of(i),
+              RecordingRing.continuing(
+                  before.get(i), controller.state(), controller::programSource, store),
+              next,
+              state -> {}));
+    }
+    return List.copyOf(again);
   }
 
   /**
@@ -154,26 +173,25 @@ record SwitchedOn(
    */
   static SwitchedOn of(
       ControllerOptions options, Controller controller, FrameListener guest, NumberStore store) {
-    return of(
+    Journal journal = Journal.of(controller);
+    return new SwitchedOn(
         options,
         new ScriptConnectors(AllowedHosts.ANY),
         new ToolSerialLine(),
-        Journal.of(controller),
+        journal,
         new RecordingRing(controller.state(), controller::programSource, store),
+        parked(journal.run(), SwitchOn.of(options, controller.builtins())),
         guest);
   }
 
-  private static SwitchedOn of(
-      ControllerOptions options,
-      ScriptConnectors scriptConnectors,
-      ToolSerialLine tool,
-      Journal journal,
-      RecordingRing ring,
-      FrameListener guest) {
-    ParkedRuns parked =
-        new ParkedRuns(
-            journal, options, work -> Thread.ofPlatform().daemon().name("parked runs").start(work));
-    return new SwitchedOn(options, scriptConnectors, tool, journal, ring, parked, guest);
+  private static ParkedRuns parked(RunJournal run, SwitchOn switchOn) {
+    return new ParkedRuns(
+        run, switchOn, work -> Thread.ofPlatform().daemon().name("parked runs").start(work));
+  }
+
+  /** What lets time pass for it, and for those that share a cell with it. */
+  Frames frames() {
+    return journal.run().controllers().frames();
   }
 
   Controller controller() {

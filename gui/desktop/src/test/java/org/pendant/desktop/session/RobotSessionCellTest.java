@@ -21,6 +21,7 @@ import org.pendant.controller.Pace;
 import org.pendant.controller.TestController;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.IoCommand;
+import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.vm.Program;
@@ -121,11 +122,90 @@ final class RobotSessionCellTest {
     assertEquals("ur3e", seen.get(30, TimeUnit.SECONDS));
   }
 
+  private static final String SWING =
+      """
+      while True:
+        movej([0.3 * random(), -1.2, -1.8, -1.6, 1.57, 0], a=3, v=2)
+        set_standard_digital_out(0, not get_standard_digital_out(0))
+        movej([-0.4, -1.4, -1.6, -1.5, 1.57, 0], a=3, v=2)
+      end
+      """;
+
+  /** Where each controller was in each frame, that of frame 1 first, up to {@code last}. */
+  private Map<String, List<ControllerState>> seenUntil(long last) throws Exception {
+    Map<String, List<ControllerState>> seen = new ConcurrentHashMap<>();
+    session.members().forEach(each -> seen.put(each.name(), new ArrayList<>()));
+    CompletableFuture<Boolean> there = new CompletableFuture<>();
+    session.addCellListener(
+        (member, state) -> {
+          if (!there.isDone()) {
+            seen.get(member.name()).add(state);
+          }
+          if (state.frame() == last && member.name().equals("cell")) {
+            session.setPace(new Pace.Paused());
+            there.complete(true);
+          }
+        });
+    session.setPace(new Pace.Unlimited());
+    assertTrue(there.get(30, TimeUnit.SECONDS));
+    return seen;
+  }
+
+  /** The last of those that were seen in a frame. */
+  private static ControllerState at(List<ControllerState> seen, long frame) {
+    return seen.stream().filter(each -> each.frame() == frame).reduce((_, last) -> last).get();
+  }
+
+  private static List<Object> facts(ControllerState state) {
+    return List.of(
+        state.frame(),
+        state.arm().targetPositionRad(),
+        state.arm().actualPositionRad(),
+        state.io(),
+        state.program());
+  }
+
   @Test
-  void aRunInACellIsNotBranchedFromAndTheReasonIsTold() {
-    RerunRefused refused = assertThrows(RerunRefused.class, () -> session.branch(0));
+  void aBranchTakesAllControllersBackAndEachGoesOnAsItDid() throws Exception {
+    session.run(member("left"), program(member("left"), SWING)).get(30, TimeUnit.SECONDS);
+    session.run(member("right"), program(member("right"), SWING)).get(30, TimeUnit.SECONDS);
+    session.show("right");
+    session.setPace(new Pace.Paused());
+    long last = session.state().frame() + 600;
+    Map<String, List<ControllerState>> seen = seenUntil(last);
+    long moment = last - 300;
+    List<SessionMember> old = session.members();
+    Branching branching = session.branch(session.recording().atFrame(moment));
+    assertEquals(
+        new Branching.Outcome.Branched(moment), branching.outcome().get(30, TimeUnit.SECONDS));
+    assertEquals("right", session.shown().name());
+    assertTrue(session.inCell());
+    assertInstanceOf(Pace.Paused.class, session.pace());
+    for (SessionMember each : session.members()) {
+      assertFalse(old.contains(each));
+      assertEquals(facts(at(seen.get(each.name()), moment)), facts(each.state()), each.name());
+      assertEquals(moment, each.recording().lastFrame());
+    }
+    Map<String, List<ControllerState>> again = seenUntil(last);
+    for (SessionMember each : session.members()) {
+      assertEquals(
+          facts(at(seen.get(each.name()), last)),
+          facts(at(again.get(each.name()), last)),
+          each.name());
+    }
+  }
+
+  @Test
+  void whatOneControllerGotFromOutsideIsToldWhereABranchIsRefused() throws Exception {
+    Program asks = program(member("right"), "socket_open(\"127.0.0.1\", 9)\n");
+    session.run(member("right"), asks).get(30, TimeUnit.SECONDS);
+    session.setPace(new Pace.Paused());
+    long last = session.state().frame() + 100;
+    seenUntil(last);
+    RerunRefused refused =
+        assertThrows(RerunRefused.class, () -> session.branch(session.state().frame()));
     assertTrue(
-        refused.getMessage().contains("several controllers share the cell"),
+        refused.getMessage().contains("then right: a program connected a socket"),
         () -> refused.getMessage());
   }
 

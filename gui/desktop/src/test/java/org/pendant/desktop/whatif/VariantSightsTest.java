@@ -15,6 +15,7 @@ import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.recording.replay.SwitchOn;
 import org.pendant.recording.whatif.VariantLimits;
 import org.pendant.recording.whatif.VariantOutcome;
 import org.pendant.recording.whatif.VariantRun;
@@ -47,7 +48,9 @@ final class VariantSightsTest {
   private VariantResult done(VariantRow row) throws RerunRefused {
     VariantOutcome outcome =
         VariantRun.fromStart(
-                ParkedRuns.none(journal, options),
+                ParkedRuns.none(
+                    journal.run(), SwitchOn.of(options, journal.controller().builtins())),
+                0,
                 row.variant(Optional.empty()),
                 VariantLimits.STANDARD)
             .run();

@@ -18,6 +18,7 @@ import org.pendant.language.source.Source;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.ParkedRuns;
 import org.pendant.recording.replay.RerunRefused;
+import org.pendant.recording.replay.SwitchOn;
 import org.pendant.recording.whatif.Variant;
 import org.pendant.recording.whatif.VariantLimits;
 import org.pendant.recording.whatif.VariantRun;
@@ -41,7 +42,11 @@ final class WhatIfPresenterTest {
     @Override
     public VariantRun begin(OptionalLong frame, Variant variant, VariantLimits limits)
         throws RerunRefused {
-      return VariantRun.fromStart(ParkedRuns.none(journal, options), variant, limits);
+      return VariantRun.fromStart(
+          ParkedRuns.none(journal.run(), SwitchOn.of(options, journal.controller().builtins())),
+          0,
+          variant,
+          limits);
     }
 
     @Override
