@@ -548,15 +548,16 @@ public final class RobotSession implements AutoCloseable {
   }
 
   /**
-   * Prepares a run of a variant of the present run, of the controller that is shown; nothing has
-   * run yet. Not for the dispatch thread.
+   * Prepares a run of a variant of the present run of a controller; nothing has run yet. Not for
+   * the dispatch thread.
    *
+   * @param of one of {@link #members}
    * @param frame at whose end it begins; empty for the start of the program that was started last
    * @throws RerunRefused if the run cannot be repeated so far, or no program was started
    */
-  public VariantRun variant(OptionalLong frame, Variant variant, VariantLimits limits)
+  public VariantRun variant(
+      SessionMember of, OptionalLong frame, Variant variant, VariantLimits limits)
       throws RerunRefused {
-    SessionMember of = shown();
     ParkedRuns parked = of.on().parked();
     int member = of.journal().member();
     parked.follow();

@@ -21,9 +21,9 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
-import org.pendant.controller.Robot;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -68,8 +68,9 @@ public final class WhatIfView implements View {
   private final JCheckBox ghosts = new JCheckBox("Ghosts in 3D");
   private final BooleanSupplier ofFile;
   private VariantSights sights = new VariantSights(List.of(), List.of(), -1, row -> 0);
-  private String ranOn = "";
-  private Optional<Robot> ranBy = Optional.empty();
+
+  /** Whose variants they are; empty before the first. */
+  private volatile Optional<SessionMember> ranBy = Optional.empty();
 
   /** Compiles the program as it is edited now. */
   @FunctionalInterface
@@ -94,7 +95,7 @@ public final class WhatIfView implements View {
     this.ofFile = ofFile;
     presenter =
         new WhatIfPresenter(
-            new SessionSource(workbench, edited),
+            new SessionSource(edited),
             () -> start(ofFile.getAsBoolean()),
             EventQueue::invokeLater,
             work -> Thread.ofPlatform().daemon().name("what-if").start(work),
@@ -116,12 +117,17 @@ public final class WhatIfView implements View {
     show();
   }
 
-  private record SessionSource(Workbench workbench, Edited edited)
-      implements WhatIfPresenter.Source {
+  private final class SessionSource implements WhatIfPresenter.Source {
+    private final Edited edited;
+
+    SessionSource(Edited edited) {
+      this.edited = edited;
+    }
+
     @Override
     public VariantRun begin(OptionalLong frame, Variant variant, VariantLimits limits)
         throws RerunRefused {
-      return workbench.session().variant(frame, variant, limits);
+      return workbench.session().variant(ranBy.orElseThrow(), frame, variant, limits);
     }
 
     @Override
@@ -299,8 +305,7 @@ public final class WhatIfView implements View {
       return;
     }
     if (whyNot().isEmpty()) {
-      ranOn = workbench.session().options().robotId();
-      ranBy = Optional.of(workbench.session().robot());
+      ranBy = Optional.of(workbench.session().shown());
       presenter.setMost(Duration.ofMillis(Math.round(1000 * mostS().orElseThrow())));
       presenter.run();
     }
@@ -339,9 +344,30 @@ public final class WhatIfView implements View {
     WhatIfPresenter.Start start = presenter.start();
     run.setText(start.words());
     run.getAccessibleContext().setAccessibleName(start.words());
-    from.setText(start.refusal());
+    from.setText(start.refusal().isEmpty() ? ofOther() : start.refusal());
     from.setForeground(Palette.quiet());
-    from.setVisible(!start.refusal().isEmpty());
+    from.setVisible(!from.getText().isEmpty());
+  }
+
+  /**
+   * Whether the variants are those of the arm that is shown, also after it was switched on anew.
+   */
+  private boolean ofShown() {
+    SessionMember shown = workbench.session().shown();
+    return ranBy.stream()
+        .anyMatch(
+            each ->
+                each.name().equals(shown.name())
+                    && each.options().robotId().equals(shown.options().robotId()));
+  }
+
+  /** Says whose variants they are where another controller of the cell is shown. */
+  private String ofOther() {
+    boolean any = presenter.running() || clear.isEnabled();
+    return ranBy
+        .filter(each -> any && !each.name().equals(workbench.session().shown().name()))
+        .map(each -> each.name().isEmpty() ? "" : "The results are those of " + each.name())
+        .orElse("");
   }
 
   private void selectionChanged() {
@@ -364,13 +390,13 @@ public final class WhatIfView implements View {
    * look at, as far as people want to see that in 3D.
    */
   public ComparedWays ways() {
-    if (!workbench.session().options().robotId().equals(ranOn)) {
+    if (!ofShown()) {
       return ComparedWays.NONE;
     }
     OptionalLong frame =
         on(GHOSTS)
                 && !ofFile.getAsBoolean()
-                && ranBy.equals(Optional.of(workbench.session().robot()))
+                && ranBy.equals(Optional.of(workbench.session().shown()))
             ? past.get().map(at -> OptionalLong.of(at.frame())).orElse(OptionalLong.empty())
             : OptionalLong.empty();
     return new ComparedWays(on(WAYS) ? sights.ways() : List.of(), sights.ghosts(frame));
