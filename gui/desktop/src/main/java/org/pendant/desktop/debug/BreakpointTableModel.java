@@ -3,14 +3,14 @@ package org.pendant.desktop.debug;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import javax.swing.table.AbstractTableModel;
+import org.pendant.kit.table.RowsModel;
 import org.pendant.script.debug.Breakpoint;
 import org.pendant.script.debug.BreakpointState;
 import org.pendant.script.debug.HitRule;
 
 /** Breakpoint table model: the breakpoints of the program in front as a table. */
 @SuppressWarnings("serial") // never written to a stream
-final class BreakpointTableModel extends AbstractTableModel {
+final class BreakpointTableModel extends RowsModel<Breakpoint> {
   static final int ENABLED = 0;
   static final int LINE = 1;
   static final int CONDITION = 2;
@@ -20,44 +20,18 @@ final class BreakpointTableModel extends AbstractTableModel {
   private static final List<String> TITLES =
       List.of("On", "Line", "Condition", "Log message", "From hit", "Hits");
 
-  private final OpenBreakpoints openBreakpoints;
-  private List<Breakpoint> rows = List.of();
+  private final transient OpenBreakpoints openBreakpoints;
 
   BreakpointTableModel(OpenBreakpoints openBreakpoints) {
+    super(TITLES);
     this.openBreakpoints = openBreakpoints;
   }
 
-  /** Shows the open breakpoints. */
+  /** Shows the open breakpoints, and what has become of them. */
   void show() {
-    List<Breakpoint> wanted = openBreakpoints.all();
-    boolean sameRows = wanted.size() == rows.size();
-    rows = wanted;
-    if (sameRows) {
-      if (!rows.isEmpty()) {
-        fireTableRowsUpdated(0, rows.size() - 1);
-      }
-    } else {
-      fireTableDataChanged();
+    if (!show(openBreakpoints.all()) && getRowCount() > 0) {
+      fireTableRowsUpdated(0, getRowCount() - 1);
     }
-  }
-
-  Breakpoint row(int index) {
-    return rows.get(index);
-  }
-
-  @Override
-  public int getRowCount() {
-    return rows.size();
-  }
-
-  @Override
-  public int getColumnCount() {
-    return TITLES.size();
-  }
-
-  @Override
-  public String getColumnName(int column) {
-    return TITLES.get(column);
   }
 
   @Override
@@ -66,8 +40,7 @@ final class BreakpointTableModel extends AbstractTableModel {
   }
 
   @Override
-  public Object getValueAt(int index, int column) {
-    Breakpoint row = rows.get(index);
+  protected Object cell(Breakpoint row, int column) {
     Optional<BreakpointState> state = openBreakpoints.state(row);
     return switch (column) {
       case ENABLED -> row.enabled();
@@ -100,10 +73,10 @@ final class BreakpointTableModel extends AbstractTableModel {
 
   @Override
   public void setValueAt(Object typed, int index, int column) {
-    if (index >= rows.size()) {
+    if (index >= getRowCount()) {
       return;
     }
-    Breakpoint row = rows.get(index);
+    Breakpoint row = row(index);
     switch (column) {
       case ENABLED -> openBreakpoints.change(row.enabled((Boolean) typed));
       case CONDITION -> openBreakpoints.change(row.when(typed.toString()));

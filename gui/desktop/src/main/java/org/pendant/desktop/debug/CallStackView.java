@@ -16,13 +16,13 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.table.RowsModel;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.debug.DebugState;
 
@@ -130,9 +130,7 @@ public final class CallStackView implements View {
 
   private Optional<CallRow> selectedRow() {
     int row = table.getSelectedRow();
-    return row < 0 || row >= rows.calls.size()
-        ? Optional.empty()
-        : Optional.of(rows.calls.get(row));
+    return row < 0 || row >= rows.getRowCount() ? Optional.empty() : Optional.of(rows.row(row));
   }
 
   private void choose() {
@@ -143,7 +141,7 @@ public final class CallStackView implements View {
         .ifPresent(
             row -> {
               // A thread stands for its innermost call, which is the row below it.
-              CallRow call = row.isThread() ? rows.calls.get(table.getSelectedRow() + 1) : row;
+              CallRow call = row.isThread() ? rows.row(table.getSelectedRow() + 1) : row;
               debug.select(call.thread(), call.depth());
             });
   }
@@ -161,7 +159,7 @@ public final class CallStackView implements View {
       return;
     }
     if (!debug.showsValues() && !debug.runsFree()) {
-      rows.show(List.of());
+      rows.replace(List.of());
       panel.showNote(NOTE);
       return;
     }
@@ -175,7 +173,7 @@ public final class CallStackView implements View {
     }
     showing = true;
     try {
-      rows.show(CallRow.of(debug.threads(), debug::lineNow));
+      rows.replace(CallRow.of(debug.threads(), debug::lineNow));
       table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
       debug.selected().filter(scope -> debug.held()).ifPresent(this::mark);
     } finally {
@@ -185,12 +183,12 @@ public final class CallStackView implements View {
 
   private void showPast(DebugState then) {
     if (!then.held()) {
-      rows.show(List.of());
+      rows.replace(List.of());
       panel.showNote(PAST_NOTE);
       return;
     }
     panel.showContent(StopText.of(then.stop().orElseThrow(), debug::lineNow));
-    rows.show(CallRow.of(then.threads(), debug::lineNow));
+    rows.replace(CallRow.of(then.threads(), debug::lineNow));
     table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
   }
 
@@ -210,8 +208,8 @@ public final class CallStackView implements View {
   }
 
   private void mark(Scope scope) {
-    for (int i = 0; i < rows.calls.size(); i++) {
-      CallRow row = rows.calls.get(i);
+    for (int i = 0; i < rows.getRowCount(); i++) {
+      CallRow row = rows.row(i);
       if (row.thread() == scope.thread() && row.depth() == scope.depth()) {
         table.setRowSelectionInterval(i, i);
         table.scrollRectToVisible(table.getCellRect(i, 0, true));
@@ -248,34 +246,14 @@ public final class CallStackView implements View {
 
   /** The rows. */
   @SuppressWarnings("serial") // never written to a stream
-  private static final class Rows extends AbstractTableModel {
-    private List<CallRow> calls = List.of();
-
-    void show(List<CallRow> wanted) {
-      if (!wanted.equals(calls)) {
-        calls = wanted;
-        fireTableDataChanged();
-      }
+  private static final class Rows extends RowsModel<CallRow> {
+    Rows() {
+      super(List.of("Thread or call", "Where"));
     }
 
     @Override
-    public int getRowCount() {
-      return calls.size();
-    }
-
-    @Override
-    public int getColumnCount() {
-      return 2;
-    }
-
-    @Override
-    public String getColumnName(int column) {
-      return column == 0 ? "Thread or call" : "Where";
-    }
-
-    @Override
-    public Object getValueAt(int row, int column) {
-      return calls.get(row);
+    protected Object cell(CallRow row, int column) {
+      return row;
     }
   }
 

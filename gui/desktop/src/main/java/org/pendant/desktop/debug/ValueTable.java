@@ -152,7 +152,7 @@ final class ValueTable extends JTable {
     }
     if (ValueRow.sameLines(shown, tree.rows())) {
       shown = tree.rows();
-      model.update(shown);
+      model.show(shown);
       return;
     }
     int selected = getSelectedRow();
@@ -161,7 +161,7 @@ final class ValueTable extends JTable {
       getCellEditor().cancelCellEditing();
     }
     shown = tree.rows();
-    model.show(shown);
+    model.replace(shown);
     fitHeights();
     select(selected);
   }

@@ -2,11 +2,11 @@ package org.pendant.desktop.debug;
 
 import java.util.List;
 import java.util.function.BiConsumer;
-import javax.swing.table.AbstractTableModel;
+import org.pendant.kit.table.RowsModel;
 
 /** Value table model: the rows of a {@link ValueTree} as a table: name, value, kind. */
 @SuppressWarnings("serial") // never written to a stream
-final class ValueTableModel extends AbstractTableModel {
+final class ValueTableModel extends RowsModel<ValueRow> {
   static final int NAME = 0;
   static final int VALUE = 1;
   static final int KIND = 2;
@@ -17,7 +17,6 @@ final class ValueTableModel extends AbstractTableModel {
   private final boolean namesEditable;
   private final BiConsumer<ValueRow.Value, String> rename;
   private final boolean stars;
-  private List<ValueRow> rows = List.of();
 
   /**
    * @param namesEditable whether the names of those that are part of nothing can be changed
@@ -29,37 +28,11 @@ final class ValueTableModel extends AbstractTableModel {
       boolean namesEditable,
       BiConsumer<ValueRow.Value, String> rename,
       boolean stars) {
+    super(TITLES);
     this.stars = stars;
     this.tree = tree;
     this.namesEditable = namesEditable;
     this.rename = rename;
-  }
-
-  void show(List<ValueRow> wanted) {
-    rows = wanted;
-    fireTableDataChanged();
-  }
-
-  /**
-   * Shows other values in the same lines; a user who edits or has selected one is not disturbed.
-   */
-  void update(List<ValueRow> wanted) {
-    List<ValueRow> before = rows;
-    rows = wanted;
-    for (int i = 0; i < rows.size(); i++) {
-      if (!rows.get(i).equals(before.get(i))) {
-        fireTableRowsUpdated(i, i);
-      }
-    }
-  }
-
-  ValueRow row(int index) {
-    return rows.get(index);
-  }
-
-  @Override
-  public int getRowCount() {
-    return rows.size();
   }
 
   @Override
@@ -67,15 +40,10 @@ final class ValueTableModel extends AbstractTableModel {
     return stars ? STAR + 1 : STAR;
   }
 
-  @Override
-  public String getColumnName(int column) {
-    return TITLES.get(column);
-  }
-
   /** What an editor begins with. */
   @Override
-  public Object getValueAt(int row, int column) {
-    return switch (rows.get(row)) {
+  protected Object cell(ValueRow row, int column) {
+    return switch (row) {
       case ValueRow.Value value ->
           switch (column) {
             case NAME -> value.name();
@@ -91,7 +59,7 @@ final class ValueTableModel extends AbstractTableModel {
 
   @Override
   public boolean isCellEditable(int row, int column) {
-    return rows.get(row) instanceof ValueRow.Value value
+    return row(row) instanceof ValueRow.Value value
         && switch (column) {
           case NAME -> namesEditable && value.level() == 0;
           case VALUE -> tree.canAssign(value);
@@ -101,7 +69,7 @@ final class ValueTableModel extends AbstractTableModel {
 
   @Override
   public void setValueAt(Object typed, int row, int column) {
-    if (row < rows.size() && rows.get(row) instanceof ValueRow.Value value) {
+    if (row < getRowCount() && row(row) instanceof ValueRow.Value value) {
       if (column == NAME) {
         rename.accept(value, typed.toString());
       } else {

@@ -3,30 +3,31 @@ package org.pendant.desktop.editor;
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
-import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.desktop.editor.text.Place;
+import org.pendant.kit.table.RowsModel;
+import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Markup;
 
 /** Places table: places in programs, one a row; ENTER or a double click opens one. */
 @SuppressWarnings("serial") // never written to a stream
 final class PlacesTable extends JTable {
-  private final Model model = new Model();
+  private final Model model;
 
   PlacesTable(Consumer<Place> chosen) {
-    setModel(model);
-    setName("places-table");
-    getAccessibleContext().setAccessibleName("Places found");
-    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    setFillsViewportHeight(true);
-    setShowGrid(false);
+    this(new Model(), chosen);
+  }
+
+  private PlacesTable(Model model, Consumer<Place> chosen) {
+    super(model);
+    this.model = model;
+    TableLook.apply(this, "places-table", "Places found");
     getColumnModel().getColumn(0).setPreferredWidth(200);
     getColumnModel().getColumn(0).setMaxWidth(360);
     getColumnModel().getColumn(1).setPreferredWidth(800);
@@ -34,7 +35,7 @@ final class PlacesTable extends JTable {
     Runnable choose =
         () -> {
           if (getSelectedRow() >= 0) {
-            chosen.accept(model.places.get(getSelectedRow()));
+            chosen.accept(model.row(getSelectedRow()));
           }
         };
     registerKeyboardAction(
@@ -53,16 +54,14 @@ final class PlacesTable extends JTable {
   }
 
   void set(List<Place> places) {
-    model.places.clear();
-    add(places);
+    model.replace(places);
     if (!places.isEmpty()) {
       setRowSelectionInterval(0, 0);
     }
   }
 
   void add(List<Place> places) {
-    model.places.addAll(places);
-    model.fireTableDataChanged();
+    model.show(Stream.concat(model.rows().stream(), places.stream()).toList());
   }
 
   /** The line with what was found in bold, cut where it is too long. */
@@ -87,27 +86,13 @@ final class PlacesTable extends JTable {
   }
 
   /** The rows. */
-  private static final class Model extends AbstractTableModel {
-    private final List<Place> places = new ArrayList<>();
-
-    @Override
-    public int getRowCount() {
-      return places.size();
+  private static final class Model extends RowsModel<Place> {
+    Model() {
+      super(List.of("Place", "Line"));
     }
 
     @Override
-    public int getColumnCount() {
-      return 2;
-    }
-
-    @Override
-    public String getColumnName(int column) {
-      return column == 0 ? "Place" : "Line";
-    }
-
-    @Override
-    public Object getValueAt(int row, int column) {
-      Place place = places.get(row);
+    protected Object cell(Place place, int column) {
       return column == 0 ? place.name() + ":" + place.line() : place;
     }
   }

@@ -1,38 +1,16 @@
 package org.pendant.desktop.editor;
 
 import java.util.List;
-import javax.swing.table.AbstractTableModel;
 import org.pendant.desktop.editor.text.Problem;
+import org.pendant.kit.table.RowsModel;
 
 /** Problems model: problems as rows: severity, line, message, code. */
 @SuppressWarnings("serial") // never written to a stream
-final class ProblemsModel extends AbstractTableModel {
+final class ProblemsModel extends RowsModel<Problem> {
   private static final List<String> TITLES = List.of("", "Line", "Problem", "Code");
 
-  private List<Problem> problems = List.of();
-
-  void set(List<Problem> wanted) {
-    problems = wanted;
-    fireTableDataChanged();
-  }
-
-  Problem at(int row) {
-    return problems.get(row);
-  }
-
-  @Override
-  public int getRowCount() {
-    return problems.size();
-  }
-
-  @Override
-  public int getColumnCount() {
-    return TITLES.size();
-  }
-
-  @Override
-  public String getColumnName(int column) {
-    return TITLES.get(column);
+  ProblemsModel() {
+    super(TITLES);
   }
 
   @Override
@@ -41,8 +19,7 @@ final class ProblemsModel extends AbstractTableModel {
   }
 
   @Override
-  public Object getValueAt(int row, int column) {
-    Problem problem = problems.get(row);
+  protected Object cell(Problem problem, int column) {
     return switch (column) {
       case 0 -> problem.isError() ? "Error" : "Warning";
       case 1 -> problem.line();

@@ -122,7 +122,7 @@ public final class ProblemsView implements View {
       return;
     }
     shown = problems;
-    model.set(problems);
+    model.replace(problems);
     summary.setText(summary(problems));
     if (problems.isEmpty()) {
       states.showNote("No problems: this program can run.");
@@ -151,7 +151,7 @@ public final class ProblemsView implements View {
     if (row() < 0) {
       return;
     }
-    Problem problem = model.at(row());
+    Problem problem = model.row(row());
     if (editor.current().generated() && !editor.component().isShowing()) {
       // The tree shows the node of the line.
       workbench.showSource(problem.line(), problem.column());
@@ -163,7 +163,7 @@ public final class ProblemsView implements View {
 
   private void fix() {
     if (row() >= 0) {
-      Problem problem = model.at(row());
+      Problem problem = model.row(row());
       workbench.show(ScriptEditor.ID);
       editor.current().area().requestFocusInWindow();
       editor.current().fixes().open(problem);

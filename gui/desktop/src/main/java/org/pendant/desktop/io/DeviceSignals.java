@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import javax.swing.table.AbstractTableModel;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.wire.SignalGroupState;
+import org.pendant.kit.table.RowsModel;
 
 /** Device signals: what others in the cell are wired to at a device, a row for each signal. */
 @SuppressWarnings("serial") // never written to a stream
-final class DeviceSignals extends AbstractTableModel {
+final class DeviceSignals extends RowsModel<DeviceSignals.Row> {
   static final int NAME = 0;
   static final int VALUE = 1;
 
@@ -22,10 +22,9 @@ final class DeviceSignals extends AbstractTableModel {
   private final transient BiConsumer<String, Integer> set;
   private final transient Consumer<String> refuse;
   private String device = "";
-  private List<Row> rows = List.of();
 
   /** A signal. */
-  private record Row(String name, int value, boolean digital, boolean settable) {}
+  record Row(String name, int value, boolean digital, boolean settable) {}
 
   /**
    * A table without rows.
@@ -34,6 +33,7 @@ final class DeviceSignals extends AbstractTableModel {
    * @param refuse tells why what was typed is no value
    */
   DeviceSignals(BiConsumer<String, Integer> set, Consumer<String> refuse) {
+    super(TITLES);
     this.set = set;
     this.refuse = refuse;
   }
@@ -56,60 +56,35 @@ final class DeviceSignals extends AbstractTableModel {
                 group.settable()));
       }
     }
-    List<Row> before = rows;
     device = state.name();
-    rows = now;
-    if (before.size() != now.size()) {
-      fireTableDataChanged();
-      return;
-    }
-    for (int i = 0; i < now.size(); i++) {
-      if (!now.get(i).equals(before.get(i))) {
-        fireTableRowsUpdated(i, i);
-      }
-    }
+    show(now);
   }
 
   /** Whether a row is a level, which a click changes. */
   boolean digital(int row) {
-    return rows.get(row).digital();
+    return row(row).digital();
   }
 
   /** Whether a row's signal can be set. */
   boolean settable(int row) {
-    return rows.get(row).settable();
+    return row(row).settable();
   }
 
   /** Whether a row's signal is on. */
   boolean high(int row) {
-    return rows.get(row).value() != 0;
+    return row(row).value() != 0;
   }
 
   /** Changes a level. */
   void toggle(int row) {
-    if (row >= 0 && row < rows.size() && digital(row) && settable(row)) {
-      set.accept(device + "." + rows.get(row).name(), high(row) ? 0 : 1);
+    if (row >= 0 && row < getRowCount() && digital(row) && settable(row)) {
+      set.accept(device + "." + row(row).name(), high(row) ? 0 : 1);
     }
   }
 
   @Override
-  public int getRowCount() {
-    return rows.size();
-  }
-
-  @Override
-  public int getColumnCount() {
-    return TITLES.size();
-  }
-
-  @Override
-  public String getColumnName(int column) {
-    return TITLES.get(column);
-  }
-
-  @Override
-  public Object getValueAt(int row, int column) {
-    return column == NAME ? rows.get(row).name() : Integer.toString(rows.get(row).value());
+  protected Object cell(Row row, int column) {
+    return column == NAME ? row.name() : Integer.toString(row.value());
   }
 
   @Override
@@ -121,9 +96,9 @@ final class DeviceSignals extends AbstractTableModel {
   public void setValueAt(Object typed, int row, int column) {
     String text = typed.toString().strip();
     try {
-      set.accept(device + "." + rows.get(row).name(), Integer.parseInt(text));
+      set.accept(device + "." + row(row).name(), Integer.parseInt(text));
     } catch (NumberFormatException _) {
-      refuse.accept(rows.get(row).name() + " is \"" + text + "\", must be a whole number");
+      refuse.accept(row(row).name() + " is \"" + text + "\", must be a whole number");
     }
   }
 }

@@ -8,14 +8,12 @@ import java.awt.event.MouseEvent;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.DefaultCellEditor;
-import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
-import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.table.TableLook;
 
 /**
  * Memory table: a {@link MemoryList} on the screen. Space or a click on it changes a level; a
@@ -34,23 +32,20 @@ final class MemoryTable extends JTable {
    * @param problem tells what is wrong with what is typed; empty when nothing is
    */
   MemoryTable(String name, MemoryList list, Consumer<String> problem) {
-    model = new MemoryTableModel(list, problem);
-    setModel(model);
-    setName(name);
-    getAccessibleContext().setAccessibleName(list.memory().title());
+    this(name, new MemoryTableModel(list, problem), list, problem);
+  }
+
+  private MemoryTable(
+      String name, MemoryTableModel model, MemoryList list, Consumer<String> problem) {
+    super(model);
+    this.model = model;
+    TableLook.apply(this, name, list.memory().title());
     setDefaultRenderer(Object.class, new MemoryCell());
     setDefaultEditor(Object.class, new Editor(name, list, problem));
-    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     setCellSelectionEnabled(true);
-    setFillsViewportHeight(true);
-    setShowGrid(false);
     setSurrendersFocusOnKeystroke(true);
     putClientProperty("FlatLaf.style", "cellMargins: 2,8,2,8");
-    getTableHeader().setReorderingAllowed(false);
     getTableHeader().putClientProperty("FlatLaf.style", "cellMargins: 2,8,2,8");
-    if (getTableHeader().getDefaultRenderer() instanceof JLabel titles) {
-      titles.setHorizontalAlignment(SwingConstants.LEADING);
-    }
     putClientProperty("terminateEditOnFocusLost", true);
     fit(MemoryTableModel.NUMBER, NUMBER_DIGITS);
     fit(MemoryTableModel.VALUE, list.memory().levels() ? NUMBER_DIGITS + 1 : VALUE_DIGITS);

@@ -11,13 +11,13 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
-import javax.swing.table.AbstractTableModel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.table.RowsModel;
 import org.pendant.recording.explain.MotionExplanation;
 
 /**
@@ -48,39 +48,13 @@ public final class MotionView implements View {
 
   /** The numbers, a row each. */
   @SuppressWarnings("serial") // never written to a stream
-  private static final class Rows extends AbstractTableModel {
-    private static final List<String> TITLES = List.of("", "Planned", "Actual", "Difference");
-
-    private transient List<MotionWords.Row> all = List.of();
-
-    void show(List<MotionWords.Row> wanted) {
-      boolean same = wanted.size() == all.size();
-      all = List.copyOf(wanted);
-      if (same) {
-        fireTableRowsUpdated(0, Math.max(0, all.size() - 1));
-      } else {
-        fireTableDataChanged();
-      }
+  private static final class Rows extends RowsModel<MotionWords.Row> {
+    Rows() {
+      super(List.of("", "Planned", "Actual", "Difference"));
     }
 
     @Override
-    public int getRowCount() {
-      return all.size();
-    }
-
-    @Override
-    public int getColumnCount() {
-      return TITLES.size();
-    }
-
-    @Override
-    public String getColumnName(int column) {
-      return TITLES.get(column);
-    }
-
-    @Override
-    public Object getValueAt(int row, int column) {
-      MotionWords.Row at = all.get(row);
+    protected Object cell(MotionWords.Row at, int column) {
       return switch (column) {
         case 0 -> at.name();
         case 1 -> at.planned();

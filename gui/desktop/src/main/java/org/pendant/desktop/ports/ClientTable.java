@@ -1,57 +1,31 @@
 package org.pendant.desktop.ports;
 
 import java.util.List;
-import javax.swing.table.AbstractTableModel;
+import org.pendant.kit.table.RowsModel;
 
 /** Client table: the clients of the ports as rows. */
 @SuppressWarnings("serial") // never written to a stream
-final class ClientTable extends AbstractTableModel {
+final class ClientTable extends RowsModel<ClientRow> {
   private static final List<String> TITLES =
       List.of("Client", "Port", "For", "In", "Out", "Data", "Owns", "Waiting");
 
-  private transient List<ClientRow> rows = List.of();
+  ClientTable() {
+    super(TITLES);
+  }
 
   /** Shows other rows; answers whether they are those of other clients. */
-  boolean show(List<ClientRow> now) {
-    if (now.equals(rows)) {
-      return false;
-    }
+  @Override
+  public boolean show(List<? extends ClientRow> now) {
     boolean same =
         now.stream()
             .map(ClientRow::peers)
             .toList()
-            .equals(rows.stream().map(ClientRow::peers).toList());
-    rows = now;
-    if (same) {
-      fireTableRowsUpdated(0, now.size() - 1);
-    } else {
-      fireTableDataChanged();
-    }
-    return !same;
-  }
-
-  ClientRow row(int row) {
-    return rows.get(row);
+            .equals(rows().stream().map(ClientRow::peers).toList());
+    return same ? super.show(now) : replace(now);
   }
 
   @Override
-  public int getRowCount() {
-    return rows.size();
-  }
-
-  @Override
-  public int getColumnCount() {
-    return TITLES.size();
-  }
-
-  @Override
-  public String getColumnName(int column) {
-    return TITLES.get(column);
-  }
-
-  @Override
-  public Object getValueAt(int row, int column) {
-    ClientRow shown = rows.get(row);
+  protected Object cell(ClientRow shown, int column) {
     return switch (column) {
       case 0 -> shown.peers().client();
       case 1 -> shown.peers().port();
@@ -66,7 +40,7 @@ final class ClientTable extends AbstractTableModel {
 
   /** What is behind a cell; empty for no more than it shows. */
   String tip(int row, int column) {
-    ClientRow shown = rows.get(row);
+    ClientRow shown = row(row);
     return switch (column) {
       case 5 -> names("Gets", shown.reads());
       case 6 -> names("Only it may write", shown.writes());

@@ -428,7 +428,7 @@ public final class ClientsView implements View {
     }
     JScrollBar bar = messageScroll.getVerticalScrollBar();
     boolean atEnd = bar.getValue() + bar.getVisibleAmount() >= bar.getMaximum() - 2;
-    if (messages.show(presenter.messages())) {
+    if (messages.replace(presenter.messages())) {
       int row = selected < 0 ? -1 : messages.rowOf(selected);
       if (row >= 0) {
         messageTable.setRowSelectionInterval(row, row);

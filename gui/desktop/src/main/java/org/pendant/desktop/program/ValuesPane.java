@@ -1,7 +1,6 @@
 package org.pendant.desktop.program;
 
 import java.awt.BorderLayout;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,8 +13,8 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.table.AbstractTableModel;
 import org.pendant.controller.installation.InstallationVariable;
+import org.pendant.kit.table.RowsModel;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.source.ByteText;
 import org.pendant.project.program.ProgramTree;
@@ -80,42 +79,23 @@ final class ValuesPane extends JPanel {
     values.show(names, known);
   }
 
+  /** A variable and its value; a dash where it has none. */
+  private record Named(String name, String value) {}
+
   /** Names and values. */
-  private static final class Values extends AbstractTableModel {
-    private List<String> names = List.of();
-    private Map<String, String> known = Map.of();
+  private static final class Values extends RowsModel<Named> {
+    Values() {
+      super(List.of("Variable", "Value"));
+    }
 
-    void show(Set<String> shown, Map<String, String> now) {
-      boolean others = !List.copyOf(shown).equals(names);
-      boolean changed = !now.equals(known);
-      names = new ArrayList<>(shown);
-      known = now;
-      if (others) {
-        fireTableDataChanged();
-      } else if (changed && !names.isEmpty()) {
-        fireTableRowsUpdated(0, names.size() - 1);
-      }
+    void show(Set<String> names, Map<String, String> known) {
+      show(
+          names.stream().map(name -> new Named(name, known.getOrDefault(name, "\u2013"))).toList());
     }
 
     @Override
-    public int getRowCount() {
-      return names.size();
-    }
-
-    @Override
-    public int getColumnCount() {
-      return 2;
-    }
-
-    @Override
-    public String getColumnName(int column) {
-      return column == 0 ? "Variable" : "Value";
-    }
-
-    @Override
-    public Object getValueAt(int row, int column) {
-      String name = names.get(row);
-      return column == 0 ? name : known.getOrDefault(name, "\u2013");
+    protected Object cell(Named row, int column) {
+      return column == 0 ? row.name() : row.value();
     }
   }
 }

@@ -10,15 +10,14 @@ import javax.swing.BorderFactory;
 import javax.swing.DefaultCellEditor;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import org.pendant.desktop.sweep.DraftParameter.Part;
+import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
 import org.pendant.sweep.plan.SamplingMethod;
 import org.pendant.sweep.plan.TargetText;
@@ -48,18 +47,8 @@ final class ParameterTable extends JTable {
     super(model);
     this.presenter = presenter;
     this.model = model;
-    setName("sweep-parameters");
-    getAccessibleContext().setAccessibleName("Parameters that the sweep can vary");
-    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    setShowGrid(false);
-    setFillsViewportHeight(true);
-    getTableHeader().setReorderingAllowed(false);
-    if (getTableHeader().getDefaultRenderer() instanceof JLabel title) {
-      title.setHorizontalAlignment(SwingConstants.LEADING);
-    }
-    putClientProperty("JTable.autoStartsEdit", true);
-    putClientProperty("terminateEditOnFocusLost", true);
-    setSurrendersFocusOnKeystroke(true);
+    TableLook.apply(this, "sweep-parameters", "Parameters that the sweep can vary");
+    TableLook.editInPlace(this);
     JTextField field = new JTextField();
     field.setName("sweep-cell");
     for (int i = 0; i < WIDTHS.size(); i++) {
@@ -111,7 +100,7 @@ final class ParameterTable extends JTable {
   @Override
   public void updateUI() {
     super.updateUI();
-    setRowHeight(getFontMetrics(getFont()).getHeight() + ROW_SPACE);
+    TableLook.fitRows(this, ROW_SPACE);
   }
 
   @Override

@@ -12,13 +12,13 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
 import javax.swing.RowSorter;
 import javax.swing.SortOrder;
 import javax.swing.SwingConstants;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableRowSorter;
+import org.pendant.kit.table.TableLook;
 import org.pendant.sweep.run.RunOutcome;
 import org.pendant.sweep.table.CellType;
 import org.pendant.sweep.table.ResultColumn;
@@ -61,12 +61,8 @@ final class RunTable extends JTable {
   private RunTable(Model model, Consumer<RunRow> open) {
     super(model);
     this.model = model;
+    TableLook.apply(this, "sweep-rows", "Runs of the sweep");
     this.open = open;
-    setName("sweep-rows");
-    getAccessibleContext().setAccessibleName("Runs of the sweep");
-    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    setShowGrid(false);
-    setFillsViewportHeight(true);
     setAutoResizeMode(AUTO_RESIZE_OFF);
     setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
     setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
@@ -87,7 +83,7 @@ final class RunTable extends JTable {
   @Override
   public void updateUI() {
     super.updateUI();
-    setRowHeight(getFontMetrics(getFont()).getHeight() + ROW_SPACE);
+    TableLook.fitRows(this, ROW_SPACE);
   }
 
   void openSelected() {

@@ -14,11 +14,10 @@ import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.ListSelectionModel;
-import javax.swing.SwingConstants;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellEditor;
 import org.pendant.desktop.debug.CheckedField;
+import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
 
 /** Variant table: the variants in rows, edited in place. */
@@ -43,18 +42,8 @@ final class VariantTable extends JTable {
     super(model);
     this.presenter = presenter;
     this.model = model;
-    setName("whatif-table");
-    getAccessibleContext().setAccessibleName("Variants");
-    setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    setShowGrid(false);
-    setFillsViewportHeight(true);
-    getTableHeader().setReorderingAllowed(false);
-    if (getTableHeader().getDefaultRenderer() instanceof JLabel title) {
-      title.setHorizontalAlignment(SwingConstants.LEADING);
-    }
-    putClientProperty("JTable.autoStartsEdit", true);
-    putClientProperty("terminateEditOnFocusLost", true);
-    setSurrendersFocusOnKeystroke(true);
+    TableLook.apply(this, "whatif-table", "Variants");
+    TableLook.editInPlace(this);
     for (int i = 0; i < WIDTHS.size(); i++) {
       getColumnModel().getColumn(i).setPreferredWidth(WIDTHS.get(i));
       getColumnModel().getColumn(i).setMinWidth(MIN_WIDTH);
@@ -103,7 +92,7 @@ final class VariantTable extends JTable {
   @Override
   public void updateUI() {
     super.updateUI();
-    setRowHeight(getFontMetrics(getFont()).getHeight() + ROW_SPACE);
+    TableLook.fitRows(this, ROW_SPACE);
   }
 
   @Override

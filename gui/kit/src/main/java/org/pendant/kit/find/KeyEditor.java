@@ -183,7 +183,7 @@ public final class KeyEditor {
 
   private Optional<Action> chosen() {
     int row = table.getSelectedRow();
-    return row < 0 ? Optional.empty() : Optional.of(model.action(row));
+    return row < 0 ? Optional.empty() : Optional.of(model.row(row));
   }
 
   private void selected() {

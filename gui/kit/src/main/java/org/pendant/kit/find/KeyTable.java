@@ -2,27 +2,27 @@ package org.pendant.kit.find;
 
 import java.util.List;
 import java.util.Locale;
-import javax.swing.table.AbstractTableModel;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.KeyText;
+import org.pendant.kit.table.RowsModel;
 
 /** Actions and their keys as a table. */
 @SuppressWarnings("serial") // never written to a stream
-final class KeyTable extends AbstractTableModel {
+final class KeyTable extends RowsModel<Action> {
   private static final List<String> COLUMNS = List.of("Action", "Key", "");
 
   private final transient ActionTable actions;
-  private transient List<Action> shown = List.of();
 
   KeyTable(ActionTable actions) {
+    super(COLUMNS);
     this.actions = actions;
   }
 
   /** Shows those whose title or key contains {@code text}. */
   void filter(String text) {
     String wanted = text.strip().toLowerCase(Locale.ROOT);
-    shown =
+    replace(
         actions.all().stream()
             .filter(
                 each ->
@@ -30,32 +30,11 @@ final class KeyTable extends AbstractTableModel {
                         || KeyText.shown(actions.keysOf(each.id()))
                             .toLowerCase(Locale.ROOT)
                             .contains(wanted))
-            .toList();
-    fireTableDataChanged();
-  }
-
-  Action action(int row) {
-    return shown.get(row);
+            .toList());
   }
 
   @Override
-  public int getRowCount() {
-    return shown.size();
-  }
-
-  @Override
-  public int getColumnCount() {
-    return COLUMNS.size();
-  }
-
-  @Override
-  public String getColumnName(int column) {
-    return COLUMNS.get(column);
-  }
-
-  @Override
-  public Object getValueAt(int row, int column) {
-    Action action = shown.get(row);
+  protected Object cell(Action action, int column) {
     String keys = actions.keysOf(action.id());
     return switch (column) {
       case 0 -> action.title();
