@@ -1,32 +1,43 @@
 package org.pendant.desktop.waveform;
 
-import java.util.concurrent.CompletableFuture;
-import java.util.function.Function;
-import org.pendant.controller.command.Command;
-import org.pendant.controller.command.Reply;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import org.pendant.controller.io.InputWaveforms;
 import org.pendant.controller.io.IoCommand;
+import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.desktop.session.SwitchListener;
 
-/** Waveform player: has the session's controller play waveforms, whichever that is. */
+/**
+ * Waveform player: has each of the session's controllers play waveforms of its own, also when
+ * another one takes its place.
+ */
 final class WaveformPlayer implements SwitchListener {
-  private final Function<Command, CompletableFuture<Reply>> submit;
-  private volatile InputWaveforms wanted = InputWaveforms.NONE;
+  private final RobotSession session;
 
-  WaveformPlayer(Function<Command, CompletableFuture<Reply>> submit) {
-    this.submit = submit;
+  /** By the name of the controller. */
+  private final Map<String, InputWaveforms> wanted = new ConcurrentHashMap<>();
+
+  WaveformPlayer(RobotSession session) {
+    this.session = session;
   }
 
-  /** Plays these from the next start of a program on; {@link InputWaveforms#NONE} for none. */
-  void play(InputWaveforms waveforms) {
-    if (!waveforms.equals(wanted)) {
-      wanted = waveforms;
-      send();
+  /**
+   * Plays these from the next start of a program on; {@link InputWaveforms#NONE} for none.
+   *
+   * @param controller its name; it need not be there yet
+   */
+  void play(String controller, InputWaveforms waveforms) {
+    InputWaveforms before = wanted.put(controller, waveforms);
+    if (!waveforms.equals(before == null ? InputWaveforms.NONE : before)) {
+      session.members().stream()
+          .filter(each -> each.name().equals(controller))
+          .forEach(each -> send(each, waveforms));
     }
   }
 
-  private void send() {
-    var _ = submit.apply(new IoCommand.PlayInputs(wanted));
+  private void send(SessionMember member, InputWaveforms waveforms) {
+    var _ = session.submit(member, new IoCommand.PlayInputs(waveforms));
   }
 
   @Override
@@ -34,8 +45,11 @@ final class WaveformPlayer implements SwitchListener {
 
   @Override
   public void switchedOn() {
-    if (!wanted.equals(InputWaveforms.NONE)) {
-      send();
+    for (SessionMember each : session.members()) {
+      InputWaveforms own = wanted.getOrDefault(each.name(), InputWaveforms.NONE);
+      if (!own.equals(InputWaveforms.NONE)) {
+        send(each, own);
+      }
     }
   }
 }

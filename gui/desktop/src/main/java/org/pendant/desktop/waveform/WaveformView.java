@@ -7,8 +7,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
@@ -24,6 +26,8 @@ import org.pendant.controller.io.InputWaveforms;
 import org.pendant.controller.io.WaveformText;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.RunTime;
+import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -31,10 +35,14 @@ import org.pendant.kit.export.SaveDialog;
 import org.pendant.kit.export.SaveRequest;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.theme.Palette;
+import org.pendant.recording.Recording;
 import org.pendant.script.vm.ProgramState;
 
-/** Waveform view: the panel in which people draw what happens at the inputs. */
-public final class WaveformView implements View {
+/**
+ * Waveform view: the panel in which people draw what happens at the inputs. Each controller of a
+ * cell has waveforms of its own; the panel has those of the one that is shown.
+ */
+public final class WaveformView implements View, SwitchListener {
   /** Its name in settings and commands. */
   public static final String ID = "waveforms";
 
@@ -64,6 +72,20 @@ public final class WaveformView implements View {
   private final JPanel content = new JPanel(new BorderLayout());
   private Optional<Path> file = Optional.empty();
 
+  /** The name of the controller whose waveforms are there. */
+  private String showing;
+
+  /** What the others have drawn, by their names. */
+  private final Map<String, Drawn> drawnOf = new HashMap<>();
+
+  /** What one controller has drawn. */
+  private record Drawn(
+      WaveformDraft.Steps steps, boolean playing, WaveformCapture capture, Optional<Path> file) {
+    InputWaveforms played() {
+      return playing ? steps.sheet().waveforms() : InputWaveforms.NONE;
+    }
+  }
+
   /**
    * With what was drawn last.
    *
@@ -72,14 +94,17 @@ public final class WaveformView implements View {
    */
   public WaveformView(Workbench workbench, UnaryOperator<String> nameOf, Runnable chooseFile) {
     this.workbench = workbench;
-    draft = new WaveformDraft(kept());
+    showing = workbench.session().shown().name();
+    Drawn kept = kept(showing);
+    draft = new WaveformDraft(kept.steps());
     WaveformPainter painter = new WaveformPainter(nameOf);
     canvas = new WaveformCanvas(draft, painter, this::number);
     bar = new WaveformBar(draft, canvas, remark::say);
     names = new WaveformNames(canvas, painter);
     times = new WaveformTimes(canvas);
-    player = new WaveformPlayer(workbench.session()::submit);
+    player = new WaveformPlayer(workbench.session());
     workbench.session().addSwitchListener(player);
+    workbench.session().addSwitchListener(this);
     addButtons(chooseFile);
     content.setName("waveform-view");
     content.getAccessibleContext().setAccessibleName(title());
@@ -94,12 +119,47 @@ public final class WaveformView implements View {
     note.setEnabled(false);
     middle.add(note, "note");
     content.add(middle, BorderLayout.CENTER);
-    bar.setPlaying(workbench.settings().get(PLAY).map(Boolean::parseBoolean).orElse(false));
+    bar.setPlaying(kept.playing());
     bar.onPlaying(this::changed);
     canvas.onSelection(this::show);
     draft.addListener(this::changed);
     declareActions(chooseFile);
     changed();
+    follow();
+  }
+
+  @Override
+  public void switchingOff() {}
+
+  @Override
+  public void switchedOn() {
+    EventQueue.invokeLater(this::follow);
+  }
+
+  @Override
+  public void shown() {
+    switchedOn();
+  }
+
+  /** Has the waveforms of the controller that is shown, and the others play theirs. */
+  private void follow() {
+    for (SessionMember each : workbench.session().members()) {
+      if (!each.name().equals(showing)) {
+        Drawn own = drawnOf.computeIfAbsent(each.name(), this::kept);
+        player.play(each.name(), own.played());
+      }
+    }
+    String now = workbench.session().shown().name();
+    if (now.equals(showing)) {
+      return;
+    }
+    drawnOf.put(showing, new Drawn(draft.steps(), bar.playing(), canvas.capture(), file));
+    Drawn next = drawnOf.remove(now);
+    showing = now;
+    file = next.file();
+    bar.setPlaying(next.playing());
+    canvas.show(next.capture());
+    draft.open(next.steps());
   }
 
   private String number() {
@@ -160,8 +220,17 @@ public final class WaveformView implements View {
     actions.add(Action.of(ID + ".save", "Waveforms: save the table\u2026", "", this::save));
   }
 
-  private WaveSheet kept() {
-    String table = workbench.settings().get(TABLE).orElse("").replace(';', '\n');
+  /** What a controller had when the window was closed. */
+  private Drawn kept(String controller) {
+    return new Drawn(
+        new WaveformDraft.Steps(keptSheet(controller)),
+        workbench.settings().get(key(PLAY, controller)).map(Boolean::parseBoolean).orElse(false),
+        WaveformCapture.NONE,
+        Optional.empty());
+  }
+
+  private WaveSheet keptSheet(String controller) {
+    String table = workbench.settings().get(key(TABLE, controller)).orElse("").replace(';', '\n');
     try {
       return table.isEmpty()
           ? WaveSheet.EMPTY
@@ -172,13 +241,17 @@ public final class WaveformView implements View {
     }
   }
 
+  private static String key(String setting, String controller) {
+    return controller.isEmpty() ? setting : setting + "." + controller;
+  }
+
   /** Has the controller play what is drawn, and keeps it over restarts. */
   private void changed() {
     InputWaveforms waveforms = draft.sheet().waveforms();
-    player.play(bar.playing() ? waveforms : InputWaveforms.NONE);
+    player.play(showing, bar.playing() ? waveforms : InputWaveforms.NONE);
     String table = WaveformText.format(waveforms).replace('\n', ';');
-    workbench.settings().put(TABLE, table.length() > MAX_KEPT ? "" : table);
-    workbench.settings().put(PLAY, Boolean.toString(bar.playing()));
+    workbench.settings().put(key(TABLE, showing), table.length() > MAX_KEPT ? "" : table);
+    workbench.settings().put(key(PLAY, showing), Boolean.toString(bar.playing()));
     show();
   }
 
@@ -193,17 +266,21 @@ public final class WaveformView implements View {
   }
 
   private void capture() {
-    var recording = workbench.session().recording();
+    SessionMember of = workbench.session().shown();
+    Recording recording = of.recording();
     Thread.ofVirtual()
         .name("waveforms")
         .start(
             () -> {
               Optional<WaveformCapture> run = WaveformCapture.of(recording);
-              EventQueue.invokeLater(() -> captured(run));
+              EventQueue.invokeLater(() -> captured(of, run));
             });
   }
 
-  private void captured(Optional<WaveformCapture> run) {
+  private void captured(SessionMember of, Optional<WaveformCapture> run) {
+    if (!of.name().equals(showing)) {
+      return; // people look at another controller meanwhile
+    }
     if (run.isEmpty()) {
       workbench.notify("No program has run yet: there are no inputs to take");
       return;

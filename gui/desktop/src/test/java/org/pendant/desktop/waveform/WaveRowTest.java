@@ -110,7 +110,7 @@ final class WaveRowTest {
 
   @Test
   void stepsAreTakenBackAndMadeAgain() {
-    WaveformDraft draft = new WaveformDraft(WaveSheet.EMPTY);
+    WaveformDraft draft = new WaveformDraft(new WaveformDraft.Steps(WaveSheet.EMPTY));
     WaveSheet one = WaveSheet.EMPTY.plus(row(1));
     draft.set(one);
     draft.set(one.with(0, row(2)));
