@@ -14,6 +14,7 @@ import org.pendant.controller.io.Signals;
 import org.pendant.controller.layout.ArmEntry;
 import org.pendant.controller.rule.Rules;
 import org.pendant.controller.wire.SignalLines;
+import org.pendant.controller.world.ArmSurroundings;
 import org.pendant.controller.world.CellWorld;
 import org.pendant.controller.world.CellWorld.Standing;
 import org.pendant.controller.world.Scene;
@@ -181,6 +182,14 @@ public final class Cell implements Frames {
   /** The controllers, in their order. */
   public List<Member> members() {
     return List.copyOf(members);
+  }
+
+  /**
+   * What the links of an arm can get into, links of the other arms included; its own, for whoever
+   * asks, who says where all arms are.
+   */
+  public static ArmSurroundings surroundings(Member arm) {
+    return arm.controller().box().arm().neighbours().surroundings();
   }
 
   @Override

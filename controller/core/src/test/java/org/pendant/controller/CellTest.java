@@ -175,6 +175,25 @@ final class CellTest {
     assertTrue(state(cell, "right").safety().stop().orElseThrow().message().contains("of left"));
   }
 
+  @Test
+  void anArmWhoseBaseIsHitStopsAsWell() throws JsonException {
+    Cell cell =
+        cell(
+            """
+            "arms": [
+              {"name": "left", "start": [0.5, 0.3, -0.3, -1.5708, 1.5708, 0]},
+              {"name": "right", "base": [-0.8, 0, 0, 0, 0, 0], "start": [0, -1.5708, 0, 0, 0, 0]}
+            ]\
+            """);
+    start(cell, "left", "movej([0, 0.3, -0.3, -1.5708, 1.5708, 0])");
+    for (int i = 0; i < 3000 && state(cell, "left").safety().stop().isEmpty(); i++) {
+      cell.advance();
+    }
+    cell.advance();
+    String said = state(cell, "right").safety().stop().orElseThrow().message();
+    assertTrue(said.contains("the base has hit the "), said);
+  }
+
   private static double nearestM(Cell cell, String name) {
     return state(cell, name).geometry().linkDistanceM();
   }

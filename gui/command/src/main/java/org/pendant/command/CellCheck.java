@@ -3,17 +3,12 @@ package org.pendant.command;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.pendant.command.CollisionWatcher.Collision;
-import org.pendant.command.CollisionWatcher.Nearest;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.world.LinkContact;
-import org.pendant.controller.world.LinkHit;
 import org.pendant.language.source.Source;
-import org.pendant.models.json.JsonValues;
 import org.pendant.script.vm.Program;
 
 /**
@@ -34,16 +29,23 @@ final class CellCheck {
   /** How long a program is watched that nothing is said of, s of robot time. */
   private static final double STANDARD_LIMIT_S = 600;
 
-  private static final double MM = 1000;
-
   private final Arguments arguments;
   private final String cell;
+
+  /** What there is to do where the scene has several controllers, with the programs of all. */
+  private final Optional<SharedCellCheck> shared;
+
   private final Optional<OutputFile> json;
   private final List<String> written = new ArrayList<>();
 
-  private CellCheck(Arguments arguments, String cell, Optional<OutputFile> json) {
+  private CellCheck(
+      Arguments arguments,
+      String cell,
+      Optional<SharedCellCheck> shared,
+      Optional<OutputFile> json) {
     this.arguments = arguments;
     this.cell = cell;
+    this.shared = shared;
     this.json = json;
   }
 
@@ -56,13 +58,19 @@ final class CellCheck {
     Optional<String> cell = arguments.value(CELL);
     // all that is read is named before anything is said of what is written
     RunOptions run = RunOptions.of(arguments);
+    Optional<SharedCellCheck> shared = Optional.empty();
     if (cell.isPresent()) {
-      CellFile.refuse(cell.get(), arguments.files());
-      var _ = options(run, cell.get(), arguments);
+      CellFile file = CellFile.read(cell.get(), arguments.files());
+      if (file.alone()) {
+        var _ = options(run, cell.get(), arguments);
+      } else {
+        double limitS = run.timeoutS().orElse(STANDARD_LIMIT_S);
+        shared = Optional.of(new SharedCellCheck(file, run, limitS, arguments));
+      }
     }
     Optional<OutputFile> json = OutputFile.of(JSON, arguments);
     if (cell.isPresent()) {
-      return Optional.of(new CellCheck(arguments, cell.get(), json));
+      return Optional.of(new CellCheck(arguments, cell.get(), shared, json));
     }
     for (Option option : RunOptions.OF_CHECK) {
       if (arguments.has(option) && !option.equals(InstallationOption.OPTION)) {
@@ -81,7 +89,12 @@ final class CellCheck {
     return placed.withScene(placed.scene().withLinks(LinkContact.PASS));
   }
 
-  /** Runs a program that compiles. */
+  /** The check of all programs at once; empty where the scene has one controller. */
+  Optional<SharedCellCheck> shared() {
+    return shared;
+  }
+
+  /** Runs a program that compiles, in a scene of one controller. */
   ExitCode run(RunnableFile file, Interruption interruption, Console console)
       throws UsageException {
     RunOptions run = RunOptions.of(arguments, file.installation(), file.robot());
@@ -109,102 +122,24 @@ final class CellCheck {
               .run(program.get());
     }
     interruption.release();
-    tell(file, source, watcher, console);
+    CollisionReport report = new CollisionReport(file, source, Optional.empty(), watcher);
+    report.tell(console);
     if (watcher.enough()) {
-      console.complain(
-          Report.note(source, "looked at its first " + limitS + " s; --timeout says how many"));
+      report.tellLimit(limitS, console);
     }
-    written.add(json(file, watcher));
+    written.add(report.json());
     return watcher.collisions().isEmpty() ? code : ExitCode.DOES_NOT_COMPILE;
-  }
-
-  private static void tell(
-      RunnableFile file, Source source, CollisionWatcher watcher, Console console) {
-    for (Collision each : watcher.collisions()) {
-      String node = file.nodeAt(each.line()).map(place -> " (" + place + ")").orElse("");
-      console.complain(
-          "%s:%d: error: %s at %s s, %s mm deep, until %s s%s"
-              .formatted(
-                  source.name(),
-                  each.line(),
-                  each.hit().sentence(),
-                  seconds(each.timeS()),
-                  millimetres(each.hit().depthM()),
-                  seconds(each.untilS()),
-                  node));
-    }
-    Optional<Nearest> nearest = watcher.nearest();
-    if (watcher.collisions().isEmpty() && nearest.isPresent()) {
-      Nearest found = nearest.get();
-      console.complain(
-          Report.note(
-              source,
-              "nothing is hit; nearest is the %s to %s, %s mm at %s s in line %d"
-                  .formatted(
-                      found.pair().link(),
-                      found.pair().otherWords(),
-                      millimetres(-found.pair().depthM()),
-                      seconds(found.timeS()),
-                      found.line())));
-    }
   }
 
   /** Writes what was found, where that is wanted. */
   void write() throws UsageException {
     if (json.isPresent()) {
+      List<String> programs = new ArrayList<>(written);
+      shared.ifPresent(all -> all.reports().forEach(each -> programs.add(each.json())));
       String text =
-          written.stream()
+          programs.stream()
               .collect(Collectors.joining(",\n", "{\n  \"programs\": [\n", "\n  ]\n}\n"));
       json.get().write(out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
-  }
-
-  private static String json(RunnableFile file, CollisionWatcher watcher) {
-    String collisions =
-        watcher.collisions().stream()
-            .map(
-                each ->
-                    "        {%s, \"depth\": %s, \"line\": %d, \"time\": %s, \"until\": %s}"
-                        .formatted(
-                            json(each.hit()),
-                            JsonValues.number(each.hit().depthM()),
-                            each.line(),
-                            JsonValues.number(each.timeS()),
-                            JsonValues.number(each.untilS())))
-            .collect(Collectors.joining(",\n"));
-    String nearest =
-        watcher
-            .nearest()
-            .map(
-                each ->
-                    ",\n      \"nearest\": {%s, \"distance\": %s, \"line\": %d, \"time\": %s}"
-                        .formatted(
-                            json(each.pair()),
-                            JsonValues.number(-each.pair().depthM()),
-                            each.line(),
-                            JsonValues.number(each.timeS())))
-            .orElse("");
-    return "    {\n      \"program\": %s,\n      \"seconds\": %s,\n      \"collisions\": [%s]%s\n    }"
-        .formatted(
-            JsonValues.text(file.file()),
-            JsonValues.number(watcher.timeS()),
-            collisions.isEmpty() ? "" : "\n" + collisions + "\n      ",
-            nearest);
-  }
-
-  private static String json(LinkHit pair) {
-    return "\"link\": %s, \"%s\": %s"
-        .formatted(
-            JsonValues.text(pair.link()),
-            pair.object() ? "object" : "other_link",
-            JsonValues.text(pair.other()));
-  }
-
-  private static String seconds(double seconds) {
-    return String.format(Locale.ROOT, "%.3f", seconds);
-  }
-
-  private static String millimetres(double metres) {
-    return String.format(Locale.ROOT, "%.1f", MM * metres);
   }
 }

@@ -13,6 +13,7 @@ import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.layout.ArmEntry;
 import org.pendant.controller.layout.NamedFile;
+import org.pendant.controller.world.LinkContact;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.models.json.JsonException;
 
@@ -80,22 +81,19 @@ record CellFile(String name, CellPlan plan) {
   static void refuse(Arguments arguments) throws UsageException {
     Optional<CellFile> cell = of(arguments);
     if (cell.isPresent()) {
-      throw severalIn(cell.get().name());
+      throw new UsageException(
+          cell.get().name()
+              + " has several controllers; pendant run and pendant serve work with all of them,"
+              + " this works with one");
     }
   }
 
-  private static UsageException severalIn(String name) {
-    return new UsageException(
-        name
-            + " has several controllers; pendant run and pendant serve work with all of them, this"
-            + " works with one");
-  }
-
-  /** As {@link #refuse(Arguments)}, of a scene that has been named otherwise. */
-  static void refuse(String name, SourceFiles files) throws UsageException {
-    if (!read(name, files).alone()) {
-      throw severalIn(name);
-    }
+  /** The same cell with links that stop or pass through. */
+  CellFile withLinks(LinkContact links) {
+    return new CellFile(
+        name,
+        new CellPlan(
+            plan.fileName(), plan.scene().withLinks(links), plan.layout(), plan.equipment()));
   }
 
   /** Whether there is one controller alone. */

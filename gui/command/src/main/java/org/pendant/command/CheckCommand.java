@@ -47,9 +47,6 @@ final class CheckCommand implements Subcommand {
 
   @Override
   public ExitCode run(Arguments arguments, Console console) throws UsageException {
-    if (arguments.operands().isEmpty()) {
-      throw new UsageException("no file given");
-    }
     List<String> names = arguments.operands();
     List<RunnableFile> files =
         RunnableFile.read(arguments, names.stream().filter(each -> !isScene(each)).toList());
@@ -60,29 +57,50 @@ final class CheckCommand implements Subcommand {
       }
     }
     Optional<CellCheck> cell = CellCheck.of(arguments);
+    Optional<SharedCellCheck> shared = cell.flatMap(CellCheck::shared);
+    if (names.isEmpty() && shared.isEmpty()) {
+      throw new UsageException("no file given");
+    }
     InstallationOption.tell(arguments, console);
     Builtins<?> builtins = StandardBuiltins.create();
-    ExitCode code = ExitCode.DONE;
+    ExitCode code;
     try (Interruption interruption = Interruption.listen("the check")) {
-      for (RunnableFile file : files) {
-        file.tell(console);
-        if (TestCatalogue.isFor(file.file())) {
-          code = code.or(tests(file.file(), arguments, console));
-        } else if (file.source().isEmpty() || !compiles(file, builtins, console)) {
-          code = code.or(ExitCode.DOES_NOT_COMPILE);
-        } else if (cell.isPresent() && !file.waits()) {
-          code = code.or(cell.get().run(file, interruption, console));
-        }
-        if (interruption.requested()) {
-          break;
-        }
-      }
+      code =
+          shared.isPresent()
+              ? shared.get().run(interruption, console)
+              : check(files, cell, builtins, arguments, interruption, console);
     }
     if (cell.isPresent()) {
       cell.get().write();
     }
     for (CellFile scene : scenes) {
       code = code.or(programs(scene, arguments, builtins, console));
+    }
+    return code;
+  }
+
+  /** Checks files one after the other. */
+  private static ExitCode check(
+      List<RunnableFile> files,
+      Optional<CellCheck> cell,
+      Builtins<?> builtins,
+      Arguments arguments,
+      Interruption interruption,
+      Console console)
+      throws UsageException {
+    ExitCode code = ExitCode.DONE;
+    for (RunnableFile file : files) {
+      file.tell(console);
+      if (TestCatalogue.isFor(file.file())) {
+        code = code.or(tests(file.file(), arguments, console));
+      } else if (file.source().isEmpty() || !compiles(file, builtins, console)) {
+        code = code.or(ExitCode.DOES_NOT_COMPILE);
+      } else if (cell.isPresent() && !file.waits()) {
+        code = code.or(cell.get().run(file, interruption, console));
+      }
+      if (interruption.requested()) {
+        break;
+      }
     }
     return code;
   }

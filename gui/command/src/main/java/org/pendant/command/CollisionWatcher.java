@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.ArmSurroundings;
 import org.pendant.controller.world.LinkHit;
@@ -12,8 +13,9 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 
 /**
- * Collision watcher: notes what the links of the arm get into while a program runs, which passes
- * through, and how near they come. What they are in at first counts when they have left it.
+ * Collision watcher: notes what the links of an arm get into while a program runs, which passes
+ * through, and how near they come; links of other arms of its cell are among that. What they are in
+ * at first counts when they have left it.
  */
 final class CollisionWatcher implements FrameWatcher {
   /** How far apart what touched must be to touch anew, m. */
@@ -23,14 +25,26 @@ final class CollisionWatcher implements FrameWatcher {
   private static final int EXCUSED = -2;
 
   /**
+   * Another arm of the cell.
+   *
+   * @param program what it runs; empty for nothing
+   * @param state what its controller published in the frame that is being watched
+   */
+  record Other(String name, Optional<String> program, Supplier<ControllerState> state) {}
+
+  /** A line of the program of another arm. */
+  record OtherLine(String program, int line) {}
+
+  /**
    * What a link got into.
    *
    * @param hit what met what, and how deep at most
-   * @param line of the program, when it began
+   * @param line of the program, when it began; the last one where it has ended
+   * @param other where the program of the other arm was then, if that is what was hit
    * @param timeS controller time then, s
    * @param untilS when it was out again, or at the end, s
    */
-  record Collision(LinkHit hit, int line, double timeS, double untilS) {}
+  record Collision(LinkHit hit, int line, Optional<OtherLine> other, double timeS, double untilS) {}
 
   /**
    * The nearest that any two came.
@@ -42,8 +56,10 @@ final class CollisionWatcher implements FrameWatcher {
   record Nearest(LinkHit pair, int line, double timeS) {}
 
   private final ArmSurroundings surroundings;
+  private final List<Other> others;
   private final double limitS;
   private final double[] q = new double[Joints.COUNT];
+  private final double[] othersRad;
   private final List<Collision> collisions = new ArrayList<>();
 
   /** For each pair which of the collisions it is in. */
@@ -52,6 +68,7 @@ final class CollisionWatcher implements FrameWatcher {
   private double nearestM = Double.POSITIVE_INFINITY;
   private Optional<Nearest> nearest = Optional.empty();
   private double timeS;
+  private int line;
 
   /**
    * Watches an arm in a scene.
@@ -59,8 +76,19 @@ final class CollisionWatcher implements FrameWatcher {
    * @param limitS controller time after which it has seen enough, s
    */
   CollisionWatcher(ArmDescription arm, Scene scene, double limitS) {
-    surroundings = new ArmSurroundings(arm, scene);
+    this(new ArmSurroundings(arm, scene), List.of(), limitS);
+  }
+
+  /**
+   * Watches an arm among others.
+   *
+   * @param others in the order in which the surroundings have them
+   */
+  CollisionWatcher(ArmSurroundings surroundings, List<Other> others, double limitS) {
+    this.surroundings = surroundings;
+    this.others = List.copyOf(others);
     this.limitS = limitS;
+    othersRad = new double[Joints.COUNT * others.size()];
     open = new int[surroundings.pairs()];
     Arrays.fill(open, EXCUSED);
   }
@@ -88,7 +116,14 @@ final class CollisionWatcher implements FrameWatcher {
   @Override
   public void see(ControllerState state) {
     timeS = state.timeS();
-    int line = state.program().line();
+    if (state.program().line() > 0) {
+      line = state.program().line();
+    }
+    for (int i = 0; i < others.size(); i++) {
+      others.get(i).state().get().arm().actualPositionRad().copyTo(q);
+      System.arraycopy(q, 0, othersRad, Joints.COUNT * i, Joints.COUNT);
+    }
+    surroundings.moveOthers(othersRad);
     state.arm().actualPositionRad().copyTo(q);
     surroundings.at(q);
     boolean bare = surroundings.bareFlange(state.arm().tool().inFlange());
@@ -112,15 +147,26 @@ final class CollisionWatcher implements FrameWatcher {
         continueIn(open[pair], pair, -distanceM);
       } else if (distanceM < 0) {
         open[pair] = collisions.size();
-        collisions.add(new Collision(surroundings.hit(pair, -distanceM), line, timeS, timeS));
+        LinkHit hit = surroundings.hit(pair, -distanceM);
+        collisions.add(new Collision(hit, line, otherLine(hit), timeS, timeS));
       }
     }
+  }
+
+  private Optional<OtherLine> otherLine(LinkHit hit) {
+    for (Other each : others) {
+      int at = each.state().get().program().line();
+      if (hit.otherArm().equals(Optional.of(each.name())) && at > 0) {
+        return each.program().map(program -> new OtherLine(program, at));
+      }
+    }
+    return Optional.empty();
   }
 
   private void continueIn(int number, int pair, double depthM) {
     Collision begun = collisions.get(number);
     LinkHit hit = depthM > begun.hit().depthM() ? surroundings.hit(pair, depthM) : begun.hit();
     double untilS = depthM > 0 ? timeS : begun.untilS();
-    collisions.set(number, new Collision(hit, begun.line(), begun.timeS(), untilS));
+    collisions.set(number, new Collision(hit, begun.line(), begun.other(), begun.timeS(), untilS));
   }
 }

@@ -169,7 +169,7 @@ final class CellRunTest {
   void whatWorksWithOneControllerRefusesSeveral() {
     assertEquals(
         ExitCode.WRONG_USAGE,
-        pendant("check", "--cell", file("two.scene.json"), file("left.script")));
+        pendant("test", "--scene", file("two.scene.json"), file("left_test.script")));
     assertTrue(errors.toString(UTF_8).contains("has several controllers"), errors.toString(UTF_8));
   }
 }

@@ -58,7 +58,7 @@ public record SafetyStop(
         : Optional.empty();
   }
 
-  /** The links of the arm that have hit something, as they are called; of two links both. */
+  /** The links of the arm that have hit something, as they are called; of two of its own both. */
   public List<String> hitLinks() {
     String sentence = sentence();
     int end = sentence.indexOf(LinkHit.HAS_HIT);
@@ -67,7 +67,7 @@ public record SafetyStop(
     }
     String link = sentence.substring(LinkHit.THE.length(), end);
     String other = sentence.substring(end + LinkHit.HAS_HIT.length());
-    return other.startsWith(LinkHit.THE)
+    return other.startsWith(LinkHit.THE) && !other.contains(LinkHit.OF)
         ? List.of(link, other.substring(LinkHit.THE.length()))
         : List.of(link);
   }

@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.world.CellWorld.Standing;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.collision.LinkCapsules;
@@ -10,7 +11,7 @@ import org.pendant.models.pose.Pose;
 
 /**
  * Arm encounters: what the links of an arm can get into of the other arms in its cell. Each arm
- * looks for itself; its base meets nothing, that of another one does.
+ * looks for itself. Two bases do not meet, as neither moves.
  */
 final class ArmEncounters implements LinkPairs {
   /**
@@ -33,9 +34,10 @@ final class ArmEncounters implements LinkPairs {
     this.own = own;
     this.others = List.copyOf(others);
     for (Neighbour other : others) {
-      for (int body = LinkCapsules.BASE + 1; body < LinkCapsules.NAMES.size(); body++) {
+      for (int body = 0; body < LinkCapsules.NAMES.size(); body++) {
         for (int of = 0; own.has(body) && of < LinkCapsules.NAMES.size(); of++) {
-          if (other.links().has(of)) {
+          boolean move = body != LinkCapsules.BASE || of != LinkCapsules.BASE;
+          if (move && other.links().has(of)) {
             encounters.add(new Encounter(body, other, of));
           }
         }
@@ -115,8 +117,9 @@ final class ArmEncounters implements LinkPairs {
     Encounter of = encounters.get(pair);
     return new LinkHit(
         LinkCapsules.NAMES.get(of.body()),
-        LinkCapsules.NAMES.get(of.otherBody()) + " of " + of.other().name(),
+        LinkCapsules.NAMES.get(of.otherBody()),
         false,
+        Optional.of(of.other().name()),
         ArmSurroundings.jointOf(of.body()),
         depthM);
   }

@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.pendant.controller.world.CellWorld.Standing;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -173,15 +174,25 @@ public final class ArmSurroundings implements LinkPairs {
     int obstacle = clearance.obstacle(pair);
     if (obstacle >= 0) {
       return new LinkHit(
-          LinkCapsules.NAMES.get(body), names.get(obstacle), true, jointOf(body), depthM);
+          LinkCapsules.NAMES.get(body),
+          names.get(obstacle),
+          true,
+          Optional.empty(),
+          jointOf(body),
+          depthM);
     }
     int outer = clearance.otherBody(pair);
     return new LinkHit(
-        LinkCapsules.NAMES.get(outer), LinkCapsules.NAMES.get(body), false, jointOf(outer), depthM);
+        LinkCapsules.NAMES.get(outer),
+        LinkCapsules.NAMES.get(body),
+        false,
+        Optional.empty(),
+        jointOf(outer),
+        depthM);
   }
 
   static int jointOf(int body) {
-    return Math.min(body, LinkCapsules.WRIST_3) - 1;
+    return Math.clamp(body, 1, LinkCapsules.WRIST_3) - 1;
   }
 
   /** An object as a solid, in the frame of its pose. */
