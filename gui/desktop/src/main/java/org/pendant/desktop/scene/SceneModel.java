@@ -3,6 +3,7 @@ package org.pendant.desktop.scene;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.world.Scene;
 import org.pendant.models.arm.ArmDescription;
@@ -79,247 +80,129 @@ public record SceneModel(
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
   public SceneModel at(ArmState state) {
-    return new SceneModel(
-        arm,
-        state.kinematics(),
-        state.actualPositionRad(),
-        ghostRad,
-        state.tool().inFlange(),
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(
+        parts -> {
+          parts.kinematics = state.kinematics();
+          parts.positionRad = state.actualPositionRad();
+          parts.tcpInFlange = state.tool().inFlange();
+        });
   }
 
   public SceneModel withGhost(Optional<Joints> positionOfGhostRad) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        positionOfGhostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.ghostRad = positionOfGhostRad);
   }
 
   public SceneModel withTool(Pose tcp) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcp,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.tcpInFlange = tcp);
   }
 
   public SceneModel withFrames(List<Pose> frames) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        frames,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.framesInBase = frames);
   }
 
   public SceneModel withPayload(Optional<Ball> ball) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        ball,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.payload = ball);
   }
 
   public SceneModel withWorld(Scene surroundings, Set<String> touchedNames) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        surroundings,
-        touchedNames,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(
+        parts -> {
+          parts.world = surroundings;
+          parts.touched = touchedNames;
+        });
   }
 
   public SceneModel withTrace(TcpTrace way) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        way,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.trace = way);
   }
 
   public SceneModel withTheme(SceneTheme colours) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        colours,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.theme = colours);
   }
 
   public SceneModel withWaymarks(WaypointMarkers marks) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        marks,
-        safety,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.waypointMarkers = marks);
   }
 
   public SceneModel withSafety(SafetySight sight) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        sight,
-        compared,
-        devices,
-        others);
+    return with(parts -> parts.safety = sight);
   }
 
   public SceneModel withDevices(DeviceSight sight) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        sight,
-        others);
+    return with(parts -> parts.devices = sight);
   }
 
   public SceneModel withOthers(List<OtherArm> arms) {
-    return new SceneModel(
-        arm,
-        kinematics,
-        positionRad,
-        ghostRad,
-        tcpInFlange,
-        framesInBase,
-        payload,
-        world,
-        touched,
-        trace,
-        theme,
-        waypointMarkers,
-        safety,
-        compared,
-        devices,
-        arms);
+    return with(parts -> parts.others = arms);
   }
 
   /** Pose of the tool centre point in the base frame. */
   public Pose tcpInBase() {
     return kinematics.tcpPose(positionRad, tcpInFlange);
+  }
+
+  private SceneModel with(Consumer<Parts> change) {
+    Parts parts = new Parts(this);
+    change.accept(parts);
+    return parts.model();
+  }
+
+  /** The parts of a model that is being made from another. */
+  private static final class Parts {
+    private final ArmDescription arm;
+    private ForwardKinematics kinematics;
+    private Joints positionRad;
+    private Optional<Joints> ghostRad;
+    private Pose tcpInFlange;
+    private List<Pose> framesInBase;
+    private Optional<Ball> payload;
+    private Scene world;
+    private Set<String> touched;
+    private TcpTrace trace;
+    private SceneTheme theme;
+    private WaypointMarkers waypointMarkers;
+    private SafetySight safety;
+    private ComparedWays compared;
+    private DeviceSight devices;
+    private List<OtherArm> others;
+
+    Parts(SceneModel of) {
+      arm = of.arm;
+      kinematics = of.kinematics;
+      positionRad = of.positionRad;
+      ghostRad = of.ghostRad;
+      tcpInFlange = of.tcpInFlange;
+      framesInBase = of.framesInBase;
+      payload = of.payload;
+      world = of.world;
+      touched = of.touched;
+      trace = of.trace;
+      theme = of.theme;
+      waypointMarkers = of.waypointMarkers;
+      safety = of.safety;
+      compared = of.compared;
+      devices = of.devices;
+      others = of.others;
+    }
+
+    SceneModel model() {
+      return new SceneModel(
+          arm,
+          kinematics,
+          positionRad,
+          ghostRad,
+          tcpInFlange,
+          framesInBase,
+          payload,
+          world,
+          touched,
+          trace,
+          theme,
+          waypointMarkers,
+          safety,
+          compared,
+          devices,
+          others);
+    }
   }
 }
