@@ -48,6 +48,7 @@ final class InstallationFiles {
   private final Consumer<String> warn;
   private final UsedFolder used;
   private final Component parent;
+  private final UnsavedQuestion unsaved;
 
   /**
    * Files of {@code active}.
@@ -74,6 +75,7 @@ final class InstallationFiles {
     this.warn = warn;
     this.used = used;
     this.parent = parent;
+    unsaved = new UnsavedQuestion(notices, "installation", active::document, this::save);
     active.addFileListener(this::rememberOpen);
   }
 
@@ -154,7 +156,7 @@ final class InstallationFiles {
   }
 
   private void create() {
-    unlessUnsaved(
+    unsaved.before(
         () ->
             active.open(
                 ProgramDocument.untitled(
@@ -173,35 +175,12 @@ final class InstallationFiles {
 
   /** Opens a text that is no file of the user's, after asking for what is not saved. */
   void openCopy(String name, String text) {
-    unlessUnsaved(() -> active.open(ProgramDocument.untitled(name, text)));
+    unsaved.before(() -> active.open(ProgramDocument.untitled(name, text)));
   }
 
   /** Opens a file in place of the present one, after asking for what is not saved. */
   void open(Path file) {
-    unlessUnsaved(() -> read(file));
-  }
-
-  private void unlessUnsaved(Runnable then) {
-    if (!active.document().modified()) {
-      then.run();
-      return;
-    }
-    notices.ask(
-        "installation-unsaved",
-        "The installation " + active.document().name() + " is not saved.",
-        List.of(
-            new Choice(
-                "Save",
-                () ->
-                    save(
-                        saved -> {
-                          if (saved) {
-                            then.run();
-                          }
-                        })),
-            new Choice("Continue without saving", then),
-            Choice.nothing("Cancel")));
-    notices.focus();
+    unsaved.before(() -> read(file));
   }
 
   private void read(Path file) {

@@ -42,6 +42,7 @@ final class SceneFiles {
   private final Consumer<String> tell;
   private final UsedFolder used;
   private final Component parent;
+  private final UnsavedQuestion unsaved;
   private final BiConsumer<SceneFile, Runnable> surround;
   private ProgramDocument known;
   private Optional<Path> knownFile;
@@ -81,6 +82,7 @@ final class SceneFiles {
     this.tell = tell;
     this.used = used;
     this.parent = parent;
+    unsaved = new UnsavedQuestion(notices, "scene", draft::document, this::save);
     this.surround = surround;
     known = installation.document();
     knownFile = known.file();
@@ -140,7 +142,7 @@ final class SceneFiles {
   }
 
   private void create() {
-    unlessUnsaved(() -> draft.open(SceneFile.NONE));
+    unsaved.before(() -> draft.open(SceneFile.NONE));
   }
 
   /** Whether what people change is not around the arm. */
@@ -301,36 +303,13 @@ final class SceneFiles {
     return path.resolveSibling(bare + SceneFile.ENDING);
   }
 
-  private void unlessUnsaved(Runnable then) {
-    if (!draft.document().modified()) {
-      then.run();
-      return;
-    }
-    notices.ask(
-        "scene-unsaved",
-        "The scene " + draft.document().name() + " is not saved.",
-        List.of(
-            new Choice(
-                "Save",
-                () ->
-                    save(
-                        saved -> {
-                          if (saved) {
-                            then.run();
-                          }
-                        })),
-            new Choice("Continue without saving", then),
-            Choice.nothing("Cancel")));
-    notices.focus();
-  }
-
   private void open() {
     OpenDialog.show(parent, "Open scene", "Scenes", new String[] {"json"}, used, this::open);
   }
 
   /** Puts the scene of a file around the arm. */
   void open(Path file) {
-    unlessUnsaved(() -> read(file));
+    unsaved.before(() -> read(file));
   }
 
   private void read(Path file) {
@@ -342,7 +321,7 @@ final class SceneFiles {
 
   /** Puts a scene around the arm that is no file of the user's. */
   void openCopy(String name, String text) {
-    unlessUnsaved(
+    unsaved.before(
         () ->
             Background.run(
                 () -> SceneFile.of(name, text),
@@ -351,7 +330,7 @@ final class SceneFiles {
   }
 
   private void close() {
-    unlessUnsaved(() -> take(SceneFile.NONE));
+    unsaved.before(() -> take(SceneFile.NONE));
   }
 
   private void take(SceneFile next) {
