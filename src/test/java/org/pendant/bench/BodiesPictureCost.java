@@ -108,6 +108,7 @@ final class BodiesPictureCost {
                     Pose.ZERO,
                     new Pose(1.5, 0, 0, 0, 0, Math.PI),
                     List.of(),
+                    List.of(),
                     List.of())));
   }
 }

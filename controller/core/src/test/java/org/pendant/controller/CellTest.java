@@ -17,6 +17,7 @@ import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.io.Signal;
+import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.MovedObject;
@@ -172,7 +173,12 @@ final class CellTest {
         state(cell, "left").safety().stop().orElseThrow().message().contains("of right"),
         () -> state(cell, "left").safety().stop().orElseThrow().message());
     cell.advance();
-    assertTrue(state(cell, "right").safety().stop().orElseThrow().message().contains("of left"));
+    SafetyStop left = state(cell, "left").safety().stop().orElseThrow();
+    SafetyStop right = state(cell, "right").safety().stop().orElseThrow();
+    assertTrue(right.message().contains("of left"), right::message);
+    assertEquals(right.hitLinks(), left.hitLinkOf("right").stream().toList());
+    assertEquals(left.hitLinks(), right.hitLinkOf("left").stream().toList());
+    assertEquals(Optional.empty(), left.hitLinkOf("ight"));
   }
 
   @Test

@@ -72,6 +72,18 @@ public record SafetyStop(
         : List.of(link);
   }
 
+  /** The link of another arm that a link has hit, as it is called; empty if it is none of that. */
+  public Optional<String> hitLinkOf(String arm) {
+    String sentence = sentence();
+    String other = LinkHit.HAS_HIT + LinkHit.THE;
+    int begin = sentence.lastIndexOf(other);
+    return code == StopReason.LINK_HIT.code() && begin > 0 && sentence.endsWith(LinkHit.OF + arm)
+        ? Optional.of(
+            sentence.substring(
+                begin + other.length(), sentence.length() - LinkHit.OF.length() - arm.length()))
+        : Optional.empty();
+  }
+
   /** Whether it is about the direction of the tool. */
   public boolean aboutToolDirection() {
     return is(StopReason.TOOL_DIRECTION_NEAR.code(), 0)

@@ -19,6 +19,8 @@ import org.pendant.models.pose.Pose;
  * @param baseInScene where its base stands, in the frame of the picture
  * @param grippers on its flange
  * @param toolBodies what else is on its flange, in the flange's frame
+ * @param hitLinks links of it that have hit something, or that another arm has hit, as stops call
+ *     them
  */
 public record OtherArm(
     String name,
@@ -28,11 +30,13 @@ public record OtherArm(
     Pose tcpInFlange,
     Pose baseInScene,
     List<DeviceSight.Gripper> grippers,
-    List<SceneObject> toolBodies) {
+    List<SceneObject> toolBodies,
+    List<String> hitLinks) {
   /** Copies the lists. */
   public OtherArm {
     grippers = List.copyOf(grippers);
     toolBodies = List.copyOf(toolBodies);
+    hitLinks = List.copyOf(hitLinks);
   }
 
   /** Where its links are, in the frame of the picture. */

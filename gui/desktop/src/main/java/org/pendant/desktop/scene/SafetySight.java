@@ -21,7 +21,8 @@ import org.pendant.models.arm.Joints;
  * @param directions of the tool that are allowed: what holds, and what is proposed
  * @param joints whose ranges are drawn
  * @param reach whether the outline of what the arm reaches is drawn
- * @param hitLinks links of the arm that have hit something, as a stop calls them
+ * @param hitLinks links of the arm that have hit something, or that another arm has hit, as stops
+ *     call them
  */
 public record SafetySight(
     List<Plane> planes,
@@ -145,6 +146,13 @@ public record SafetySight(
         ranges(holds, proposed, stop, reduced, positionRad, wanted.joints),
         wanted.reach,
         stop.map(SafetyStop::hitLinks).orElse(List.of()));
+  }
+
+  /** With links that another arm has hit. */
+  public SafetySight andHit(List<String> links) {
+    List<String> all = new ArrayList<>(hitLinks);
+    all.addAll(links);
+    return new SafetySight(planes, directions, joints, reach, all);
   }
 
   private static List<Plane> planes(

@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DeviceState;
+import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SeenScene;
@@ -100,10 +101,39 @@ final class CellScene {
                 Poses.trans(cellInBase, each.baseInCell()),
                 DeviceSight.of(each.options().equipment().devices(), state.devices(), false)
                     .grippers(),
-                each.options().scene().toolBodies()));
+                each.options().scene().toolBodies(),
+                hit(each, state, ofSeen, past)));
       }
     }
     return others;
+  }
+
+  private List<String> hit(
+      SessionMember arm, ControllerState state, ControllerState ofSeen, boolean past) {
+    List<String> links =
+        new ArrayList<>(state.safety().stop().map(SafetyStop::hitLinks).orElse(List.of()));
+    links.addAll(hitByOthers(arm, ofSeen, past));
+    return links;
+  }
+
+  /** The links of the arm in the picture that other arms have hit. */
+  List<String> hitByOthers(ControllerState ofSeen, boolean past) {
+    return session.inCell() && !ofFile.getAsBoolean()
+        ? hitByOthers(seen(), ofSeen, past)
+        : List.of();
+  }
+
+  private List<String> hitByOthers(SessionMember arm, ControllerState ofSeen, boolean past) {
+    SessionMember seen = seen();
+    List<String> links = new ArrayList<>();
+    for (SessionMember each : session.members()) {
+      if (!each.name().equals(arm.name())) {
+        ControllerState state =
+            each.name().equals(seen.name()) ? ofSeen : state(each, ofSeen, past);
+        state.safety().stop().flatMap(stop -> stop.hitLinkOf(arm.name())).ifPresent(links::add);
+      }
+    }
+    return links;
   }
 
   /**

@@ -378,7 +378,7 @@ final class ScenePanel implements View, GhostArm {
             shows.trace() ? trace.trace(shows.elbow()) : TcpTrace.EMPTY,
             SceneView.colours(),
             marks(),
-            safety.sight(state, arm.actualPositionRad()),
+            safety.sight(state, arm.actualPositionRad()).andHit(cell.hitByOthers(state, back)),
             hit(state, around.scene),
             compared.get(),
             cell.devices(state, back, proposedDevices.get(), chosenDevice.get()),

@@ -201,6 +201,7 @@ final class DeviceSightTest {
             Pose.ZERO,
             new Pose(3, 0, 0, 0, 0, 0),
             List.of(),
+            List.of(),
             List.of());
     LinkPlaces own = new LinkPlaces(model.kinematics(), model.arm().dh(), model.positionRad());
     Vector3f wrist = own.of(Link.WRIST_3).getTranslation(new Vector3f());

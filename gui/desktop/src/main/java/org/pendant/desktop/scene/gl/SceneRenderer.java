@@ -28,6 +28,7 @@ import org.pendant.desktop.scene.mesh.ArmMeshes;
 import org.pendant.desktop.scene.mesh.Detail;
 import org.pendant.desktop.scene.mesh.Link;
 import org.pendant.models.arm.Joints;
+import org.pendant.models.collision.LinkCapsules;
 import org.pendant.models.pose.Pose;
 
 /**
@@ -37,6 +38,7 @@ import org.pendant.models.pose.Pose;
  */
 final class SceneRenderer implements AutoCloseable {
   private static final Vector3f TO_SUN = new Vector3f(0.42f, -0.62f, 1.05f).normalize();
+  private static final String TOOL = LinkCapsules.NAMES.get(LinkCapsules.TOOL);
   private static final Vector3f NO_TINT = new Vector3f();
   private static final int LIT_RGB = 0xFFC400;
   private static final int UNLIT_RGB = 0x6B6352;
@@ -186,7 +188,7 @@ final class SceneRenderer implements AutoCloseable {
     sight.bodies.arm().draw();
     depth.set("places", 0, new Matrix4f());
     sight.bodies.world().draw();
-    drawTool(depth, sight.places, sight.bodies.tool(model.world().toolBodies()));
+    drawTool(depth, sight.places, sight.bodies.tool(model.world().toolBodies()), List.of());
     drawGrippers(sight, depth);
     drawOthers(sight, depth);
     shadow.end();
@@ -254,7 +256,8 @@ final class SceneRenderer implements AutoCloseable {
     solid.setBits("hit", 0);
     solid.set("places", 0, new Matrix4f());
     bodies.world().draw();
-    drawTool(solid, sight.places, bodies.tool(model.world().toolBodies()));
+    drawTool(
+        solid, sight.places, bodies.tool(model.world().toolBodies()), model.safety().hitLinks());
     drawGrippers(sight, solid);
     drawOthers(sight, solid);
     float length = frameLengthM(model);
@@ -275,9 +278,13 @@ final class SceneRenderer implements AutoCloseable {
     drawLamps(sight, solid);
   }
 
-  private static void drawTool(ShaderProgram program, LinkPlaces places, GpuMesh tool) {
+  /** All that is on the flange is one mesh, in place 0. A shadow has no colour for what was hit. */
+  private static void drawTool(
+      ShaderProgram program, LinkPlaces places, GpuMesh tool, List<String> hitLinks) {
     program.set("places", 0, new Matrix4f(places.of(Link.WRIST_3)));
+    program.setBits("hit", hitLinks.contains(TOOL) ? 1 : 0);
     tool.draw();
+    program.setBits("hit", 0);
   }
 
   private static void drawGrippers(Sight sight, ShaderProgram program) {
@@ -293,8 +300,10 @@ final class SceneRenderer implements AutoCloseable {
   private static void drawOthers(Sight sight, ShaderProgram program) {
     for (Other other : sight.others) {
       place(program, other.places);
+      program.setBits("hit", bits(other.arm.hitLinks()));
       sight.bodies.arm(other.arm).draw();
-      drawTool(program, other.places, sight.bodies.tool(other.arm.toolBodies()));
+      drawTool(
+          program, other.places, sight.bodies.tool(other.arm.toolBodies()), other.arm.hitLinks());
       for (int gripper = 0; gripper < other.gripperPlaces.size(); gripper++) {
         List<Matrix4f> places = other.gripperPlaces.get(gripper);
         for (int i = 0; i < places.size(); i++) {

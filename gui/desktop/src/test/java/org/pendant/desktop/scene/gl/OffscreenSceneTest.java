@@ -27,6 +27,7 @@ import org.pendant.desktop.scene.Ball;
 import org.pendant.desktop.scene.Camera;
 import org.pendant.desktop.scene.Lens;
 import org.pendant.desktop.scene.Models;
+import org.pendant.desktop.scene.OtherArm;
 import org.pendant.desktop.scene.Picked;
 import org.pendant.desktop.scene.SafetySight;
 import org.pendant.desktop.scene.SceneBounds;
@@ -90,6 +91,27 @@ final class OffscreenSceneTest {
     double before = redShare(draw(model));
     double share = redShare(draw(model.withSafety(hit)));
     assertTrue(share > before + 0.02, "red: " + before + ", then " + share);
+  }
+
+  @Test
+  void aLinkOfAnotherArmThatWasHitIsRed() {
+    SceneModel model = Models.of("ur5e");
+    double before = redShare(draw(model.withOthers(List.of(beside(model)))));
+    double share = redShare(draw(model.withOthers(List.of(beside(model, "upper arm")))));
+    assertTrue(share > before + 0.01, "red: " + before + ", then " + share);
+  }
+
+  private static OtherArm beside(SceneModel model, String... hitLinks) {
+    return new OtherArm(
+        "right",
+        model.arm(),
+        model.kinematics(),
+        model.positionRad(),
+        Pose.ZERO,
+        new Pose(0, 0.4, 0, 0, 0, 0),
+        List.of(),
+        List.of(),
+        List.of(hitLinks));
   }
 
   private static double redShare(int[] pixels) {
