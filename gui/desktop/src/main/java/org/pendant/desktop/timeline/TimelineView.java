@@ -409,8 +409,14 @@ public final class TimelineView implements View {
     branch.progress().ifPresent(share -> progress.setValue((int) (THOUSAND * share)));
     // a file does not say whether the programs in it had one
     boolean startRamp = !lookBack.ofFile() && workbench.session().options().startRamp();
-    boolean cell = lookBack.ofFile() || !workbench.session().options().scene().equals(Scene.EMPTY);
+    boolean cell = lookBack.ofFile() || somethingAround(workbench.session());
     watch.look(lookBack.recording(), lookBack.range(), canvas.buckets(), startRamp, cell);
     canvas.repaint();
+  }
+
+  /** Whether links can get into more than one another: objects, or links of another arm. */
+  static boolean somethingAround(RobotSession session) {
+    return !session.options().scene().equals(Scene.EMPTY)
+        || session.members().stream().filter(each -> !each.armless()).count() > 1;
   }
 }
