@@ -167,9 +167,7 @@ final class BodyContacts {
   private void meet(CellBody one, CellBody other, double stepS) {
     CellBody first = one.free() ? one : other;
     CellBody second = one.free() ? other : one;
-    if (!first.free()
-        || first.farFrom(second)
-        || first.geom.getAABB().isDisjoint(second.geom.getAABB())) {
+    if (!first.free() || first.farFrom(second)) {
       return;
     }
     if (first.hold != null && first.hold.ignores(second)) {
@@ -180,8 +178,13 @@ final class BodyContacts {
       first = second;
       second = later;
     }
-    int count = narrowPhase.find(first, second, buffer);
-    if (count == 0) {
+    int earlier = placeCount;
+    for (int i = 0; i < first.parts.length; i++) {
+      for (int j = 0; j < second.parts.length; j++) {
+        meet(first, i, second, j, stepS);
+      }
+    }
+    if (placeCount == earlier) {
       return;
     }
     if (other.free() && !other.awake) {
@@ -195,11 +198,19 @@ final class BodyContacts {
     } else if (second.kinematic() || second.runs()) {
       first.kinematicTouched = true;
     }
+  }
+
+  private void meet(CellBody first, int part, CellBody second, int otherPart, double stepS) {
+    BodyPart one = first.parts[part];
+    BodyPart other = second.parts[otherPart];
+    int count = one.apart(other) ? 0 : narrowPhase.find(one, other, buffer);
     for (int i = 0; i < count; i++) {
       if (placeCount == places.size()) {
         places.add(new ContactPlace());
       }
-      places.get(placeCount++).set(first, second, buffer.get(i), count, stepS);
+      ContactPlace place = places.get(placeCount++);
+      place.set(first, second, buffer.get(i), count, stepS);
+      place.parts = part * BodyShape.Compound.MAX_PARTS + otherPart;
     }
   }
 
@@ -225,7 +236,7 @@ final class BodyContacts {
         i >= 0 && i < beforeCount && pair(before.get(i)) == pair;
         i++) {
       double square = place.squareTo(before.get(i));
-      if (square < least) {
+      if (square < least && place.parts == before.get(i).parts) {
         least = square;
         nearest = before.get(i);
       }

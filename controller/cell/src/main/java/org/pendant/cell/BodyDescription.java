@@ -41,10 +41,16 @@ public record BodyDescription(
       (i < 3 ? POSITION : ROTATION).require("pose[" + i + "]", poseInBase.get(i));
     }
     MASS.require("mass", massKg);
-    boolean still = shape instanceof BodyShape.HalfSpace || shape instanceof BodyShape.Faces;
-    if (still && motion != BodyMotion.FIXED) {
+    if (staysStill(shape) && motion != BodyMotion.FIXED) {
       throw new IllegalArgumentException(name + ": has a shape that cannot move, must be fixed");
     }
+  }
+
+  private static boolean staysStill(BodyShape shape) {
+    return shape instanceof BodyShape.HalfSpace
+        || shape instanceof BodyShape.Faces
+        || (shape instanceof BodyShape.Compound compound
+            && compound.parts().stream().anyMatch(part -> staysStill(part.shape())));
   }
 
   /** A body that weight and contacts move. */

@@ -19,6 +19,8 @@ public final class BodyInertia {
       case BodyShape.Capsule(double r, double length) -> capsule(massKg, r, length);
       case BodyShape.Hull(_, double x, double y, double z) ->
           new double[] {massKg * x, massKg * y, massKg * z};
+      case BodyShape.Compound(_, double x, double y, double z) ->
+          new double[] {massKg * x, massKg * y, massKg * z};
       case BodyShape.HalfSpace(), BodyShape.Faces(_) -> round(1, 1);
     };
   }

@@ -34,10 +34,7 @@ public final class BodyProbe {
   private boolean look() {
     for (int i = 0; i < bodies.size(); i++) {
       CellBody body = bodies.get(i);
-      if (body.free()
-          && body.present
-          && !space.getAABB().isDisjoint(body.geom.getAABB())
-          && in(body)) {
+      if (body.free() && body.present && in(body)) {
         return true;
       }
     }
@@ -45,8 +42,17 @@ public final class BodyProbe {
   }
 
   private boolean in(CellBody body) {
-    return body.hull()
-        ? hulls.holds(body.solid())
-        : PhysicsLibrary.touch(space, body.geom, 1, found) > 0;
+    for (BodyPart part : body.parts) {
+      if (!space.getAABB().isDisjoint(part.geom.getAABB()) && in(part)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean in(BodyPart part) {
+    return part.hull()
+        ? hulls.holds(part.solid())
+        : PhysicsLibrary.touch(space, part.geom, 1, found) > 0;
   }
 }

@@ -1,8 +1,10 @@
 package org.pendant.cell;
 
+import java.util.List;
 import org.pendant.models.json.Range;
 import org.pendant.models.mesh.ConvexHull;
 import org.pendant.models.mesh.TriangleMesh;
+import org.pendant.models.pose.Pose;
 
 /** Body shape: what a rigid body fills, around its own origin. */
 public sealed interface BodyShape {
@@ -112,6 +114,46 @@ public sealed interface BodyShape {
         if (!(hull.plane(face, 3) > 0)) {
           throw new IllegalArgumentException(
               "its centre of gravity is not within its hull: its surface goes through itself");
+        }
+      }
+    }
+  }
+
+  /**
+   * Several solids that are rigidly joined, which may overlap; the body's origin is the centre of
+   * gravity of all and its axes are the principal ones.
+   *
+   * @param parts at least one, at most {@value #MAX_PARTS}; half spaces and compounds are none, and
+   *     faces are none of a body that moves
+   * @param xM2 moment of inertia about its own x for each kg, m^2
+   * @param yM2 the same about y
+   * @param zM2 the same about z
+   */
+  record Compound(List<Part> parts, double xM2, double yM2, double zM2) implements BodyShape {
+    /** Parts at most. */
+    public static final int MAX_PARTS = 32;
+
+    /**
+     * A part.
+     *
+     * @param inBody where it is in the frame of the body
+     */
+    public record Part(BodyShape shape, Pose inBody) {}
+
+    /**
+     * Copies the list.
+     *
+     * @throws IllegalArgumentException if there are none or too many, or one is no solid by itself
+     */
+    public Compound {
+      parts = List.copyOf(parts);
+      if (parts.isEmpty() || parts.size() > MAX_PARTS) {
+        throw new IllegalArgumentException(
+            "parts: are " + parts.size() + ", must be 1 to " + MAX_PARTS);
+      }
+      for (Part part : parts) {
+        if (part.shape() instanceof HalfSpace || part.shape() instanceof Compound) {
+          throw new IllegalArgumentException("parts: must be solids of one piece");
         }
       }
     }

@@ -1,9 +1,6 @@
 package org.pendant.cell;
 
 import java.util.Arrays;
-import org.ode4j.math.DMatrix3;
-import org.ode4j.ode.DGeom;
-import org.pendant.models.mesh.TriangleMesh;
 import org.pendant.models.pose.Rotations;
 import org.pendant.models.pose.Transforms;
 
@@ -14,7 +11,9 @@ final class CellBody {
 
   final BodyDescription description;
   final int index;
-  final DGeom geom;
+
+  /** What it is made of: all of it mostly, or several that are rigidly joined. */
+  final BodyPart[] parts;
 
   /** Its pose in the base frame, as {@link Transforms} has it. */
   final double[] pose = new double[Transforms.SIZE];
@@ -33,15 +32,6 @@ final class CellBody {
 
   /** Inverse of its inertia along the base's axes, rows; 0 unless it is free. */
   final double[] inverseInertia = new double[9];
-
-  /** What contacts reckon with, if it is convex; else null. */
-  final ConvexShape convex;
-
-  /** Where others touch it, if it is made of triangles; else null. */
-  final MeshContacts faces;
-
-  /** Its corners, once hulls have asked for them. */
-  private Polyhedron solid;
 
   boolean awake;
 
@@ -70,7 +60,6 @@ final class CellBody {
   private final double[] inertia;
 
   private final double[] speedBefore = new double[3];
-  private final DMatrix3 rotation = new DMatrix3();
   private final double[] turn = new double[9];
   private final double[] turned = new double[9];
   private final double[] momentum = new double[3];
@@ -79,47 +68,17 @@ final class CellBody {
     this.description = description;
     this.index = index;
     Transforms.of(description.poseInBase(), pose);
-    geom = PhysicsLibrary.shape(description.shape(), pose);
-    convex = ConvexShape.of(description.shape());
-    faces =
-        description.shape() instanceof BodyShape.Faces(TriangleMesh mesh)
-            ? new MeshContacts(mesh, pose)
-            : null;
-    reachM = reachM(description.shape());
+    parts =
+        description.shape() instanceof BodyShape.Compound compound
+            ? compound.parts().stream()
+                .map(part -> new BodyPart(part, pose))
+                .toArray(BodyPart[]::new)
+            : new BodyPart[] {new BodyPart(description.shape(), pose)};
+    reachM = BodyPart.reachM(description.shape());
     inertia = BodyInertia.of(description.shape(), description.massKg());
     inverseMass = free() ? 1 / description.massKg() : 0;
     awake = description.motion() != BodyMotion.FIXED;
     moved();
-  }
-
-  /** No point of it is farther from its origin, m. */
-  double reachM() {
-    return reachM;
-  }
-
-  /** Whether it is a hull, which the physics library only knows as a ball. */
-  boolean hull() {
-    return description.shape() instanceof BodyShape.Hull;
-  }
-
-  /** Its corners and faces, of a hull, a box or a cylinder. */
-  Polyhedron solid() {
-    if (solid == null) {
-      solid = new Polyhedron(HullContacts.solid(description.shape()), pose);
-    }
-    return solid;
-  }
-
-  private static double reachM(BodyShape shape) {
-    return switch (shape) {
-      case BodyShape.Box(double x, double y, double z) -> Math.sqrt(x * x + y * y + z * z) / 2;
-      case BodyShape.Sphere(double radius) -> radius;
-      case BodyShape.Cylinder(double radius, double length) -> Math.hypot(radius, length / 2);
-      case BodyShape.Capsule(double radius, double length) -> radius + length / 2;
-      case BodyShape.HalfSpace() -> Double.POSITIVE_INFINITY;
-      case BodyShape.Hull hull -> hull.hull().reachM();
-      case BodyShape.Faces(TriangleMesh mesh) -> mesh.reachM();
-    };
   }
 
   /** Whether balls around both are apart: the quickest way to tell that they do not touch. */
@@ -129,6 +88,18 @@ final class CellBody {
     double z = pose[11] - other.pose[11];
     double reach = reachM + other.reachM;
     return x * x + y * y + z * z > reach * reach;
+  }
+
+  /** Whether bounds of parts of both are not apart. */
+  boolean near(CellBody other) {
+    for (BodyPart own : parts) {
+      for (BodyPart of : other.parts) {
+        if (!own.apart(of)) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   boolean free() {
@@ -141,11 +112,8 @@ final class CellBody {
 
   /** Tells the shape, and the inertia, of a new pose. */
   void moved() {
-    if (!(description.shape() instanceof BodyShape.HalfSpace)) {
-      geom.setPosition(pose[9], pose[10], pose[11]);
-      geom.setRotation(
-          rotation.set(
-              pose[0], pose[1], pose[2], pose[3], pose[4], pose[5], pose[6], pose[7], pose[8]));
+    for (BodyPart part : parts) {
+      part.follow();
     }
     if (free()) {
       for (int i = 0; i < 3; i++) {

@@ -28,6 +28,9 @@ final class ContactPlace {
   CellBody first;
   CellBody second;
 
+  /** Which parts of both touch here. */
+  int parts;
+
   /** Of the impulse on the first body: its share along the normal, Ns. */
   double normalImpulse;
 

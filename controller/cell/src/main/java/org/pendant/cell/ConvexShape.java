@@ -52,7 +52,7 @@ final class ConvexShape {
       case BodyShape.Capsule(double radius, double length) ->
           new ConvexShape(false, 0, 0, length / 2, radius);
       case BodyShape.Sphere(double radius) -> new ConvexShape(false, 0, 0, 0, radius);
-      case BodyShape.HalfSpace _, BodyShape.Faces _, BodyShape.Hull _ -> null;
+      case BodyShape.HalfSpace _, BodyShape.Faces _, BodyShape.Hull _, BodyShape.Compound _ -> null;
     };
   }
 

@@ -45,24 +45,28 @@ final class HullContacts {
       case BodyShape.Hull hull -> hull.hull();
       case BodyShape.Box(double x, double y, double z) -> ConvexHull.block(x, y, z);
       case BodyShape.Cylinder(double r, double length) -> ConvexHull.prism(SIDES, r, length);
-      case BodyShape.Sphere _, BodyShape.Capsule _, BodyShape.HalfSpace _, BodyShape.Faces _ ->
+      case BodyShape.Sphere _,
+          BodyShape.Capsule _,
+          BodyShape.HalfSpace _,
+          BodyShape.Faces _,
+          BodyShape.Compound _ ->
           throw new IllegalArgumentException("has no corners");
     };
   }
 
   /**
-   * Where two bodies touch, at least one of which is a hull.
+   * Where two parts of bodies touch, at least one of which is a hull.
    *
    * @param most places to be told, at most 4
    * @param found overwritten with them; normals lead out of the second one
    * @return how many there are
    */
-  int find(CellBody first, CellBody second, int most, DContactGeomBuffer found) {
+  int find(BodyPart first, BodyPart second, int most, DContactGeomBuffer found) {
     candidates.clear();
-    boolean hullFirst = first.description.shape() instanceof BodyShape.Hull;
-    CellBody hull = hullFirst ? first : second;
-    CellBody other = hullFirst ? second : first;
-    switch (other.description.shape()) {
+    boolean hullFirst = first.shape instanceof BodyShape.Hull;
+    BodyPart hull = hullFirst ? first : second;
+    BodyPart other = hullFirst ? second : first;
+    switch (other.shape) {
       case BodyShape.HalfSpace _ -> onPlane(hull.solid(), other.pose);
       case BodyShape.Sphere(double r) -> {
         double[] at = other.pose;
@@ -72,7 +76,9 @@ final class HullContacts {
           capsule(hull.solid(), other.pose, r, length, hullFirst ? -1 : 1);
       case BodyShape.Box _, BodyShape.Cylinder _, BodyShape.Hull _ ->
           solids(first.solid(), second.solid());
-      case BodyShape.Faces _ -> throw new IllegalStateException("meshes find hulls themselves");
+      case BodyShape.Faces _, BodyShape.Compound _ ->
+          throw new IllegalStateException(
+              "meshes find hulls themselves, and parts are no compounds");
     }
     return candidates.choose(most, found);
   }

@@ -28,7 +28,7 @@ final class MeshContacts {
   private final double[] local = new double[3];
   private final double[] out = new double[3];
   private final TouchCandidates candidates = new TouchCandidates();
-  private CellBody body;
+  private BodyPart body;
 
   /** Kept, so that a step allocates none. */
   private final MeshPoints.Taker taker = this::takePoint;
@@ -51,7 +51,7 @@ final class MeshContacts {
    * @param found overwritten with them; normals lead into the body
    * @return how many there are
    */
-  int find(CellBody of, int most, DContactGeomBuffer found) {
+  int find(BodyPart of, int most, DContactGeomBuffer found) {
     body = of;
     candidates.clear();
     double[] pose = of.pose;
@@ -60,7 +60,7 @@ final class MeshContacts {
     if (centreM > reachM) {
       return 0;
     }
-    switch (of.description.shape()) {
+    switch (of.shape) {
       case BodyShape.Box(double x, double y, double z) -> addBox(x / 2, y / 2, z / 2);
       case BodyShape.Sphere(double r) -> add(0, 0, 0, r);
       case BodyShape.Capsule(double r, double length) -> {
@@ -70,7 +70,7 @@ final class MeshContacts {
       }
       case BodyShape.Cylinder(double r, double length) -> addRims(r, length / 2);
       case BodyShape.Hull hull -> addCorners(hull.hull());
-      case BodyShape.HalfSpace(), BodyShape.Faces(_) -> {
+      case BodyShape.HalfSpace _, BodyShape.Faces _, BodyShape.Compound _ -> {
         // neither moves
       }
     }
@@ -176,7 +176,7 @@ final class MeshContacts {
     double dz = inBaseZ - pose[11];
     double depth =
         ShapeDepth.of(
-            body.description.shape(),
+            body.shape,
             own(pose, 0, dx, dy, dz),
             own(pose, 1, dx, dy, dz),
             own(pose, 2, dx, dy, dz),

@@ -3,7 +3,7 @@ package org.pendant.cell;
 import org.ode4j.ode.DContactGeom;
 import org.ode4j.ode.DContactGeomBuffer;
 
-/** Narrow phase: where two bodies touch whose bounds do. */
+/** Narrow phase: where two parts of bodies touch whose bounds do. */
 final class NarrowPhase {
   /** Places at which two bodies hold each other at most; a box on a table needs four. */
   static final int MAX_PLACES = 4;
@@ -17,13 +17,13 @@ final class NarrowPhase {
   }
 
   /**
-   * Finds where two bodies touch.
+   * Finds where two parts touch.
    *
-   * @param first a free or kinematic one
+   * @param first one of a free or kinematic body
    * @param found overwritten with the places, their normals out of the second body
    * @return how many there are
    */
-  int find(CellBody first, CellBody second, DContactGeomBuffer found) {
+  int find(BodyPart first, BodyPart second, DContactGeomBuffer found) {
     if (second.faces != null) {
       return second.faces.find(first, MAX_PLACES, found);
     }
@@ -40,8 +40,14 @@ final class NarrowPhase {
 
   /** How deep two bodies are in one another, m; at most 0 where they do not touch. */
   double depthM(CellBody first, CellBody second, DContactGeomBuffer found) {
-    int count = find(first, second, found);
-    return count == 0 ? 0 : deepest(found, count).depth;
+    double most = 0;
+    for (BodyPart one : first.parts) {
+      for (BodyPart other : second.parts) {
+        int count = one.apart(other) ? 0 : find(one, other, found);
+        most = count == 0 ? most : Math.max(most, deepest(found, count).depth);
+      }
+    }
+    return most;
   }
 
   private static DContactGeom deepest(DContactGeomBuffer found, int count) {

@@ -42,6 +42,7 @@ final class PhysicsLibrary {
       // balls around them: the library only tells what is near
       case BodyShape.Faces(TriangleMesh mesh) -> OdeHelper.createSphere(mesh.reachM());
       case BodyShape.Hull hull -> OdeHelper.createSphere(hull.hull().reachM());
+      case BodyShape.Compound _ -> throw new IllegalArgumentException("must be given part by part");
       case BodyShape.HalfSpace() ->
           OdeHelper.createPlane(
               null, at[2], at[5], at[8], at[2] * at[9] + at[5] * at[10] + at[8] * at[11]);

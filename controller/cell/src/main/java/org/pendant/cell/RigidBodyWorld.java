@@ -145,15 +145,14 @@ public final class RigidBodyWorld {
     of.belt[1] = y;
     of.belt[2] = z;
     for (CellBody other : bodies) {
-      if (other.free() && other.present && !other.geom.getAABB().isDisjoint(of.geom.getAABB())) {
+      if (other.free() && other.present && other.near(of)) {
         other.wake();
       }
     }
   }
 
   private boolean overlap(CellBody one, CellBody other) {
-    return !one.geom.getAABB().isDisjoint(other.geom.getAABB())
-        && narrowPhase.depthM(one, other, NarrowPhase.buffer()) > MAX_OVERLAP_M;
+    return one.near(other) && narrowPhase.depthM(one, other, NarrowPhase.buffer()) > MAX_OVERLAP_M;
   }
 
   /**
@@ -242,15 +241,28 @@ public final class RigidBodyWorld {
     if (!of.present) {
       return Double.POSITIVE_INFINITY;
     }
-    return of.hull()
-        ? of.solid().enters(from3, along3, lengthM)
-        : ray.enters(of.geom, from3, along3, lengthM);
+    double least = Double.POSITIVE_INFINITY;
+    for (BodyPart part : of.parts) {
+      double way =
+          part.hull()
+              ? part.solid().enters(from3, along3, lengthM)
+              : ray.enters(part.geom, from3, along3, lengthM);
+      least = Math.min(least, way);
+    }
+    return least;
   }
 
   /** Whether a body may be as near as that to a place of the base frame: its bounds are. */
   public boolean near(int body, double x, double y, double z, double withinM) {
     CellBody of = bodies.get(body);
-    return of.present && BodyRay.near(of.geom, x, y, z, withinM);
+    if (of.present) {
+      for (BodyPart part : of.parts) {
+        if (BodyRay.near(part.geom, x, y, z, withinM)) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** Sets gravity, m/s^2, each -30 to 30, along the base's axes; another one wakes all bodies. */

@@ -34,7 +34,7 @@ final class ShapeDepth {
         yield Math.min(toEnd, toMantle);
       }
       case BodyShape.Hull hull -> inHull(hull.hull(), x, y, z, out3);
-      case BodyShape.HalfSpace(), BodyShape.Faces(_) -> 0;
+      case BodyShape.HalfSpace _, BodyShape.Faces _, BodyShape.Compound _ -> 0;
     };
   }
 

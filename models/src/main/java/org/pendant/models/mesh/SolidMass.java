@@ -7,16 +7,9 @@ import org.pendant.models.pose.Transforms;
  * of gravity is, and its principal axes of inertia. Immutable.
  *
  * <p>Sums over the tetrahedra between the centre and each triangle, as F. Tonon has them in
- * "Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor" (2005). The principal axes are
- * those that C. G. J. Jacobi's turns lead to from the axes of the file: those that are principal
- * already stay.
+ * "Explicit Exact Formulas for the 3-D Tetrahedron Inertia Tensor" (2005).
  */
 public final class SolidMass {
-  private static final int MAX_TURNS = 60;
-
-  /** Products of inertia below this share of the moments are rounding. */
-  private static final double NEGLIGIBLE = 1e-10;
-
   private final double[] frame = new double[Transforms.SIZE];
   private final double[] squaresM2 = new double[3];
 
@@ -53,7 +46,7 @@ public final class SolidMass {
     second[3] = second[1];
     second[6] = second[2];
     second[7] = second[5];
-    turnStraight(second);
+    PrincipalAxes.turn(second, frame);
     System.arraycopy(centre, 0, frame, 9, 3);
     for (int axis = 0; axis < 3; axis++) {
       squaresM2[axis] = second[4 * axis];
@@ -113,45 +106,5 @@ public final class SolidMass {
     return a[0] * (b[1] * c[2] - b[2] * c[1])
         + a[1] * (b[2] * c[0] - b[0] * c[2])
         + a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
-
-  /** Makes a symmetric matrix diagonal; the axes it is so along go into the frame. */
-  private void turnStraight(double[] matrix) {
-    for (int axis = 0; axis < 3; axis++) {
-      frame[4 * axis] = 1;
-    }
-    for (int turn = 0; turn < MAX_TURNS; turn++) {
-      int p = 0;
-      int q = 1;
-      if (Math.abs(matrix[2]) > Math.abs(matrix[1])) {
-        q = 2;
-      }
-      if (Math.abs(matrix[5]) > Math.abs(matrix[3 * p + q])) {
-        p = 1;
-        q = 2;
-      }
-      double off = matrix[3 * p + q];
-      if (Math.abs(off) <= NEGLIGIBLE * (matrix[0] + matrix[4] + matrix[8])) {
-        return;
-      }
-      double theta = (matrix[4 * q] - matrix[4 * p]) / (2 * off);
-      double tangent = Math.copySign(1, theta) / (Math.abs(theta) + Math.hypot(theta, 1));
-      double cosine = 1 / Math.hypot(tangent, 1);
-      double sine = tangent * cosine;
-      for (int k = 0; k < 3; k++) {
-        turn(matrix, 3 * k + p, 3 * k + q, cosine, sine);
-      }
-      for (int k = 0; k < 3; k++) {
-        turn(matrix, 3 * p + k, 3 * q + k, cosine, sine);
-        turn(frame, 3 * k + p, 3 * k + q, cosine, sine);
-      }
-    }
-  }
-
-  private static void turn(double[] matrix, int one, int other, double cosine, double sine) {
-    double a = matrix[one];
-    double b = matrix[other];
-    matrix[one] = cosine * a - sine * b;
-    matrix[other] = sine * a + cosine * b;
   }
 }

@@ -3,7 +3,6 @@ package org.pendant.controller.builtin;
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.world.SceneObject;
-import org.pendant.controller.world.Vector3;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
@@ -88,22 +87,12 @@ final class MoveGoal {
   private static Pose object(Call<ControlBox> call, String name) throws ScriptError {
     for (SceneObject each : call.host().arm().scene().objects()) {
       if (each.name().equals(name)) {
-        return switch (each) {
-          case SceneObject.Box box -> box.poseInBase();
-          case SceneObject.Rod rod -> rod.poseInBase();
-          case SceneObject.Mesh mesh -> mesh.poseInBase();
-          case SceneObject.Sphere sphere -> at(sphere.centreInBaseM());
-          case SceneObject.Plane plane -> at(plane.pointInBaseM());
-        };
+        return each.poseInBase();
       }
     }
     throw call.failure(
         "unknown-object",
         "there is no object or frame named " + Value.of(name).text() + " in the world model");
-  }
-
-  private static Pose at(Vector3 point) {
-    return new Pose(point.x(), point.y(), point.z(), 0, 0, 0);
   }
 
   /**

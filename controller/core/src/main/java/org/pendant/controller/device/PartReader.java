@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.pendant.cell.BodyHinge;
 import org.pendant.cell.BodyRail;
+import org.pendant.cell.BodyShape;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.models.json.FilePosition;
 import org.pendant.models.json.Json;
@@ -49,12 +50,24 @@ final class PartReader {
     for (Json each : scene.array("objects", MAX_OBJECTS)) {
       JsonFields fields = new JsonFields(each, "an object of the scene");
       Kind kind =
-          fields.optional("mass").isPresent()
+          hasMass(fields)
               ? Kind.WITH_MASS
               : fields.text("type").value().equals("box") ? Kind.BOX : Kind.OTHER;
       reader.objects.put(fields.text("name").value(), kind);
     }
     return reader;
+  }
+
+  private static boolean hasMass(JsonFields object) throws JsonException {
+    if (object.optional("mass").isPresent() || object.optional("density").isPresent()) {
+      return true;
+    }
+    for (Json each : object.array("parts", BodyShape.Compound.MAX_PARTS)) {
+      if (hasMass(new JsonFields(each, "a part"))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   DeviceSetup belt(String name, FieldReader fields) throws JsonException {

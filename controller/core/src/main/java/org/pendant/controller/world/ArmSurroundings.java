@@ -46,7 +46,10 @@ public final class ArmSurroundings implements LinkPairs {
     Scene scene = own.scene();
     List<Capsule> capsules = capsules(arm, scene.toolPoints());
     List<SceneObject> still =
-        scene.objects().stream().filter(object -> object.massKg() == 0).toList();
+        scene.objects().stream()
+            .filter(object -> object.massKg() == 0)
+            .flatMap(object -> object.pieces().stream())
+            .toList();
     toolPoints = scene.toolPoints();
     names = still.stream().map(SceneObject::name).toList();
     clearance =
@@ -195,7 +198,7 @@ public final class ArmSurroundings implements LinkPairs {
     return Math.clamp(body, 1, LinkCapsules.WRIST_3) - 1;
   }
 
-  /** An object as a solid, in the frame of its pose. */
+  /** An object of one piece as a solid, in the frame of its pose. */
   static SolidShape solid(SceneObject object) {
     return switch (object) {
       case SceneObject.Plane plane -> {
@@ -209,6 +212,7 @@ public final class ArmSurroundings implements LinkPairs {
       }
       case SceneObject.Rod rod ->
           new SolidShape.Rod(rod.poseInBase(), rod.radiusM(), rod.lengthM(), rod.capsule());
+      case SceneObject.Compound _ -> throw new IllegalArgumentException("has several pieces");
       case SceneObject.Mesh mesh ->
           new SolidShape.Faces(mesh.poseInBase(), mesh.part().triangles());
       case SceneObject.Sphere ball -> {

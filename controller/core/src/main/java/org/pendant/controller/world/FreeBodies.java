@@ -22,7 +22,7 @@ import org.pendant.models.pose.Transforms;
  * ArmBodies} push them.
  */
 final class FreeBodies {
-  /** Most objects and parts of the tool together. */
+  /** Most objects, each piece of them, and parts of the tool together. */
   private static final int MAX_BODIES = 200;
 
   private final RigidBodyWorld bodies;
@@ -34,8 +34,8 @@ final class FreeBodies {
   /** Numbers of the bodies that can move: objects with a mass, and copies of them. */
   private final List<Integer> movable = new ArrayList<>();
 
-  /** By the number of a body: what it is where it is a mesh. */
-  private final Map<Integer, MeshBody> meshes = new HashMap<>();
+  /** By the number of a body: where its frame is in that of its object, where these differ. */
+  private final Map<Integer, BodyFrame> frames = new HashMap<>();
 
   private final double[] body12 = new double[Transforms.SIZE];
 
@@ -63,9 +63,10 @@ final class FreeBodies {
     int firstPoint = all.size();
     all.addAll(first.toolDescriptions(0));
     int firstLink = all.size();
-    if (firstLink > MAX_BODIES) {
+    int pieces = firstLink + objects.stream().mapToInt(each -> each.pieces().size() - 1).sum();
+    if (pieces > MAX_BODIES) {
       throw new IllegalArgumentException(
-          "bodies: are " + firstLink + ", may be at most " + MAX_BODIES);
+          "bodies: are " + pieces + ", may be at most " + MAX_BODIES);
     }
     all.addAll(first.linkDescriptions(0));
     bodies = new RigidBodyWorld(all, 0, 0, -ArmDynamics.STANDARD_GRAVITY_M_PER_S2);
@@ -148,8 +149,8 @@ final class FreeBodies {
                       part.surface()));
           bodies.setPresent(parts[copy], false);
           movable.add(parts[copy]);
-          if (meshes.containsKey(i)) {
-            meshes.put(parts[copy], meshes.get(i));
+          if (frames.containsKey(i)) {
+            frames.put(parts[copy], frames.get(i));
           }
         }
         return Optional.of(new PartPool(this, parts));
@@ -315,12 +316,12 @@ final class FreeBodies {
    * of its file.
    */
   void pose(int i, double[] transform12) {
-    MeshBody mesh = meshes.get(i);
-    if (mesh == null) {
+    BodyFrame frame = frames.get(i);
+    if (frame == null) {
       bodies.pose(i, transform12);
     } else {
       bodies.pose(i, body12);
-      mesh.toFile(body12, transform12);
+      frame.toFile(body12, transform12);
     }
   }
 
@@ -332,43 +333,33 @@ final class FreeBodies {
     return switch (object) {
       case SceneObject.Plane plane ->
           BodyDescription.fixed(plane.name(), new BodyShape.HalfSpace(), standing(plane), surface);
-      case SceneObject.Box box -> {
-        Vector3 size = box.sizeM();
-        yield body(box, new BodyShape.Box(size.x(), size.y(), size.z()), box.poseInBase(), surface);
-      }
-      case SceneObject.Rod rod ->
-          body(
-              rod,
-              rod.capsule()
-                  ? new BodyShape.Capsule(rod.radiusM(), rod.lengthM())
-                  : new BodyShape.Cylinder(rod.radiusM(), rod.lengthM()),
-              rod.poseInBase(),
-              surface);
-      case SceneObject.Mesh mesh when mesh.massKg() > 0 -> {
-        MeshBody body = new MeshBody(mesh.part().triangles());
-        meshes.put(number, body);
-        Pose centre = body.ofFile(mesh.poseInBase());
-        for (int axis = 0; axis < 3; axis++) {
-          SceneRange.POSITION.require(
-              mesh.name() + ": centre of gravity[" + axis + "]", centre.get(axis));
-        }
-        yield body(mesh, body.shape(), centre, surface);
-      }
-      case SceneObject.Mesh mesh ->
+      case SceneObject.Mesh mesh when mesh.massKg() == 0 ->
           BodyDescription.fixed(
               mesh.name(),
               new BodyShape.Faces(mesh.part().triangles()),
               mesh.poseInBase(),
               surface);
-      case SceneObject.Sphere ball -> {
-        Vector3 at = ball.centreInBaseM();
-        yield body(
-            ball,
-            new BodyShape.Sphere(ball.radiusM()),
-            new Pose(at.x(), at.y(), at.z(), 0, 0, 0),
-            surface);
+      case SceneObject.Mesh mesh ->
+          balanced(mesh, new MeshBody(mesh.part().triangles()), number, surface);
+      case SceneObject.Compound compound ->
+          balanced(compound, new CompoundBody(compound), number, surface);
+      case SceneObject.Box _, SceneObject.Rod _, SceneObject.Sphere _ -> {
+        SolidBody body = SolidBody.of(object);
+        yield body(object, body.shape(), body.inFrame(), surface);
       }
     };
+  }
+
+  /** The body of an object whose pose is not that of its centre of gravity. */
+  private BodyDescription balanced(
+      SceneObject object, BodyFrame frame, int number, BodySurface surface) {
+    frames.put(number, frame);
+    Pose centre = frame.ofFile(object.poseInBase());
+    for (int axis = 0; axis < 3; axis++) {
+      SceneRange.POSITION.require(
+          object.name() + ": centre of gravity[" + axis + "]", centre.get(axis));
+    }
+    return body(object, frame.shape(), centre, surface);
   }
 
   private static BodyDescription body(

@@ -12,7 +12,7 @@ import org.pendant.models.pose.Transforms;
  * as in the solid that it is. The body has its origin at the centre of gravity and the principal
  * axes, which are not those of the file: this leads from one frame to the other.
  */
-final class MeshBody {
+final class MeshBody implements BodyFrame {
   private final BodyShape.Hull shape;
 
   /** The frame of the body in that of the file, and the other way round. */
@@ -41,25 +41,18 @@ final class MeshBody {
     }
   }
 
-  BodyShape.Hull shape() {
+  @Override
+  public BodyShape.Hull shape() {
     return shape;
   }
 
-  /** The pose of the body where that of the file is known. */
-  Pose ofFile(Pose fileInBase) {
-    double[] file12 = new double[Transforms.SIZE];
-    double[] body12 = new double[Transforms.SIZE];
-    Transforms.of(fileInBase, file12);
-    Transforms.multiply(file12, bodyInFile12, body12);
-    return Transforms.toPose(body12);
+  @Override
+  public Pose ofFile(Pose fileInBase) {
+    return BodyFrame.times(fileInBase, bodyInFile12);
   }
 
-  /**
-   * The pose of the file where that of the body is known.
-   *
-   * @param file12 overwritten; another array
-   */
-  void toFile(double[] body12, double[] file12) {
+  @Override
+  public void toFile(double[] body12, double[] file12) {
     Transforms.multiply(body12, fileInBody12, file12);
   }
 }

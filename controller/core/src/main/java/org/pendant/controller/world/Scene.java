@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.pendant.models.dynamics.Payload;
 import org.pendant.models.json.Json;
 import org.pendant.models.pose.Wrench;
@@ -79,6 +80,15 @@ public record Scene(
       Wrench pushAtTcpInBase,
       LinkContact links) {
     this(objects, load, toolPoints, List.of(), pushAtTcpInBase, links);
+  }
+
+  /** All meshes that it names, also those of parts of objects and of the tool. */
+  public List<MeshPart> meshes() {
+    return Stream.concat(objects.stream(), toolBodies.stream())
+        .flatMap(each -> each.pieces().stream())
+        .flatMap(
+            each -> each instanceof SceneObject.Mesh mesh ? Stream.of(mesh.part()) : Stream.empty())
+        .toList();
   }
 
   /** What is on the flange. */

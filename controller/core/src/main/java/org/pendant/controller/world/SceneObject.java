@@ -1,7 +1,11 @@
 package org.pendant.controller.world;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.pendant.cell.BodyShape;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
+import org.pendant.models.pose.Poses;
 
 /**
  * Scene object: a solid that the tool can touch. One without a mass stands still, whatever pushes
@@ -10,6 +14,9 @@ import org.pendant.models.pose.Pose;
 public sealed interface SceneObject {
   /** How it is called, in 1 to 60 letters; unique in its scene. */
   String name();
+
+  /** Where its frame is, or its middle; of a plane a point of it. */
+  Pose poseInBase();
 
   /** What its surface is of. */
   Material material();
@@ -44,6 +51,19 @@ public sealed interface SceneObject {
       NORMAL_LENGTH.require("length of normal", normalInBase.length());
       normalInBase = normalInBase.unit();
     }
+
+    @Override
+    public Pose poseInBase() {
+      return pointInBaseM.asPose();
+    }
+  }
+
+  /**
+   * What it is put together of, as objects without a mass in the base frame; itself where it is of
+   * one piece.
+   */
+  default List<SceneObject> pieces() {
+    return List.of(this);
   }
 
   /**
@@ -160,6 +180,167 @@ public sealed interface SceneObject {
   }
 
   /**
+   * Several solids that are rigidly joined.
+   *
+   * @param name how it is called
+   * @param poseInBase where its frame is, m, each -10 to 10, and its orientation, rad, each -100 to
+   *     100
+   * @param parts 1 to {@value BodyShape.Compound#MAX_PARTS} solids of one piece; what they call
+   *     their pose in the base is one in its frame. One that moves meets others with the convex
+   *     hulls of those that are meshes
+   * @param material what all of it is of, whatever parts say
+   * @param wholeKg what all of it weighs, kg, evenly spread in its parts; 0 where parts have a mass
+   *     of their own, or it stands still
+   */
+  record Compound(
+      String name, Pose poseInBase, List<SceneObject> parts, Material material, double wholeKg)
+      implements SceneObject {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if one is outside its range, if a part is none, or if some
+     *     have a mass and others have not
+     */
+    public Compound {
+      ObjectName.require(name);
+      parts = List.copyOf(parts);
+      for (int i = 0; i < Pose.SIZE; i++) {
+        Box.poseRange(i).require("pose[" + i + "]", poseInBase.get(i));
+      }
+      if (parts.isEmpty() || parts.size() > BodyShape.Compound.MAX_PARTS) {
+        throw new IllegalArgumentException(
+            "parts: are " + parts.size() + ", must be 1 to " + BodyShape.Compound.MAX_PARTS);
+      }
+      long weighed = parts.stream().filter(part -> part.massKg() > 0).count();
+      if (wholeKg != 0 && weighed > 0) {
+        throw new IllegalArgumentException("mass is that of the whole, and parts have one too");
+      }
+      if (weighed > 0 && weighed < parts.size()) {
+        throw new IllegalArgumentException(
+            "parts: " + weighed + " of " + parts.size() + " have a mass, must be all or none");
+      }
+      SceneRange.requireMass(wholeKg);
+      SceneRange.requireMass(parts.stream().mapToDouble(SceneObject::massKg).sum());
+      for (SceneObject part : parts) {
+        if (part instanceof Plane || part instanceof Compound) {
+          throw new IllegalArgumentException(
+              "parts: must be boxes, spheres, cylinders, capsules and meshes");
+        }
+        if (!SceneRange.holds(Poses.trans(poseInBase, part.poseInBase()))) {
+          throw new IllegalArgumentException(
+              part.name() + " is beyond where it may be, must be -10 to 10 m along each axis");
+        }
+        if (wholeKg > 0 && part instanceof Mesh mesh) {
+          var _ = new MeshBody(mesh.part().triangles());
+        }
+      }
+    }
+
+    @Override
+    public double massKg() {
+      return wholeKg > 0 ? wholeKg : parts.stream().mapToDouble(SceneObject::massKg).sum();
+    }
+
+    /** What a part weighs, kg: its own mass, or its share of that of the whole by its volume. */
+    double partKg(int part) {
+      double ownKg = parts.get(part).massKg();
+      return wholeKg > 0 ? wholeKg * volumeM3(parts.get(part)) / volumeM3() : ownKg;
+    }
+
+    /** What its parts fill, m^3; where they overlap, twice. */
+    double volumeM3() {
+      return parts.stream().mapToDouble(Compound::volumeM3).sum();
+    }
+
+    /** What a solid of one piece fills, m^3. */
+    static double volumeM3(SceneObject part) {
+      return switch (part) {
+        case Box box -> box.sizeM().x() * box.sizeM().y() * box.sizeM().z();
+        case Rod rod -> {
+          double disc = Math.PI * rod.radiusM() * rod.radiusM();
+          yield disc * (rod.lengthM() + (rod.capsule() ? 4 * rod.radiusM() / 3 : 0));
+        }
+        case Sphere ball -> 4 * Math.PI / 3 * ball.radiusM() * ball.radiusM() * ball.radiusM();
+        case Mesh mesh -> mesh.part().triangles().volumeM3();
+        case Plane _, Compound _ -> throw new IllegalArgumentException("has no volume of its own");
+      };
+    }
+
+    /** The same elsewhere. */
+    public Compound at(Pose otherInBase) {
+      return new Compound(name, otherInBase, parts, material, wholeKg);
+    }
+
+    /** The same with another name. */
+    public Compound named(String other) {
+      return new Compound(other, poseInBase, parts, material, wholeKg);
+    }
+
+    /** The same with other parts. */
+    public Compound of(List<SceneObject> others) {
+      return new Compound(name, poseInBase, others, material, wholeKg);
+    }
+
+    /** The same of another material. */
+    public Compound of(Material other) {
+      return new Compound(name, poseInBase, parts, other, wholeKg);
+    }
+
+    /**
+     * The same with another mass, evenly spread.
+     *
+     * @param kg 0 for one that stands still
+     */
+    public Compound weighing(double kg) {
+      return new Compound(
+          name, poseInBase, parts.stream().map(Compound::still).toList(), material, kg);
+    }
+
+    /** The same with parts that weigh what they do already, each by itself; 1 kg together if 0. */
+    public Compound weighingByParts() {
+      Compound heavy = massKg() > 0 ? this : weighing(1);
+      List<SceneObject> weighed = new ArrayList<>();
+      for (SceneObject part : parts) {
+        // as people would write it; at least what a part may weigh
+        double kg = Math.rint(1000 * heavy.partKg(weighed.size())) / 1000;
+        weighed.add(weighing(part, Math.max(SceneRange.MASS.least(), kg)));
+      }
+      return new Compound(name, poseInBase, weighed, material, 0);
+    }
+
+    private static SceneObject weighing(SceneObject part, double kg) {
+      return switch (part) {
+        case Box box -> new Box(box.name(), box.poseInBase(), box.sizeM(), box.material(), kg);
+        case Rod rod ->
+            new Rod(
+                rod.name(),
+                rod.poseInBase(),
+                rod.radiusM(),
+                rod.lengthM(),
+                rod.capsule(),
+                rod.material(),
+                kg);
+        case Sphere ball ->
+            new Sphere(ball.name(), ball.centreInBaseM(), ball.radiusM(), ball.material(), kg);
+        case Mesh mesh ->
+            new Mesh(mesh.name(), mesh.poseInBase(), mesh.part(), mesh.material(), kg);
+        case Plane _, Compound _ -> part;
+      };
+    }
+
+    @Override
+    public List<SceneObject> pieces() {
+      return parts.stream()
+          .map(part -> MovedScene.at(part, name, Poses.trans(poseInBase, part.poseInBase())))
+          .toList();
+    }
+
+    private static SceneObject still(SceneObject part) {
+      return MovedScene.at(part, part.name(), part.poseInBase());
+    }
+  }
+
+  /**
    * A ball.
    *
    * @param name how it is called
@@ -181,6 +362,11 @@ public sealed interface SceneObject {
       centreInBaseM.require("centre", SceneRange.POSITION);
       SceneRange.SIZE.require("radius", radiusM);
       SceneRange.requireMass(massKg);
+    }
+
+    @Override
+    public Pose poseInBase() {
+      return centreInBaseM.asPose();
     }
 
     /** One that stands still. */

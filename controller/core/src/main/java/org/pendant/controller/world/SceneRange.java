@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import org.pendant.cell.BodyDescription;
 import org.pendant.models.json.Range;
+import org.pendant.models.pose.Pose;
 
 /** Scene ranges: what lengths and angles in a scene may be. */
 final class SceneRange {
@@ -18,6 +19,11 @@ final class SceneRange {
   static final Range MASS = BodyDescription.MASS;
 
   private SceneRange() {}
+
+  /** Whether something may be at a pose. */
+  static boolean holds(Pose pose) {
+    return POSITION.holds(pose.x()) && POSITION.holds(pose.y()) && POSITION.holds(pose.z());
+  }
 
   /**
    * Checks what an object weighs.

@@ -128,12 +128,13 @@ public final class SceneReader {
       case "sphere" -> sphere(new JsonFields(each, "a sphere"));
       case "cylinder", "capsule" -> rod(new JsonFields(each, "a " + type.value()));
       case "mesh" -> mesh(each, new JsonFields(each, "a mesh"));
+      case "compound" -> compound(new JsonFields(each, "a compound"));
       default ->
           throw type.place()
               .refusal(
                   "type is "
                       + type.described()
-                      + ", must be plane, box, sphere, cylinder, capsule or mesh");
+                      + ", must be plane, box, sphere, cylinder, capsule, mesh or compound");
     };
   }
 
@@ -206,6 +207,10 @@ public final class SceneReader {
           .place()
           .refusal(part.file() + ": " + e.getMessage() + "; without a mass it stands still");
     }
+  }
+
+  private SceneObject compound(JsonFields fields) throws JsonException {
+    return new CompoundReader(this).read(fields, name(fields), pose(fields), material(fields));
   }
 
   private static Pose pose(JsonFields fields) throws JsonException {

@@ -63,8 +63,25 @@ public final class SceneWriter {
         .collect(Collectors.joining(",\n", "  \"" + key + "\": [\n", "\n  ]"));
   }
 
+  private static String parts(SceneObject.Compound compound) {
+    List<String> parts = new ArrayList<>();
+    for (SceneObject part : compound.parts()) {
+      boolean named = !part.name().equals(CompoundReader.name(parts.size() + 1));
+      parts.add(object(part, named));
+    }
+    return String.join(", ", parts);
+  }
+
+  private static String mass(double massKg) {
+    return massKg > 0 ? ", \"mass\": " + JsonValues.number(massKg) : "";
+  }
+
   private static String object(SceneObject object) {
-    String name = "\"name\": " + JsonValues.text(object.name()) + ", ";
+    return object(object, true);
+  }
+
+  private static String object(SceneObject object, boolean named) {
+    String name = named ? "\"name\": " + JsonValues.text(object.name()) + ", " : "";
     return switch (object) {
           case SceneObject.Plane plane ->
               "{\"type\": \"plane\", "
@@ -106,8 +123,16 @@ public final class SceneWriter {
                   + vector(sphere.centreInBaseM())
                   + ", \"radius\": "
                   + JsonValues.number(sphere.radiusM());
+          case SceneObject.Compound compound ->
+              "{\"type\": \"compound\", "
+                  + name
+                  + "\"pose\": "
+                  + pose(compound.poseInBase())
+                  + ", \"parts\": ["
+                  + parts(compound)
+                  + "]";
         }
-        + (object.massKg() > 0 ? ", \"mass\": " + JsonValues.number(object.massKg()) : "")
+        + mass(object instanceof SceneObject.Compound all ? all.wholeKg() : object.massKg())
         + material(object.material())
         + "}";
   }

@@ -42,6 +42,7 @@ public final class SeenScene {
               box.sizeM(),
               box.material(),
               box.massKg());
+      case SceneObject.Compound compound -> compound.at(place.inBase(compound.poseInBase()));
       case SceneObject.Rod rod ->
           new SceneObject.Rod(
               rod.name(),

@@ -16,7 +16,11 @@ public final class SightLine {
   SightLine(FreeBodies among, List<SceneObject> objects) {
     this.among = among;
     still =
-        objects.stream().filter(each -> each.massKg() == 0).map(ArmSurroundings::solid).toList();
+        objects.stream()
+            .filter(each -> each.massKg() == 0)
+            .flatMap(each -> each.pieces().stream())
+            .map(ArmSurroundings::solid)
+            .toList();
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.pendant.controller.world;
 
+import java.util.List;
 import org.pendant.models.mesh.MeshDistance;
 import org.pendant.models.pose.Transforms;
 
@@ -14,6 +15,8 @@ sealed interface Surface {
       case SceneObject.Sphere sphere -> new Ball(sphere);
       case SceneObject.Rod rod -> new Bar(rod);
       case SceneObject.Mesh mesh -> new Faces(mesh);
+      case SceneObject.Compound compound ->
+          new Joined(compound.pieces().stream().map(Surface::of).toList());
     };
   }
 
@@ -187,6 +190,31 @@ sealed interface Surface {
             inBase[3 * row] * nx + inBase[3 * row + 1] * ny + inBase[3 * row + 2] * nz;
       }
       return (fromCoreM > 0 ? fromCoreM : Math.max(beyondR, beyondZ)) - skinM;
+    }
+  }
+
+  /**
+   * The surface of several solids together: that of the nearest, or in which a point is deepest.
+   */
+  final class Joined implements Surface {
+    private final List<Surface> pieces;
+    private final double[] normal = new double[3];
+
+    Joined(List<Surface> pieces) {
+      this.pieces = pieces;
+    }
+
+    @Override
+    public double distanceM(double x, double y, double z, double[] normalInBase) {
+      double least = Double.POSITIVE_INFINITY;
+      for (int i = 0; i < pieces.size(); i++) {
+        double distanceM = pieces.get(i).distanceM(x, y, z, normal);
+        if (distanceM < least) {
+          least = distanceM;
+          System.arraycopy(normal, 0, normalInBase, 0, 3);
+        }
+      }
+      return least;
     }
   }
 

@@ -26,34 +26,13 @@ final class ToolBody {
   /**
    * The body of an object whose pose is one in the flange's frame.
    *
-   * @throws IllegalArgumentException if it is a plane, or a mesh that can be no body
+   * @throws IllegalArgumentException if it is a plane or a compound, or a mesh that can be no body
    */
   ToolBody(SceneObject object) {
     this.object = object;
-    switch (object) {
-      case SceneObject.Plane _ -> throw new IllegalArgumentException("a plane is no tool");
-      case SceneObject.Box(var _, Pose pose, Vector3 size, var _, var _) -> {
-        shape = new BodyShape.Box(size.x(), size.y(), size.z());
-        inFlange = pose;
-      }
-      case SceneObject.Rod rod -> {
-        shape =
-            rod.capsule()
-                ? new BodyShape.Capsule(rod.radiusM(), rod.lengthM())
-                : new BodyShape.Cylinder(rod.radiusM(), rod.lengthM());
-        inFlange = rod.poseInBase();
-      }
-      case SceneObject.Sphere ball -> {
-        Vector3 at = ball.centreInBaseM();
-        shape = new BodyShape.Sphere(ball.radiusM());
-        inFlange = new Pose(at.x(), at.y(), at.z(), 0, 0, 0);
-      }
-      case SceneObject.Mesh mesh -> {
-        MeshBody body = new MeshBody(mesh.part().triangles());
-        shape = body.shape();
-        inFlange = body.ofFile(mesh.poseInBase());
-      }
-    }
+    SolidBody body = SolidBody.of(object);
+    shape = body.shape();
+    inFlange = body.inFrame();
   }
 
   /** All of a tool. */

@@ -52,12 +52,13 @@ public final class ToolReader {
   private SceneObject body(Json each, JsonFields fields, List<SceneObject> before)
       throws JsonException {
     SceneObject body = objects.object(each, fields);
-    if (body instanceof SceneObject.Plane) {
-      throw fields
-          .text("type")
-          .place()
+    if (body instanceof SceneObject.Plane || body instanceof SceneObject.Compound) {
+      Json.Text type = fields.text("type");
+      throw type.place()
           .refusal(
-              "type is \"plane\", must be box, sphere, cylinder, capsule or mesh on the flange");
+              "type is "
+                  + type.described()
+                  + ", must be box, sphere, cylinder, capsule or mesh on the flange");
     }
     if (before.stream().anyMatch(other -> other.name().equals(body.name()))) {
       Json.Text name = fields.text("name");

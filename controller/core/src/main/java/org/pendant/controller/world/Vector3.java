@@ -5,6 +5,7 @@ import org.pendant.models.json.Json;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 import org.pendant.models.json.Range;
+import org.pendant.models.pose.Pose;
 
 /**
  * Vector: three numbers along the axes of a frame; what they count, and which frame, is said where
@@ -15,6 +16,11 @@ public record Vector3(double x, double y, double z) {
   /** The square root of the sum of squares. */
   public double length() {
     return Math.sqrt(x * x + y * y + z * z);
+  }
+
+  /** The pose there that is turned by nothing. */
+  public Pose asPose() {
+    return new Pose(x, y, z, 0, 0, 0);
   }
 
   double[] toArray() {

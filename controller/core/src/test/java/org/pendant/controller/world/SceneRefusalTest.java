@@ -224,7 +224,7 @@ final class SceneRefusalTest {
   void typesThatDoNotExist() {
     assertRefused(
         "scene.json:1:23: type is \"ball\", must be plane, box, sphere, cylinder,"
-            + " capsule or mesh",
+            + " capsule, mesh or compound",
         object("\"type\": \"ball\""));
   }
 

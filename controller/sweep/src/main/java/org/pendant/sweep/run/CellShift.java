@@ -152,7 +152,12 @@ final class CellShift {
               rod.massKg());
       case SceneObject.Mesh mesh ->
           new SceneObject.Mesh(
-              mesh.name(), by.apply(mesh.poseInBase()), mesh.part(), mesh.material());
+              mesh.name(),
+              by.apply(mesh.poseInBase()),
+              mesh.part(),
+              mesh.material(),
+              mesh.massKg());
+      case SceneObject.Compound compound -> compound.at(by.apply(compound.poseInBase()));
       case SceneObject.Sphere ball -> {
         Vector3 centre = ball.centreInBaseM();
         Pose pose = by.apply(new Pose(centre.x(), centre.y(), centre.z(), 0, 0, 0));

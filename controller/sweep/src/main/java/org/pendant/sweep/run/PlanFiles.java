@@ -25,8 +25,8 @@ import org.pendant.controller.installation.InstallationProblem;
 import org.pendant.controller.io.SignalText;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.world.MeshFiles;
+import org.pendant.controller.world.MeshPart;
 import org.pendant.controller.world.Scene;
-import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
@@ -238,10 +238,8 @@ final class PlanFiles {
       Scene scene =
           SceneReader.read(
               name, new ByteArrayInputStream(bytes("scene", name)), MeshFiles.in(within));
-      for (SceneObject each : scene.objects()) {
-        if (each instanceof SceneObject.Mesh mesh) {
-          meshes(name, within, mesh.part().file());
-        }
+      for (MeshPart mesh : scene.meshes()) {
+        meshes(name, within, mesh.file());
       }
       return scene;
     } catch (JsonException e) {

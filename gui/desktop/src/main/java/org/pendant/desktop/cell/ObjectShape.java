@@ -17,6 +17,7 @@ final class ObjectShape {
       case SceneObject.Rod rod -> rod.type();
       case SceneObject.Mesh mesh -> "mesh " + mesh.part().file();
       case SceneObject.Sphere _ -> "ball";
+      case SceneObject.Compound compound -> "compound of " + compound.parts().size();
     };
   }
 
@@ -30,6 +31,7 @@ final class ObjectShape {
           new SceneObject.Mesh(
               name, mesh.poseInBase(), mesh.part(), mesh.material(), mesh.massKg());
       case SceneObject.Rod rod -> with(rod, name, rod.poseInBase(), rod.material(), rod.massKg());
+      case SceneObject.Compound compound -> compound.named(name);
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               name, ball.centreInBaseM(), ball.radiusM(), ball.material(), ball.massKg());
@@ -46,6 +48,7 @@ final class ObjectShape {
           new SceneObject.Mesh(
               mesh.name(), mesh.poseInBase(), mesh.part(), material, mesh.massKg());
       case SceneObject.Rod rod -> with(rod, rod.name(), rod.poseInBase(), material, rod.massKg());
+      case SceneObject.Compound compound -> compound.of(material);
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               ball.name(), ball.centreInBaseM(), ball.radiusM(), material, ball.massKg());
@@ -57,50 +60,29 @@ final class ObjectShape {
    * m.
    */
   static Vector3 placeM(SceneObject object) {
-    return switch (object) {
-      case SceneObject.Plane plane -> plane.pointInBaseM();
-      case SceneObject.Box box ->
-          new Vector3(box.poseInBase().x(), box.poseInBase().y(), box.poseInBase().z());
-      case SceneObject.Mesh mesh ->
-          new Vector3(mesh.poseInBase().x(), mesh.poseInBase().y(), mesh.poseInBase().z());
-      case SceneObject.Rod rod ->
-          new Vector3(rod.poseInBase().x(), rod.poseInBase().y(), rod.poseInBase().z());
-      case SceneObject.Sphere ball -> ball.centreInBaseM();
-    };
+    Pose pose = object.poseInBase();
+    return new Vector3(pose.x(), pose.y(), pose.z());
   }
 
   /** The same one elsewhere in the base, m. */
   static SceneObject at(SceneObject object, Vector3 placeM) {
+    Pose pose = object.poseInBase();
+    return at(
+        object, new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()));
+  }
+
+  /** The same one at another pose, of which planes and balls take the place alone. */
+  static SceneObject at(SceneObject object, Pose pose) {
+    Vector3 placeM = new Vector3(pose.x(), pose.y(), pose.z());
     return switch (object) {
       case SceneObject.Plane plane ->
           new SceneObject.Plane(plane.name(), placeM, plane.normalInBase(), plane.material());
-      case SceneObject.Box box -> {
-        Pose pose = box.poseInBase();
-        yield new SceneObject.Box(
-            box.name(),
-            new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
-            box.sizeM(),
-            box.material(),
-            box.massKg());
-      }
-      case SceneObject.Mesh mesh -> {
-        Pose pose = mesh.poseInBase();
-        yield new SceneObject.Mesh(
-            mesh.name(),
-            new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
-            mesh.part(),
-            mesh.material(),
-            mesh.massKg());
-      }
-      case SceneObject.Rod rod -> {
-        Pose pose = rod.poseInBase();
-        yield with(
-            rod,
-            rod.name(),
-            new Pose(placeM.x(), placeM.y(), placeM.z(), pose.rx(), pose.ry(), pose.rz()),
-            rod.material(),
-            rod.massKg());
-      }
+      case SceneObject.Box box ->
+          new SceneObject.Box(box.name(), pose, box.sizeM(), box.material(), box.massKg());
+      case SceneObject.Mesh mesh ->
+          new SceneObject.Mesh(mesh.name(), pose, mesh.part(), mesh.material(), mesh.massKg());
+      case SceneObject.Rod rod -> with(rod, rod.name(), pose, rod.material(), rod.massKg());
+      case SceneObject.Compound compound -> compound.at(pose);
       case SceneObject.Sphere ball ->
           new SceneObject.Sphere(
               ball.name(), placeM, ball.radiusM(), ball.material(), ball.massKg());
@@ -111,6 +93,7 @@ final class ObjectShape {
   static SceneObject weighing(SceneObject object, double massKg) {
     return switch (object) {
       case SceneObject.Plane plane -> plane;
+      case SceneObject.Compound compound -> compound.weighing(massKg);
       case SceneObject.Mesh mesh ->
           new SceneObject.Mesh(
               mesh.name(), mesh.poseInBase(), mesh.part(), mesh.material(), massKg);

@@ -13,7 +13,6 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.session.SceneDraft;
-import org.pendant.desktop.unit.PoseRows;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
@@ -85,6 +84,15 @@ final class ObjectsCard {
                 false,
                 Material.DEFAULT,
                 0));
+    items.adder(
+        "Add compound",
+        () ->
+            new SceneObject.Compound(
+                items.freshName("Compound"),
+                new Pose(IN_FRONT_M, besideM(), 0, 0, 0, 0),
+                CompoundRows.BRACKET,
+                Material.DEFAULT,
+                0));
     items.asker(
         "Add mesh...",
         take ->
@@ -103,13 +111,12 @@ final class ObjectsCard {
     PartsForm<SceneObject> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
-    form.section(SceneObject.Box.class::isInstance, () -> addBox(form, rotation));
+    new ShapeRows(form, rotation, ShapeRows.Part.WHOLE, "", "in the base").add();
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
-    form.section(SceneObject.Sphere.class::isInstance, () -> addBall(form));
-    form.section(SceneObject.Rod.class::isInstance, () -> addRod(form, rotation));
-    form.section(SceneObject.Mesh.class::isInstance, () -> addMesh(form, rotation));
     form.section(
-        object -> !(object instanceof SceneObject.Plane),
+        SceneObject.Compound.class::isInstance, () -> new CompoundRows(items, rotation).add());
+    form.section(
+        ObjectsCard::weighsAsOne,
         () -> {
           form.numberRow("Mass", Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
           form.note("With a mass it falls, slides and is pushed; with 0 it stands still.");
@@ -129,6 +136,13 @@ final class ObjectsCard {
     form.buttons(here);
     addMaterial(form);
     card.add(items.component());
+  }
+
+  /** Whether it has one mass, which people set. */
+  private static boolean weighsAsOne(SceneObject object) {
+    return object instanceof SceneObject.Compound compound
+        ? !CompoundRows.weighsByParts(compound)
+        : !(object instanceof SceneObject.Plane);
   }
 
   /** A mesh that stands on z = 0, beside what does not leave it any room. */
@@ -159,31 +173,6 @@ final class ObjectsCard {
     return others % MAX_ABREAST * ABREAST_M;
   }
 
-  private static void addBox(PartsForm<SceneObject> form, RotationChoice rotation) {
-    form.heading("Centre and orientation, in the base");
-    PoseRows.addTo(
-        form,
-        "pose",
-        rotation,
-        object -> object instanceof SceneObject.Box box ? box.poseInBase() : Pose.ZERO,
-        (object, pose) ->
-            object instanceof SceneObject.Box box
-                ? new SceneObject.Box(box.name(), pose, box.sizeM(), box.material(), box.massKg())
-                : object,
-        object -> true);
-    form.heading("Lengths along its own axes");
-    Axes.addTo(
-        form,
-        "Length",
-        Measure.MILLIMETRE,
-        object -> object instanceof SceneObject.Box box ? box.sizeM() : UP,
-        (object, sizeM) ->
-            object instanceof SceneObject.Box box
-                ? new SceneObject.Box(
-                    box.name(), box.poseInBase(), sizeM, box.material(), box.massKg())
-                : object);
-  }
-
   private static void addPlane(PartsForm<SceneObject> form) {
     form.heading("A point of it, in the base");
     Axes.addTo(form, "Point", Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
@@ -198,71 +187,6 @@ final class ObjectsCard {
                 ? new SceneObject.Plane(
                     plane.name(), plane.pointInBaseM(), normal, plane.material())
                 : object);
-  }
-
-  private static void addBall(PartsForm<SceneObject> form) {
-    form.heading("Centre, in the base");
-    Axes.addTo(form, "Centre", Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
-    form.numberRow(
-        "Radius",
-        Measure.MILLIMETRE,
-        object -> object instanceof SceneObject.Sphere ball ? ball.radiusM() : 1,
-        (object, radiusM) ->
-            object instanceof SceneObject.Sphere ball
-                ? new SceneObject.Sphere(
-                    ball.name(), ball.centreInBaseM(), radiusM, ball.material(), ball.massKg())
-                : object);
-  }
-
-  private static void addRod(PartsForm<SceneObject> form, RotationChoice rotation) {
-    form.heading("Centre and orientation, in the base");
-    PoseRows.addTo(
-        form,
-        "pose",
-        rotation,
-        object -> object instanceof SceneObject.Rod rod ? rod.poseInBase() : Pose.ZERO,
-        (object, pose) ->
-            object instanceof SceneObject.Rod rod
-                ? sized(rod, pose, rod.radiusM(), rod.lengthM())
-                : object,
-        object -> true);
-    form.heading("Along its own z");
-    form.numberRow(
-        "Radius",
-        Measure.MILLIMETRE,
-        object -> object instanceof SceneObject.Rod rod ? rod.radiusM() : 1,
-        (object, radiusM) ->
-            object instanceof SceneObject.Rod rod
-                ? sized(rod, rod.poseInBase(), radiusM, rod.lengthM())
-                : object);
-    form.numberRow(
-        "Length",
-        Measure.MILLIMETRE,
-        object -> object instanceof SceneObject.Rod rod ? rod.lengthM() : 1,
-        (object, lengthM) ->
-            object instanceof SceneObject.Rod rod
-                ? sized(rod, rod.poseInBase(), rod.radiusM(), lengthM)
-                : object);
-  }
-
-  private static void addMesh(PartsForm<SceneObject> form, RotationChoice rotation) {
-    form.heading("Origin of its file and orientation, in the base");
-    PoseRows.addTo(
-        form,
-        "pose",
-        rotation,
-        object -> object instanceof SceneObject.Mesh mesh ? mesh.poseInBase() : Pose.ZERO,
-        (object, pose) ->
-            object instanceof SceneObject.Mesh mesh
-                ? new SceneObject.Mesh(
-                    mesh.name(), pose, mesh.part(), mesh.material(), mesh.massKg())
-                : object,
-        object -> true);
-  }
-
-  private static SceneObject sized(SceneObject.Rod rod, Pose pose, double radiusM, double lengthM) {
-    return new SceneObject.Rod(
-        rod.name(), pose, radiusM, lengthM, rod.capsule(), rod.material(), rod.massKg());
   }
 
   private static void addMaterial(PartsForm<SceneObject> form) {

@@ -64,6 +64,11 @@ final class ObjectHit {
         toRod.transformDirection(along);
         yield rodDistanceM(from, along, rod);
       }
+      case SceneObject.Compound compound ->
+          compound.pieces().stream()
+              .mapToDouble(piece -> distanceM(ray, piece, planeReachM))
+              .min()
+              .orElse(Double.POSITIVE_INFINITY);
       case SceneObject.Mesh mesh -> {
         Matrix4d toMesh = frame(mesh.poseInBase()).invert();
         toMesh.transformPosition(from);

@@ -76,9 +76,11 @@ public record SceneBounds(List<Ball> balls) {
   /** What stands so near that it belongs to the picture. */
   private static void addObjects(SceneModel model, List<Ball> balls) {
     double nearM = model.arm().reachM();
-    for (SceneObject object : model.world().objects()) {
+    List<SceneObject> pieces =
+        model.world().objects().stream().flatMap(object -> object.pieces().stream()).toList();
+    for (SceneObject piece : pieces) {
       Optional<Ball> ball =
-          switch (object) {
+          switch (piece) {
             case SceneObject.Sphere sphere ->
                 Optional.of(new Ball(sphere.centreInBaseM(), sphere.radiusM()));
             case SceneObject.Box box -> {
@@ -96,7 +98,7 @@ public record SceneBounds(List<Ball> balls) {
                       rod.capsule() ? half + rod.radiusM() : Math.hypot(half, rod.radiusM())));
             }
             case SceneObject.Mesh mesh -> Optional.of(around(mesh));
-            case SceneObject.Plane plane -> Optional.empty();
+            case SceneObject.Plane _, SceneObject.Compound _ -> Optional.empty();
           };
       ball.filter(each -> each.centreM().length() + each.radiusM() < nearM).ifPresent(balls::add);
     }

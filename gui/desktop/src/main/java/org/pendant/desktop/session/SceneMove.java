@@ -33,10 +33,15 @@ public record SceneMove(Path from, Path to) {
   public Scene renamed(Scene scene) {
     return from.equals(to)
         ? scene
-        : scene.withObjects(scene.objects().stream().map(this::renamed).toList());
+        : scene
+            .withObjects(scene.objects().stream().map(this::renamed).toList())
+            .withToolBodies(scene.toolBodies().stream().map(this::renamed).toList());
   }
 
   private SceneObject renamed(SceneObject object) {
+    if (object instanceof SceneObject.Compound compound) {
+      return compound.of(compound.parts().stream().map(this::renamed).toList());
+    }
     if (!(object instanceof SceneObject.Mesh mesh) || !within(mesh.part().file())) {
       return object;
     }
@@ -55,9 +60,9 @@ public record SceneMove(Path from, Path to) {
   /** Files of meshes that have to be copied; empty if none. */
   public List<String> toCopy(Scene scene) {
     Set<String> files = new LinkedHashSet<>();
-    for (SceneObject object : scene.objects()) {
-      if (object instanceof SceneObject.Mesh mesh && !within(mesh.part().file())) {
-        files.add(mesh.part().file());
+    for (MeshPart mesh : scene.meshes()) {
+      if (!within(mesh.file())) {
+        files.add(mesh.file());
       }
     }
     return List.copyOf(files);

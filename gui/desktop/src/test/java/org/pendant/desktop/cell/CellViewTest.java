@@ -38,6 +38,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.device.DoorLeaf;
 import org.pendant.controller.world.GripperSetup;
+import org.pendant.controller.world.Material;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.preview.PreviewWorkbench;
@@ -194,12 +195,16 @@ final class CellViewTest {
   }
 
   /** An entry of the menu that adds devices. */
-  private void add(CellView view, String kind) {
-    AbstractButton button = find(view, "cell-device-add", AbstractButton.class);
+  private static void add(CellView view, String kind) {
+    fromMenu(view, "cell-device-add", kind);
+  }
+
+  private static void fromMenu(CellView view, String menu, String kind) {
+    AbstractButton button = find(view, menu, AbstractButton.class);
     button.doClick(0);
     for (MenuElement each : MenuSelectionManager.defaultManager().getSelectedPath()) {
       for (MenuElement entry : each.getSubElements()) {
-        if (("cell-device-add-" + kind).equals(entry.getComponent().getName())) {
+        if ((menu + "-" + kind).equals(entry.getComponent().getName())) {
           ((AbstractButton) entry).doClick(0);
           MenuSelectionManager.defaultManager().clearSelectedPath();
           return;
@@ -277,6 +282,57 @@ final class CellViewTest {
           moves.setSelectedIndex(0);
           door = (DeviceSetup.Door) draft.devices().getFirst().getFirst();
           assertTrue(door.leaf().isEmpty());
+        });
+  }
+
+  @Test
+  void aNoteIsThereAgainWithTheRowsThatItIsAbout() throws Exception {
+    show(
+        view -> {
+          press(view, "cell-object-add-box");
+          press(view, "cell-object-add-plane");
+          find(view, "cell-object-list", JList.class).setSelectedIndex(0);
+          assertTrue(
+              all(view.component()).stream()
+                  .anyMatch(each -> "cell-object-note".equals(each.getName()) && each.isShowing()));
+        });
+  }
+
+  private SceneObject.Compound compound() {
+    return (SceneObject.Compound) draft.scene().objects().getFirst();
+  }
+
+  @Test
+  void aCompoundIsPutTogetherPartByPart() throws Exception {
+    show(
+        view -> {
+          press(view, "cell-object-add-compound");
+          type(view, "cell-object-mass", "2");
+          assertEquals(2, compound().massKg());
+          fromMenu(view, "cell-object-part-add", "cylinder");
+          assertEquals(3, compound().parts().size());
+          type(view, "cell-object-part-pose-z", "70");
+          type(view, "cell-object-part-part-name", "pin");
+          assertEquals(
+              new SceneObject.Rod(
+                  "pin", new Pose(0, 0, 0.07, 0, 0, 0), 0.01, 0.04, false, Material.DEFAULT, 0),
+              compound().parts().getLast());
+          find(view, "cell-object-parts", JComboBox.class).setSelectedIndex(1);
+          type(view, "cell-object-part-length-z", "120");
+          assertEquals(
+              new Vector3(0.01, 0.05, 0.12), ((SceneObject.Box) compound().parts().get(1)).sizeM());
+          press(view, "cell-object-part-parts-weigh-differently");
+          assertFalse(find(view, "cell-object-mass", JTextField.class).isVisible());
+          type(view, "cell-object-part-part-mass", "0.7");
+          assertEquals(0.7, compound().parts().get(1).massKg());
+          press(view, "cell-object-part-remove");
+          assertEquals(
+              List.of("foot", "pin"), compound().parts().stream().map(SceneObject::name).toList());
+          press(view, "cell-undo");
+          press(view, "cell-undo");
+          press(view, "cell-undo");
+          assertEquals(2, compound().massKg());
+          assertTrue(find(view, "cell-object-mass", JTextField.class).isVisible());
         });
   }
 

@@ -58,6 +58,9 @@ public final class PartsForm<T> {
   private Optional<T> value = Optional.empty();
   private boolean showing;
 
+  /** Whether fields show the value whatever is typed in them. */
+  private boolean afresh;
+
   /** What was shown before another thing; empty while the same thing is shown. */
   private Optional<T> other = Optional.empty();
 
@@ -133,6 +136,13 @@ public final class PartsForm<T> {
     showing = false;
   }
 
+  /** Shows the same thing from another side: what was typed and cannot be taken is dropped. */
+  public void showAfresh(T next) {
+    afresh = true;
+    show(next);
+    afresh = false;
+  }
+
   /**
    * Shows another thing. What was typed for the last one and cannot be taken is there again when
    * that one is.
@@ -177,6 +187,10 @@ public final class PartsForm<T> {
     Map<T, String> left = new HashMap<>();
     followers.add(
         now -> {
+          if (afresh) {
+            field.show(text.apply(now));
+            return;
+          }
           if (other.isEmpty()) {
             field.follow(text.apply(now));
             return;
@@ -419,6 +433,8 @@ public final class PartsForm<T> {
   public PartsForm<T> note(String text) {
     Remark remark = new Remark(id + "-note", Palette::quiet);
     remark.say(text);
+    // again, as it may have been hidden with its section
+    followers.add(now -> remark.say(text));
     panel.add(remark, "span, wrap, " + Remark.LAYOUT);
     return this;
   }

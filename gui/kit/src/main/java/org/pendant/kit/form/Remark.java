@@ -38,8 +38,9 @@ public final class Remark extends JTextArea {
     if (!getText().equals(text)) {
       setText(text);
       getAccessibleContext().setAccessibleName(text);
-      setVisible(!text.isEmpty());
     }
+    // with the same words too: others may have hidden it meanwhile
+    setVisible(!text.isEmpty());
   }
 
   /** New words are no reason to scroll. */

@@ -23,8 +23,10 @@ public final class BoxEdges {
   public static Lines of(List<SceneObject> objects, Set<String> touched, int rgb, int touchedRgb) {
     Lines lines = new Lines();
     for (SceneObject object : objects) {
-      if (object instanceof SceneObject.Box box) {
-        add(lines, box, touched.contains(box.name()) ? touchedRgb : rgb);
+      for (SceneObject piece : object.pieces()) {
+        if (piece instanceof SceneObject.Box box) {
+          add(lines, box, touched.contains(box.name()) ? touchedRgb : rgb);
+        }
       }
     }
     return lines;

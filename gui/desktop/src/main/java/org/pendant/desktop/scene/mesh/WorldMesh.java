@@ -28,20 +28,26 @@ public final class WorldMesh {
     MeshBuilder mesh = new MeshBuilder(detail);
     for (SceneObject object : objects) {
       mesh.finish(touched.contains(object.name()) ? Finish.TOUCHED : Finish.OBJECT);
-      switch (object) {
-        case SceneObject.Box box -> addBox(mesh, box);
-        case SceneObject.Sphere sphere -> addSphere(mesh, sphere);
-        case SceneObject.Rod rod -> addRod(mesh, rod);
-        case SceneObject.Mesh part -> {
-          mesh.at(frame(part.poseInBase()));
-          Facets.add(mesh, part.part().triangles(), !touched.contains(part.name()));
-        }
-        case SceneObject.Plane plane -> {
-          // Drawn as a surface with a grid.
-        }
-      }
+      add(mesh, object, touched);
     }
     return mesh.build();
+  }
+
+  private static void add(MeshBuilder mesh, SceneObject object, Set<String> touched) {
+    switch (object) {
+      case SceneObject.Compound compound ->
+          compound.pieces().forEach(piece -> add(mesh, piece, touched));
+      case SceneObject.Box box -> addBox(mesh, box);
+      case SceneObject.Sphere sphere -> addSphere(mesh, sphere);
+      case SceneObject.Rod rod -> addRod(mesh, rod);
+      case SceneObject.Mesh part -> {
+        mesh.at(frame(part.poseInBase()));
+        Facets.add(mesh, part.part().triangles(), !touched.contains(part.name()));
+      }
+      case SceneObject.Plane plane -> {
+        // Drawn as a surface with a grid.
+      }
+    }
   }
 
   private static void addBox(MeshBuilder mesh, SceneObject.Box box) {
