@@ -4,6 +4,7 @@ import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.session.Programs;
@@ -24,6 +25,7 @@ public final class DebugPresenter {
   private static final long LINGER_FRAMES = 100;
 
   private final Workbench workbench;
+  private final Supplier<String> controller;
   private final Programs programs;
   private final OpenBreakpoints breakpoints;
   private final Stepping steps;
@@ -40,16 +42,28 @@ public final class DebugPresenter {
   private long heldFrame;
   private boolean lingering;
 
+  /** The controller whose snapshots came last. */
+  private String shown;
+
   /** Asks the debugger of the workbench's session. */
   public DebugPresenter(Workbench workbench, Programs programs) {
     this(
         workbench,
         programs,
-        new SessionLink(command -> workbench.session().submit(command), EventQueue::invokeLater));
+        new SessionLink(command -> workbench.session().submit(command), EventQueue::invokeLater),
+        () -> workbench.session().shown().name());
   }
 
-  DebugPresenter(Workbench workbench, Programs programs, DebugLink link) {
+  /**
+   * As above.
+   *
+   * @param controller the name of the controller that is shown
+   */
+  DebugPresenter(
+      Workbench workbench, Programs programs, DebugLink link, Supplier<String> controller) {
     this.workbench = workbench;
+    this.controller = controller;
+    shown = controller.get();
     this.programs = programs;
     breakpoints = new OpenBreakpoints(link, programs, started, workbench::notify);
     steps = new Stepping(link, started::toRun, workbench::notify);
@@ -97,7 +111,9 @@ public final class DebugPresenter {
       }
       tellListeners();
     }
-    if (lingering && !held() && over(state)) {
+    boolean other = !controller.get().equals(shown);
+    shown = controller.get();
+    if (lingering && !held() && (other || over(state))) {
       letGo();
       tellListeners();
     }

@@ -93,7 +93,9 @@ final class StartedRun implements RunProgram {
 
   @Override
   public boolean left(ControllerState state) {
-    return ProgramPhase.of(state) == ProgramPhase.STOPPED && left.equals(time());
+    return ProgramPhase.of(state) == ProgramPhase.STOPPED
+        && left.equals(time())
+        && !runner.program().equals(Optional.of(programs.current()));
   }
 
   @Override

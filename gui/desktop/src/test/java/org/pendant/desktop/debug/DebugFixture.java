@@ -12,6 +12,7 @@ import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
+import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.ProgramDocument;
@@ -28,11 +29,14 @@ final class DebugFixture {
   private final ProgramDocument document;
   private final Programs programs;
   private final DebugPresenter debug;
+  private String shown = "";
 
   DebugFixture(String... lines) {
     document = ProgramDocument.untitled("test.script", String.join("\n", lines) + "\n");
     programs = new Programs(document);
-    debug = new DebugPresenter(workbench, programs, new SessionLink(this::submit, Runnable::run));
+    debug =
+        new DebugPresenter(
+            workbench, programs, new SessionLink(this::submit, Runnable::run), () -> shown);
   }
 
   /** Carries a command out at once, in a frame of its own. */
@@ -52,6 +56,12 @@ final class DebugFixture {
 
   DebugPresenter debug() {
     return debug;
+  }
+
+  /** Another controller of the cell is shown, of which {@code state} is the newest snapshot. */
+  void show(String controller, ControllerState state) {
+    shown = controller;
+    debug.refresh(state);
   }
 
   /** Sets breakpoints in place of all others. */

@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.controller.Controller;
+import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.TestController;
 import org.pendant.desktop.editor.Execution;
 
 final class DebugPresenterTest {
@@ -61,6 +64,19 @@ final class DebugPresenterTest {
     debug.select(0, 1);
     assertEquals(7, debug.executionLine());
     assertEquals(List.of("Global", "total = 0"), DebugFixture.rows(debug.variables()));
+  }
+
+  @Test
+  void theValuesOfAStopGoWhenAnotherControllerIsShown() {
+    fixture.breakAt(5);
+    fixture.run();
+    Controller other = new Controller(ControllerOptions.headless());
+    TestController.start(other, "sleep(1000)\n");
+    other.runUntil(() -> false, 50);
+    fixture.show("right", other.state());
+    assertFalse(debug.held());
+    assertFalse(debug.showsValues());
+    assertEquals(List.of(), DebugFixture.rows(debug.variables()));
   }
 
   @Test
