@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.editors.dap.run.DebugTarget;
 import org.pendant.editors.dap.run.RobotRun;
@@ -71,12 +72,52 @@ final class DebuggedTestRunTest {
   }
 
   private RobotRun start(String test, Kept kept, boolean held) throws Exception {
-    Path file = Files.writeString(folder.resolve("a_test.script"), TESTS);
+    return start(TESTS, test, kept, held);
+  }
+
+  private RobotRun start(String tests, String test, Kept kept, boolean held) throws Exception {
+    Path file = Files.writeString(folder.resolve("a_test.script"), tests);
     DebugTarget target = new DebuggedPrograms().test(file.toString(), test, List.of());
     DebuggedTest debugged = target.test().orElseThrow();
     RobotRun run = RobotRun.begin(debugged.controller(), target, kept, Runnable::run);
     assertEquals(Optional.empty(), run.start(debugged.program(), file.toString(), held).join());
     return run;
+  }
+
+  @Test
+  void theOtherArmsOfACellGoOnWithTheTest() throws Exception {
+    Files.writeString(
+        folder.resolve("two.scene.json"),
+        """
+        {
+          "arms": [
+            {"name": "left"},
+            {"name": "right", "base": [1, 0, 0, 0, 0, 3], "program": "raise.script"}
+          ],
+          "wires": [["right.digital_out[0]", "left.digital_in[0]"]]
+        }
+        """);
+    Files.writeString(
+        folder.resolve("raise.script"), "sleep(0.3)\nset_standard_digital_out(0, True)\n");
+    String tests =
+        """
+        # @scene two.scene.json
+        def test_green():
+          waited = 0
+          while not get_standard_digital_in(0):
+            sync()
+            waited = waited + 1
+          end
+          assert_true(waited > 100)
+        end
+        """;
+    Kept kept = new Kept();
+    try (RobotRun run = start(tests, "test_green", kept, true)) {
+      assertEquals(3, kept.heldLine.join());
+      run.ask(Debugger::threads).join();
+      var _ = run.robot().submit(new DebugCommand.Debug(Debugger::resume));
+      assertEquals(RunResult.DONE, kept.result.join().exitCode());
+    }
   }
 
   @Test

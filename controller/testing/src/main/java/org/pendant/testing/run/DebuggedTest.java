@@ -5,8 +5,11 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Function;
+import org.pendant.controller.Cell;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.Frames;
+import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
@@ -15,11 +18,13 @@ import org.pendant.script.vm.Program;
 import org.pendant.testing.TestPlace;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.run.TestPlan.Chosen;
+import org.pendant.testing.source.TestScene;
 
 /**
- * Debugged test: one test in a controller that somebody else drives, at any pace, with a debugger.
- * It does in the same frames what it does without one: where the debugger has paused the program,
- * the frame has not ended and no time passes. Used by the thread that drives.
+ * Debugged test: one test in a controller that somebody else drives, at any pace, with a debugger,
+ * and with those that share a cell with it. It does in the same frames what it does without one:
+ * where the debugger has paused the program, the frame has not ended and no time passes. Used by
+ * the thread that drives.
  */
 public final class DebuggedTest {
   private final Chosen chosen;
@@ -41,8 +46,9 @@ public final class DebuggedTest {
    * @throws NotDebugged if the debugger cannot see what it runs
    */
   static DebuggedTest of(Chosen chosen, TestRun run) throws NotDebugged {
-    if (chosen.test().scene().filter(scene -> !scene.alone()).isPresent()) {
-      throw new NotDebugged("its scene has several controllers; only tests of one can be debugged");
+    Optional<String> broken = run.broken();
+    if (broken.isPresent()) {
+      throw new NotDebugged(broken.get());
     }
     if (!chosen.test().watches()) {
       return new DebuggedTest(chosen, run, chosen.file().program());
@@ -75,9 +81,24 @@ public final class DebuggedTest {
     }
   }
 
-  /** The controller to drive, which has run no frame. */
+  /** The controller that it runs on, which has run no frame. */
   public Controller controller() {
     return run.controller();
+  }
+
+  /** What is to be driven: the controller, or the cell that it shares with others. */
+  public Frames frames() {
+    return cell().<Frames>map(cell -> cell).orElse(run.controller());
+  }
+
+  /** The cell whose first controller it is; empty for one that is alone. */
+  public Optional<Cell> cell() {
+    return run.cell().map(TestCell::cell);
+  }
+
+  /** Of {@link #cell}; empty for a controller that is alone. */
+  public Optional<CellPlan> plan() {
+    return cell().flatMap(_ -> chosen.test().scene()).map(TestScene::plan);
   }
 
   /** What it was switched on with. */

@@ -80,6 +80,11 @@ final class TestCell {
     return first.withSeed(first.seed() + number).withOutside(Connectors.NONE);
   }
 
+  /** All controllers; the test runs on the first one. */
+  Cell cell() {
+    return cell;
+  }
+
   /** The controller of the first arm. */
   Controller tested() {
     return cell.members().getFirst().controller();

@@ -160,6 +160,16 @@ final class TestRun {
     return controller;
   }
 
+  /** Those that share a cell with it; empty where it is alone. */
+  Optional<TestCell> cell() {
+    return cell;
+  }
+
+  /** Why the cell cannot be as its file says; empty if it can. */
+  Optional<String> broken() {
+    return broken;
+  }
+
   /** What that was switched on with. */
   ControllerOptions options() {
     return options;

@@ -32,7 +32,7 @@ class DebuggedTestTest {
     controller.applyCommands();
     test.begin(controller::submit);
     for (int i = 0; i < MOST_FRAMES; i++) {
-      controller.advance();
+      test.frames().advance();
       ControllerState state = controller.state();
       Optional<TestResult> result = test.after(state);
       if (result.isPresent()) {
@@ -41,7 +41,7 @@ class DebuggedTestTest {
       if (state.debug().held()) {
         stops.add(state.program().line());
         for (int look = 0; look < LONG_LOOK; look++) {
-          controller.advance();
+          test.frames().advance();
           assertTrue(test.after(controller.state()).isEmpty());
         }
         assertEquals(state.frame(), controller.state().frame());
@@ -90,6 +90,62 @@ class DebuggedTestTest {
     assertEquals(List.of(3), stops);
     assertEquals(Optional.empty(), result.failure());
     assertEquals(suite.only().robotTimeS(), result.robotTimeS());
+  }
+
+  @Test
+  void theOtherControllersOfTheCellGoOnWithTheTestAndWaitWhereItStops() throws Exception {
+    Suite suite =
+        Suite.of(
+                "# @scene ../cells/two.json",
+                "def test_a():",
+                "  start(\"pick.script\")",
+                "  eventually(get_standard_digital_in(1), within=1)",
+                "  wait_for_end()",
+                "end")
+            .with(
+                "cell/pick.script",
+                "def pick():",
+                "  sleep(0.1)",
+                "  set_standard_digital_out(0, True)",
+                "  while not get_standard_digital_in(1):",
+                "    sync()",
+                "  end",
+                "end")
+            .with(
+                "cells/answer.script",
+                "def answer():",
+                "  while not get_standard_digital_in(0):",
+                "    sync()",
+                "  end",
+                "  sleep(0.2)",
+                "  set_standard_digital_out(1, True)",
+                "end")
+            .with(
+                "cells/two.json",
+                "{\"arms\": [{\"name\": \"left\"},",
+                " {\"name\": \"right\", \"base\": [1, 0, 0, 0, 0, 3], \"program\":"
+                    + " \"answer.script\"}],",
+                " \"wires\": [[\"left.digital_out[0]\", \"right.digital_in[0]\"],",
+                "  [\"right.digital_out[1]\", \"left.digital_in[1]\"]]}");
+    DebuggedTest test = suite.debugged();
+
+    TestResult result = drive(test, 3);
+
+    assertEquals(List.of(3), stops);
+    assertEquals(Optional.empty(), result.failure());
+    assertEquals(suite.only().robotTimeS(), result.robotTimeS());
+  }
+
+  @Test
+  void aCellThatCannotBeIsRefused() {
+    String why =
+        refusal(
+            Suite.of("# @scene ../cells/two.json", "def test_a():", "  sync()", "end")
+                .with(
+                    "cells/two.json",
+                    "{\"arms\": [{\"name\": \"left\"},",
+                    " {\"name\": \"right\", \"program\": \"none.script\"}]}"));
+    assertTrue(why.contains("none.script"), why);
   }
 
   @Test

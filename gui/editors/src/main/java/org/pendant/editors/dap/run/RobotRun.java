@@ -9,6 +9,7 @@ import org.pendant.controller.Clock;
 import org.pendant.controller.Controller;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.Drive;
+import org.pendant.controller.Frames;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
 import org.pendant.controller.VirtualClock;
@@ -38,6 +39,10 @@ public final class RobotRun implements DebuggedRobot {
 
   private final Robot robot;
   private final Drive drive;
+
+  /** Lets time pass: for the controller, or for the cell that it shares with others. */
+  private final Frames frames;
+
   private final InputWaveforms waveforms;
   private final Runnable outside;
   private final Optional<DebuggedTest> test;
@@ -70,6 +75,7 @@ public final class RobotRun implements DebuggedRobot {
     waveforms = target.waveforms();
     outside = target.outside();
     test = target.test();
+    frames = test.map(DebuggedTest::frames).orElse(controller);
     this.listener = listener;
     follower = new ProgramFollower(controller, listener);
     ring = new RecordingRing(controller.state(), controller::programSource, RECORDING_BYTES);
@@ -84,7 +90,7 @@ public final class RobotRun implements DebuggedRobot {
   public static RobotRun begin(
       Controller controller, DebugTarget target, RunListener listener, Executor answers) {
     RobotRun run = new RobotRun(controller, target, listener, answers);
-    run.drive.wakeBy(run.work::release);
+    run.frames.wakeBy(run.work::release);
     run.thread.start();
     return run;
   }
@@ -224,19 +230,19 @@ public final class RobotRun implements DebuggedRobot {
       if (watch.isPresent()) {
         var _ = robot.submit(new DebugCommand.Debug(watch.get()::look));
       }
-      var _ = clock.awaitDue(drive::waitsForOutside);
+      var _ = clock.awaitDue(frames::waitsForOutside);
       tellLost();
-      drive.advance();
+      frames.advance();
     } else {
       work.acquire();
       work.drainPermits();
       clock.startAfresh();
       if (held) {
-        drive.advance();
+        frames.advance();
       } else if (passing || starting) {
         return;
       } else {
-        drive.applyCommands();
+        frames.applyCommands();
       }
     }
     ControllerState state = drive.state();
