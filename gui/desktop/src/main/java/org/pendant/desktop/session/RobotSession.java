@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
+import org.pendant.controller.Cell;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.Pace;
@@ -22,7 +23,6 @@ import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.io.InputWaveforms;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -68,6 +68,9 @@ public final class RobotSession implements AutoCloseable {
 
   /** How the one that is alone is, or was before there was a cell. */
   private volatile ControllerOptions alone;
+
+  /** Whether others have made the controllers that there are: those of people come back. */
+  private volatile boolean lent;
 
   private volatile Optional<Branching> branching = Optional.empty();
   private boolean closed;
@@ -346,7 +349,7 @@ public final class RobotSession implements AutoCloseable {
     double speedFraction = state().arm().speedFraction();
     switching.lock();
     try {
-      exchange(next, pace());
+      exchange(next, pace(), false);
       alone = options;
       var _ = submit(new BoxCommand.SetSpeedFraction(speedFraction));
     } finally {
@@ -372,7 +375,7 @@ public final class RobotSession implements AutoCloseable {
     try {
       List<String> names = next.stream().map(SessionMember::name).toList();
       int before = Math.max(0, names.indexOf(shown().name()));
-      exchange(Optional.of(setup), () -> drive(next, before, pace()));
+      exchange(Optional.of(setup), false, () -> drive(next, before, pace()));
     } finally {
       switching.unlock();
     }
@@ -410,34 +413,57 @@ public final class RobotSession implements AutoCloseable {
     cancelBranch();
     switching.lock();
     try {
-      exchange(next, new Pace.Paused());
+      exchange(next, new Pace.Paused(), true);
     } finally {
       switching.unlock();
     }
-    // what people have drawn for their own robot is not for this one
-    var _ = submit(new IoCommand.PlayInputs(InputWaveforms.NONE));
+  }
+
+  /**
+   * As {@link #lend(ControllerOptions, Controller, FrameListener)}, with those of a cell, of which
+   * the first is shown.
+   *
+   * @param setup that the cell was made with
+   * @param guest sees the frames of the first controller before all others
+   */
+  public void lend(CellSetup setup, Cell made, FrameListener guest) {
+    List<SessionMember> next = SwitchedOn.of(setup, made, guest, store);
+    cancelBranch();
+    switching.lock();
+    try {
+      exchange(Optional.of(setup), true, () -> drive(next, 0, new Pace.Paused()));
+    } finally {
+      switching.unlock();
+    }
+  }
+
+  /** Whether others have made the controllers that there are, for a while. */
+  public boolean lent() {
+    return lent;
   }
 
   /** Starts a program for the user: it is none of those that others send. */
-  public CompletableFuture<Reply> start(ProgramCommand.StartProgram command) {
-    SessionMember member = shown();
+  public CompletableFuture<Reply> start(SessionMember member, ProgramCommand.StartProgram command) {
     return member.runs().origin().expect(() -> driven.submit(member, command));
   }
 
-  private void exchange(SwitchedOn next, Pace pace) {
+  private void exchange(SwitchedOn next, Pace pace, boolean forOthers) {
     SessionMember before = shown();
     boolean wasAlone = !inCell();
     exchange(
         Optional.empty(),
+        forOthers,
         () ->
             drive(
                 List.of(wasAlone ? before.replacedBy(next) : SessionMember.alone(next)), 0, pace));
   }
 
-  private void exchange(Optional<CellSetup> setup, Supplier<DrivenControllers> next) {
+  private void exchange(
+      Optional<CellSetup> setup, boolean forOthers, Supplier<DrivenControllers> next) {
     switchListeners.forEach(each -> Faults.guard(each::switchingOff));
     driven.close();
     cell = setup;
+    lent = forOthers;
     driven = next.get();
     switchListeners.forEach(each -> Faults.guard(each::switchedOn));
   }
@@ -521,7 +547,7 @@ public final class RobotSession implements AutoCloseable {
         next.forEach(SwitchedOn::close);
         throw new RerunRefused("the controller was switched off meanwhile");
       }
-      exchange(cell, () -> drive(replaced(from.members(), next), from.shownNumber()));
+      exchange(cell, lent, () -> drive(replaced(from.members(), next), from.shownNumber()));
     } finally {
       switching.unlock();
     }

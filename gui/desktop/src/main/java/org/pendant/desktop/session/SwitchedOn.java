@@ -103,23 +103,20 @@ record SwitchedOn(
     try {
       Builtins<ControlBox> builtins = StandardBuiltins.create();
       Cell cell = new Cell(setup.plan(), options, builtins);
+      List<SessionMember> members = new ArrayList<>();
       RunJournal run = RunJournal.of(Controllers.of(cell));
       ParkedRuns parked = parked(run, SwitchOn.of(setup.plan(), setup.options(), builtins));
-      List<SessionMember> members = new ArrayList<>();
-      for (Cell.Member each : cell.members()) {
-        Controller controller = each.controller();
-        SwitchedOn on =
-            new SwitchedOn(
-                each.options(),
-                scriptConnectors.get(members.size()),
-                tools.get(members.size()),
-                run.of(members.size()),
-                new RecordingRing(controller.state(), controller::programSource, store),
+      for (int i = 0; i < options.size(); i++) {
+        members.add(
+            member(
+                setup,
+                cell.members().get(i),
+                scriptConnectors.get(i),
+                tools.get(i),
+                run.of(i),
                 parked,
-                state -> {});
-        Optional<String> address =
-            each.armless() ? Optional.empty() : setup.plan().arms().get(members.size()).address();
-        members.add(SessionMember.of(each, address, on));
+                state -> {},
+                store));
       }
       made = true;
       return List.copyOf(members);
@@ -129,6 +126,60 @@ record SwitchedOn(
         tools.forEach(ToolSerialLine::close);
       }
     }
+  }
+
+  /**
+   * Those of a cell that others have made and that reach nothing outside.
+   *
+   * @param cell has run no frame
+   * @param guest sees the frames of the first one before all others
+   */
+  static List<SessionMember> of(
+      CellSetup setup, Cell cell, FrameListener guest, NumberStore store) {
+    RunJournal run = RunJournal.of(Controllers.of(cell));
+    ParkedRuns parked =
+        parked(
+            run,
+            SwitchOn.of(
+                setup.plan(), setup.options(), cell.members().getFirst().controller().builtins()));
+    List<SessionMember> members = new ArrayList<>();
+    for (Cell.Member each : cell.members()) {
+      members.add(
+          member(
+              setup,
+              each,
+              new ScriptConnectors(AllowedHosts.ANY),
+              new ToolSerialLine(),
+              run.of(members.size()),
+              parked,
+              members.isEmpty() ? guest : state -> {},
+              store));
+    }
+    return List.copyOf(members);
+  }
+
+  private static SessionMember member(
+      CellSetup setup,
+      Cell.Member of,
+      ScriptConnectors scriptConnectors,
+      ToolSerialLine tool,
+      Journal journal,
+      ParkedRuns parked,
+      FrameListener guest,
+      NumberStore store) {
+    Controller controller = of.controller();
+    SwitchedOn on =
+        new SwitchedOn(
+            of.options(),
+            scriptConnectors,
+            tool,
+            journal,
+            new RecordingRing(controller.state(), controller::programSource, store),
+            parked,
+            guest);
+    Optional<String> address =
+        of.armless() ? Optional.empty() : setup.plan().arms().get(journal.member()).address();
+    return SessionMember.of(of, address, on);
   }
 
   /**

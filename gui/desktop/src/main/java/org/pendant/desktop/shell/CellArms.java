@@ -39,10 +39,22 @@ final class CellArms implements SwitchListener {
   /** What the cell that is being switched on begins with. */
   private volatile Optional<CellStart> coming = Optional.empty();
 
+  /** What people have, while the controllers of a test are there. */
+  private Optional<Kept> kept = Optional.empty();
+
   private Runnable alone = () -> {};
   private String showing;
   private String heldLast = "";
   private boolean choosing;
+
+  /** What belongs to controllers that come back. */
+  private record Kept(
+      Map<String, ProgramDocument> programOf,
+      Map<String, ProgramDocument> installationOf,
+      Map<String, String> named,
+      String showing,
+      ProgramDocument installation,
+      boolean inCell) {}
 
   /**
    * Follows a session from now on.
@@ -101,6 +113,12 @@ final class CellArms implements SwitchListener {
 
   /** Other controllers have come: their installations first, before anybody sets them up anew. */
   private void exchanged() {
+    if (session.lent()) {
+      exchangedForOthers();
+      return;
+    }
+    kept.ifPresent(this::takeBack);
+    kept = Optional.empty();
     Optional<CellStart> start = coming;
     coming = Optional.empty();
     boolean wasInCell = installation.ofArm();
@@ -135,6 +153,45 @@ final class CellArms implements SwitchListener {
       before.ifPresent(installation::open);
       alone.run();
       alone = () -> {};
+      showRobot.accept(session.options().robotId());
+    }
+  }
+
+  /** The controllers of a test have come, for a while. */
+  private void exchangedForOthers() {
+    if (kept.isEmpty()) {
+      kept =
+          Optional.of(
+              new Kept(
+                  new HashMap<>(programOf),
+                  new HashMap<>(installationOf),
+                  named,
+                  showing,
+                  installation.document(),
+                  installation.ofArm()));
+    }
+    programOf.clear();
+    installationOf.clear();
+    named = Map.of();
+    showing = "";
+    if (session.inCell()) {
+      installation.setOfArm(true);
+      show();
+    }
+  }
+
+  private void takeBack(Kept own) {
+    programOf.clear();
+    programOf.putAll(own.programOf());
+    installationOf.clear();
+    installationOf.putAll(own.installationOf());
+    named = own.named();
+    showing = own.showing();
+    installation.setOfArm(own.inCell());
+    if (installation.document() != own.installation()) {
+      installation.open(own.installation());
+    }
+    if (!session.inCell()) {
       showRobot.accept(session.options().robotId());
     }
   }

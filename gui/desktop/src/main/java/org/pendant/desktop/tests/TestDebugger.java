@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import org.pendant.controller.Cell;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
 import org.pendant.controller.Pace;
@@ -18,11 +19,14 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.debug.RunLines;
 import org.pendant.desktop.debug.RunScript;
+import org.pendant.desktop.session.CellSetup;
+import org.pendant.desktop.session.FrameListener;
 import org.pendant.desktop.session.ProgramControls;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.kit.background.Background;
 import org.pendant.project.program.script.GeneratedNames;
@@ -59,8 +63,20 @@ final class TestDebugger implements SwitchListener {
     LEAVING
   }
 
-  /** The robot that comes back. */
-  private record Own(TestCase test, ControllerOptions options, double speedFraction, Pace pace) {}
+  /**
+   * What comes back: the robot, or all controllers of a cell.
+   *
+   * @param options of a robot that is alone
+   * @param shown the name of the controller that was shown
+   * @param speedFractions of each controller, in their order
+   */
+  private record Own(
+      TestCase test,
+      Optional<CellSetup> cell,
+      ControllerOptions options,
+      String shown,
+      List<Double> speedFractions,
+      Pace pace) {}
 
   /** A test that is about to begin, and the file that the debugger shows. */
   private record Prepared(DebuggedTest test, SavedProgram file) {}
@@ -96,12 +112,8 @@ final class TestDebugger implements SwitchListener {
       tell.accept(own.get().test().id().name() + " is being debugged");
       return;
     }
-    if (session.inCell()) {
-      tell.accept("Not debugged: several controllers share the cell; close the scene first");
-      return;
-    }
-    ControllerState state = session.state();
-    if (ProgramControls.of(state).canStop()) {
+    List<ControllerState> states = session.members().stream().map(SessionMember::state).toList();
+    if (states.stream().anyMatch(state -> ProgramControls.of(state).canStop())) {
       tell.accept("Not debugged: a program runs; stop it first");
       return;
     }
@@ -109,8 +121,10 @@ final class TestDebugger implements SwitchListener {
         Optional.of(
             new Own(
                 test,
-                session.options().withStart(state.arm().actualPositionRad()),
-                state.arm().speedFraction(),
+                session.cell(),
+                session.options().withStart(session.state().arm().actualPositionRad()),
+                session.shown().name(),
+                states.stream().map(state -> state.arm().speedFraction()).toList(),
                 session.pace()));
     phase = Phase.COMING;
     Background.run(
@@ -143,12 +157,24 @@ final class TestDebugger implements SwitchListener {
       Path file = Path.of(setup.files().folder()).resolve(debugged.file()).normalize();
       Prepared prepared = new Prepared(debugged, SavedProgram.read(file));
       switching = true;
-      session.lend(debugged.options(), debugged.controller(), state -> frame(debugged, state));
+      lend(debugged);
       return prepared;
     } catch (DebuggedTest.NotDebugged e) {
       throw new IOException(e.getMessage(), e);
     } finally {
       switching = false;
+    }
+  }
+
+  private void lend(DebuggedTest debugged) {
+    FrameListener guest = state -> frame(debugged, state);
+    Optional<Cell> cell = debugged.cell();
+    if (cell.isPresent()) {
+      List<ControllerOptions> options =
+          cell.get().members().stream().map(Cell.Member::options).toList();
+      session.lend(new CellSetup(debugged.plan().orElseThrow(), options), cell.get(), guest);
+    } else {
+      session.lend(debugged.options(), debugged.controller(), guest);
     }
   }
 
@@ -166,6 +192,7 @@ final class TestDebugger implements SwitchListener {
     ProgramDocument document = programs.of(saved.path()).orElseGet(() -> ProgramDocument.of(saved));
     programs.open(document);
     DebuggedTest test = prepared.test();
+    SessionMember tested = session.members().getFirst();
     starts.accept(
         document, new RunScript(test.program().source(), lines(test), 0, 0, GeneratedNames.NONE));
     if (test.watches()) {
@@ -178,7 +205,9 @@ final class TestDebugger implements SwitchListener {
     Pace pace = own.get().pace() instanceof Pace.Paused ? Pace.REAL_TIME : own.get().pace();
     var _ =
         session
-            .submit(new DebugCommand.Debug(_ -> test.begin(command -> submit(test, command))))
+            .submit(
+                tested,
+                new DebugCommand.Debug(_ -> test.begin(command -> submit(tested, test, command))))
             .thenAccept(_ -> session.setPace(pace));
   }
 
@@ -197,11 +226,12 @@ final class TestDebugger implements SwitchListener {
   }
 
   /** A program that the debugger does not know is one of others. */
-  private CompletableFuture<Reply> submit(DebuggedTest test, Command command) {
+  private CompletableFuture<Reply> submit(
+      SessionMember tested, DebuggedTest test, Command command) {
     return command instanceof ProgramCommand.StartProgram start
             && start.program().equals(test.program())
-        ? session.start(start)
-        : session.submit(command);
+        ? session.start(tested, start)
+        : session.submit(tested, command);
   }
 
   private void frame(DebuggedTest test, ControllerState state) {
@@ -234,14 +264,29 @@ final class TestDebugger implements SwitchListener {
         () -> {
           switching = true;
           try {
-            session.restart(back.options());
+            restart(back);
           } finally {
             switching = false;
           }
-          return session.submit(new BoxCommand.SetSpeedFraction(back.speedFraction()));
+          return back;
         },
         _ -> left(why),
         failed -> left(failed.getMessage()));
+  }
+
+  private void restart(Own back) {
+    if (back.cell().isPresent()) {
+      session.restart(back.cell().get());
+      session.show(back.shown());
+    } else {
+      session.restart(back.options());
+    }
+    List<SessionMember> members = session.members();
+    for (int i = 0; i < members.size(); i++) {
+      var _ =
+          session.submit(
+              members.get(i), new BoxCommand.SetSpeedFraction(back.speedFractions().get(i)));
+    }
   }
 
   private void left(String why) {

@@ -10,7 +10,7 @@ import org.pendant.desktop.session.SwitchListener;
 
 /**
  * Waveform player: has each of the session's controllers play waveforms of its own, also when
- * another one takes its place.
+ * another one takes its place. Those that are lent are not for what people have drawn.
  */
 final class WaveformPlayer implements SwitchListener {
   private final RobotSession session;
@@ -37,7 +37,9 @@ final class WaveformPlayer implements SwitchListener {
   }
 
   private void send(SessionMember member, InputWaveforms waveforms) {
-    var _ = session.submit(member, new IoCommand.PlayInputs(waveforms));
+    if (!session.lent()) {
+      var _ = session.submit(member, new IoCommand.PlayInputs(waveforms));
+    }
   }
 
   @Override

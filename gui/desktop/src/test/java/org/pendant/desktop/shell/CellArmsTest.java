@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -17,9 +18,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.controller.Cell;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.session.ActiveInstallation;
+import org.pendant.desktop.session.CellSetup;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
@@ -87,6 +91,26 @@ final class CellArmsTest {
     assertSame(left, programs.current());
     dispatch(() -> session.show("right"));
     assertSame(mine, programs.current());
+  }
+
+  @Test
+  void programsAndInstallationsComeBackAfterATestHadControllersOfItsOwn() throws Exception {
+    ProgramDocument left = programs.current();
+    ProgramDocument script = arms.program(member("cell")).orElseThrow();
+    ProgramDocument written = installation.document();
+    CellSetup setup = SharedCell.setup();
+    session.lend(
+        setup, new Cell(setup.plan(), setup.options(), StandardBuiltins.create()), state -> {});
+    dispatch(() -> {});
+    assertNotSame(written, installation.document());
+    assertEquals(Optional.empty(), arms.program(member("cell")));
+    ProgramDocument test = ProgramDocument.untitled("test.script", "sleep(1)\n");
+    dispatch(() -> programs.open(test));
+    session.restart(setup);
+    dispatch(() -> {});
+    assertSame(left, programs.current());
+    assertSame(script, arms.program(member("cell")).orElseThrow());
+    assertSame(written, installation.document());
   }
 
   @Test

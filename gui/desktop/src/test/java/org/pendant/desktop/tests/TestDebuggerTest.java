@@ -1,6 +1,7 @@
 package org.pendant.desktop.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
@@ -23,6 +24,8 @@ import org.pendant.controller.Pace;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.session.SharedCell;
 import org.pendant.testing.TestId;
 import org.pendant.testing.TestResult;
 import org.pendant.testing.TestStatus;
@@ -38,7 +41,7 @@ final class TestDebuggerTest {
   private final Programs programs = new Programs(ProgramDocument.untitled("a.script", ""));
   private final List<String> started = Collections.synchronizedList(new ArrayList<>());
   private final CompletableFuture<TestResult> result = new CompletableFuture<>();
-  private final CompletableFuture<String> told = new CompletableFuture<>();
+  private volatile CompletableFuture<String> told = new CompletableFuture<>();
   private final TestDebugger debugger =
       new TestDebugger(
           session,
@@ -59,6 +62,11 @@ final class TestDebuggerTest {
   @AfterEach
   void close() {
     session.close();
+  }
+
+  private String debugAgain(String... lines) throws Exception {
+    told = new CompletableFuture<>();
+    return debug(lines);
   }
 
   /** Debugs the only test of a file; the robot is there again when this returns what was told. */
@@ -101,6 +109,60 @@ final class TestDebuggerTest {
     assertEquals("test_a passed", why);
     assertEquals(List.of("pick.script 2"), started);
     assertEquals(0, session.strangersStarted());
+  }
+
+  private void cell() throws Exception {
+    Files.writeString(
+        folder.resolve("two.scene.json"),
+        """
+        {
+          "arms": [
+            {"name": "near"},
+            {"name": "far", "base": [1, 0, 0, 0, 0, 3], "program": "raise.script"}
+          ],
+          "wires": [["far.digital_out[0]", "near.digital_in[0]"]]
+        }
+        """);
+    Files.writeString(
+        folder.resolve("raise.script"), "sleep(0.3)\nset_standard_digital_out(0, True)\n");
+  }
+
+  private String debugInCell() throws Exception {
+    return debug(
+        "# @scene two.scene.json",
+        "def test_a():",
+        "  eventually(get_standard_digital_in(0), within=1)",
+        "end");
+  }
+
+  @Test
+  void aTestOfACellBringsAllItsControllersAndTheOwnRobotComesBack() throws Exception {
+    cell();
+    List<String> names = Collections.synchronizedList(new ArrayList<>());
+    session.addCellListener(
+        (member, state) -> {
+          if (session.lent() && !names.contains(member.name())) {
+            names.add(member.name());
+          }
+        });
+    assertEquals("test_a passed", debugInCell());
+    assertEquals(List.of("near", "far"), names);
+    assertFalse(session.inCell());
+    assertFalse(session.lent());
+  }
+
+  @Test
+  void aCellComesBackAsWell() throws Exception {
+    cell();
+    session.restart(SharedCell.setup());
+    session.show("right");
+    assertEquals("test_a passed", debugInCell());
+    assertEquals(
+        List.of("left", "right", "cell"),
+        session.members().stream().map(SessionMember::name).toList());
+    assertEquals("right", session.shown().name());
+    assertEquals("test_a passed", debugAgain("def test_a():", "  sleep(0.1)", "end"));
+    assertEquals("right", session.shown().name());
   }
 
   @Test
