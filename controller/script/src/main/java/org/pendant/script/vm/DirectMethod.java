@@ -36,6 +36,7 @@ final class DirectMethod {
   private final Label[] interpreted;
 
   private final DirectSlots slots;
+  private final DirectOperations operations;
   private final List<Runnable> tail = new ArrayList<>();
   private final Map<List<Integer>, Label> exits = new HashMap<>();
 
@@ -50,6 +51,7 @@ final class DirectMethod {
       labels[i] = code.newLabel();
     }
     slots = new DirectSlots(code, form);
+    operations = new DirectOperations(code, form, slots, this::interpreted);
   }
 
   /** Writes the method of the form. */
@@ -171,33 +173,6 @@ final class DirectMethod {
     slots.returnLeft();
   }
 
-  // --- guards
-
-  /** Leaves when {@code operand} has none of the tags up to {@code most}. */
-  private void guard(int operand, int[] state, int most, Supplier<Label> exit) {
-    int tags = form.tags(operand, state);
-    boolean known =
-        switch (most) {
-          case Registers.INT -> TagSet.within(tags, TagSet.INT);
-          case Registers.FLOAT -> TagSet.within(tags, TagSet.NUMBER);
-          case Registers.BOOL -> TagSet.within(tags, TagSet.NUMBER | TagSet.BOOL);
-          default -> TagSet.within(tags, TagSet.PLAIN);
-        };
-    if (!known) {
-      slots.pushTag(operand, state);
-      code.loadConstant(most).if_icmpgt(exit.get());
-    }
-  }
-
-  /** Leaves when a number must not be stored into {@code target} as it is. */
-  private void guardTarget(int target, int[] state, Supplier<Label> exit) {
-    if (form.isVariable(target)
-        && !TagSet.within(form.tags(target, state), TagSet.NUMBER | TagSet.UNASSIGNED)) {
-      slots.pushTag(target, state);
-      code.loadConstant(Processor.NOT_FOR_NUMBER).iand().ifne(exit.get());
-    }
-  }
-
   // --- instructions
 
   private void translate(int pc, long w, int[] state) {
@@ -214,36 +189,44 @@ final class DirectMethod {
     int near = pc + 1 + c;
     switch (operation) {
       case Op.MOVE, Op.COPY -> {
-        guard(b, state, Registers.NONE, interpreted(pc));
-        copy(a, b, state, after);
+        operations.guard(b, state, Registers.NONE, interpreted(pc));
+        operations.copy(a, b, state, after);
       }
       case Op.UNSET, Op.JUMP_IF_GIVEN -> {}
-      case Op.ASSIGN, Op.ASSIGN_COPY -> assign(pc, a, b, state, after);
-      case Op.ADD, Op.SUBTRACT, Op.MULTIPLY -> arithmetic(pc, operation, a, b, c, state, after);
-      case Op.DIVIDE -> divide(pc, a, b, c, state);
-      case Op.MODULO -> modulo(pc, a, b, c, state);
-      case Op.NEGATE -> negate(pc, a, b, state, after);
-      case Op.EQUAL -> truth(a, one -> equal(pc, b, c, state, Opcode.IFEQ, one));
-      case Op.NOT_EQUAL -> truth(a, one -> equal(pc, b, c, state, Opcode.IFNE, one));
-      case Op.LESS -> truth(a, one -> order(pc, b, c, state, Opcode.IFLT, one));
-      case Op.LESS_OR_EQUAL -> truth(a, one -> order(pc, b, c, state, Opcode.IFLE, one));
-      case Op.NOT -> truth(a, one -> jumpIf(pc, b, state, Opcode.IFEQ, one));
+      case Op.ASSIGN, Op.ASSIGN_COPY -> operations.assign(pc, a, b, state, after);
+      case Op.ADD, Op.SUBTRACT, Op.MULTIPLY ->
+          operations.arithmetic(pc, operation, a, b, c, state, after);
+      case Op.DIVIDE -> operations.divide(pc, a, b, c, state);
+      case Op.MODULO -> operations.modulo(pc, a, b, c, state);
+      case Op.NEGATE -> operations.negate(pc, a, b, state, after);
+      case Op.EQUAL ->
+          operations.truth(a, one -> operations.equal(pc, b, c, state, Opcode.IFEQ, one));
+      case Op.NOT_EQUAL ->
+          operations.truth(a, one -> operations.equal(pc, b, c, state, Opcode.IFNE, one));
+      case Op.LESS ->
+          operations.truth(a, one -> operations.order(pc, b, c, state, Opcode.IFLT, one));
+      case Op.LESS_OR_EQUAL ->
+          operations.truth(a, one -> operations.order(pc, b, c, state, Opcode.IFLE, one));
+      case Op.NOT -> operations.truth(a, one -> operations.jumpIf(pc, b, state, Opcode.IFEQ, one));
       case Op.JUMP -> code.goto_(edge(after, far));
       case Op.LOOP -> turn(pc, far, a, after);
-      case Op.JUMP_IF_FALSE -> jumpIf(pc, a, state, Opcode.IFEQ, edge(after, far));
-      case Op.JUMP_IF_TRUE -> jumpIf(pc, a, state, Opcode.IFNE, edge(after, far));
-      case Op.JUMP_IF_LESS -> order(pc, a, b, state, Opcode.IFLT, edge(after, near));
-      case Op.JUMP_IF_LESS_OR_EQUAL -> order(pc, a, b, state, Opcode.IFLE, edge(after, near));
-      case Op.JUMP_IF_NOT_LESS -> order(pc, a, b, state, Opcode.IFGE, edge(after, near));
-      case Op.JUMP_IF_NOT_LESS_OR_EQUAL -> order(pc, a, b, state, Opcode.IFGT, edge(after, near));
-      case Op.JUMP_IF_EQUAL -> equal(pc, a, b, state, Opcode.IFEQ, edge(after, near));
-      case Op.JUMP_IF_NOT_EQUAL -> equal(pc, a, b, state, Opcode.IFNE, edge(after, near));
+      case Op.JUMP_IF_FALSE -> operations.jumpIf(pc, a, state, Opcode.IFEQ, edge(after, far));
+      case Op.JUMP_IF_TRUE -> operations.jumpIf(pc, a, state, Opcode.IFNE, edge(after, far));
+      case Op.JUMP_IF_LESS -> operations.order(pc, a, b, state, Opcode.IFLT, edge(after, near));
+      case Op.JUMP_IF_LESS_OR_EQUAL ->
+          operations.order(pc, a, b, state, Opcode.IFLE, edge(after, near));
+      case Op.JUMP_IF_NOT_LESS -> operations.order(pc, a, b, state, Opcode.IFGE, edge(after, near));
+      case Op.JUMP_IF_NOT_LESS_OR_EQUAL ->
+          operations.order(pc, a, b, state, Opcode.IFGT, edge(after, near));
+      case Op.JUMP_IF_EQUAL -> operations.equal(pc, a, b, state, Opcode.IFEQ, edge(after, near));
+      case Op.JUMP_IF_NOT_EQUAL ->
+          operations.equal(pc, a, b, state, Opcode.IFNE, edge(after, near));
       case Op.LOOP_IF_LESS -> {
-        order(pc, a, b, state, Opcode.IFGE, edge(after, pc + 1));
+        operations.order(pc, a, b, state, Opcode.IFGE, edge(after, pc + 1));
         turn(pc, near, 0, after);
       }
       case Op.LOOP_IF_LESS_OR_EQUAL -> {
-        order(pc, a, b, state, Opcode.IFGT, edge(after, pc + 1));
+        operations.order(pc, a, b, state, Opcode.IFGT, edge(after, pc + 1));
         turn(pc, near, 0, after);
       }
       case Op.CALL -> call(pc, w, state);
@@ -277,213 +260,6 @@ final class DirectMethod {
       return;
     }
     code.goto_(exit(pc, call ? LeftFrames.WITH_CALL : LeftFrames.INTERPRETED, state));
-  }
-
-  /** Keeps in {@code target} what {@code source} holds. */
-  private void copy(int target, int source, int[] state, int[] after) {
-    int slot = Instruction.index(target);
-    switch (DirectSlots.Kept.of(after[slot])) {
-      case NOT -> {}
-      case LONG -> {
-        slots.pushLong(source, state);
-        code.lstore(slots.longs[slot]);
-      }
-      case DOUBLE -> {
-        slots.pushDouble(source, state);
-        code.dstore(slots.doubles[slot]);
-      }
-      case TAGGED -> {
-        slots.pushDouble(source, state);
-        slots.pushTag(source, state);
-        code.istore(slots.tagVariables[slot]).dstore(slots.doubles[slot]);
-      }
-    }
-  }
-
-  private void assign(int pc, int target, int source, int[] state, int[] after) {
-    if (!TagSet.assignable(form.tags(target, state), form.tags(source, state))) {
-      Label fast = code.newLabel();
-      Supplier<Label> exit = interpreted(pc);
-      slots.pushTag(source, state);
-      slots.pushTag(target, state);
-      code.ior().iconst_1().if_icmple(fast);
-      slots.pushTag(target, state);
-      code.loadConstant(Registers.UNASSIGNED).if_icmpne(exit.get());
-      slots.pushTag(source, state);
-      code.loadConstant(Registers.BOOL).if_icmpgt(exit.get());
-      code.labelBinding(fast);
-    }
-    copy(target, source, state, after);
-  }
-
-  private boolean ints(int x, int y, int[] state) {
-    return ((form.tags(x, state) | form.tags(y, state)) & TagSet.NUMBER) == TagSet.INT;
-  }
-
-  private void arithmetic(
-      int pc, int operation, int target, int x, int y, int[] state, int[] after) {
-    Supplier<Label> exit = interpreted(pc);
-    guard(x, state, Registers.FLOAT, exit);
-    guard(y, state, Registers.FLOAT, exit);
-    guardTarget(target, state, exit);
-    int slot = Instruction.index(target);
-    if (after[slot] == TagSet.INT) {
-      slots.pushLong(x, state);
-      slots.pushLong(y, state);
-      switch (operation) {
-        case Op.ADD -> code.ladd();
-        case Op.SUBTRACT -> code.lsub();
-        default -> code.lmul();
-      }
-      storeInt(slot, exit);
-      return;
-    }
-    if (after[slot] != TagSet.FLOAT) {
-      slots.pushTag(x, state);
-      slots.pushTag(y, state);
-      code.ior().istore(slots.tagVariable);
-    }
-    slots.pushDouble(x, state);
-    slots.pushDouble(y, state);
-    switch (operation) {
-      case Op.ADD -> code.dadd();
-      case Op.SUBTRACT -> code.dsub();
-      default -> code.dmul();
-    }
-    storeNumber(slot, after[slot], exit);
-  }
-
-  /** Stores the long on the stack as an int, if it is one. */
-  private void storeInt(int slot, Supplier<Label> exit) {
-    code.dup2()
-        .lstore(slots.numberVariable)
-        .l2i()
-        .i2l()
-        .lload(slots.numberVariable)
-        .lcmp()
-        .ifne(exit.get());
-    code.lload(slots.numberVariable).lstore(slots.longs[slot]);
-  }
-
-  /** Stores the double on the stack, whose tag stands in a variable unless it is a float. */
-  private void storeNumber(int slot, int tags, Supplier<Label> exit) {
-    if (tags == TagSet.FLOAT) {
-      code.dstore(slots.doubles[slot]);
-      return;
-    }
-    Label fits = code.newLabel();
-    code.dstore(slots.numberVariable).iload(slots.tagVariable).ifne(fits);
-    code.dload(slots.numberVariable).dup2().d2i().i2d().dcmpl().ifne(exit.get());
-    // an int has no negative zero
-    code.dload(slots.numberVariable).dconst_0().dadd().dstore(slots.numberVariable);
-    code.labelBinding(fits);
-    code.dload(slots.numberVariable).dstore(slots.doubles[slot]);
-    code.iload(slots.tagVariable).istore(slots.tagVariables[slot]);
-  }
-
-  private void divide(int pc, int target, int x, int y, int[] state) {
-    Supplier<Label> exit = interpreted(pc);
-    guard(x, state, Registers.FLOAT, exit);
-    guard(y, state, Registers.FLOAT, exit);
-    guardTarget(target, state, exit);
-    slots.pushDouble(y, state);
-    code.dconst_0().dcmpl().ifeq(exit.get());
-    slots.pushDouble(x, state);
-    slots.pushDouble(y, state);
-    code.ddiv().dstore(slots.doubles[Instruction.index(target)]);
-  }
-
-  private void modulo(int pc, int target, int x, int y, int[] state) {
-    Supplier<Label> exit = interpreted(pc);
-    guard(x, state, Registers.INT, exit);
-    guard(y, state, Registers.INT, exit);
-    guardTarget(target, state, exit);
-    slots.pushLong(y, state);
-    code.lconst_0().lcmp().ifeq(exit.get());
-    slots.pushLong(x, state);
-    code.l2i();
-    slots.pushLong(y, state);
-    code.l2i().irem().i2l().lstore(slots.longs[Instruction.index(target)]);
-  }
-
-  private void negate(int pc, int target, int x, int[] state, int[] after) {
-    Supplier<Label> exit = interpreted(pc);
-    guard(x, state, Registers.FLOAT, exit);
-    guardTarget(target, state, exit);
-    int slot = Instruction.index(target);
-    if (after[slot] == TagSet.INT) {
-      slots.pushLong(x, state);
-      code.lneg();
-      storeInt(slot, exit);
-      return;
-    }
-    if (after[slot] != TagSet.FLOAT) {
-      slots.pushTag(x, state);
-      code.istore(slots.tagVariable);
-    }
-    slots.pushDouble(x, state);
-    code.dneg();
-    storeNumber(slot, after[slot], exit);
-  }
-
-  // --- truth
-
-  private interface Jump {
-    void to(Label one);
-  }
-
-  /** Stores whether {@code jump} jumps. */
-  private void truth(int target, Jump jump) {
-    int slot = Instruction.index(target);
-    Label one = code.newLabel();
-    Label done = code.newLabel();
-    jump.to(one);
-    code.lconst_0().lstore(slots.longs[slot]).goto_(done);
-    code.labelBinding(one).lconst_1().lstore(slots.longs[slot]);
-    code.labelBinding(done);
-  }
-
-  private void order(int pc, int x, int y, int[] state, Opcode when, Label target) {
-    Supplier<Label> exit = interpreted(pc);
-    guard(x, state, Registers.FLOAT, exit);
-    guard(y, state, Registers.FLOAT, exit);
-    if (ints(x, y, state)) {
-      slots.pushLong(x, state);
-      slots.pushLong(y, state);
-      code.lcmp().branch(when, target);
-    } else {
-      slots.pushDouble(x, state);
-      slots.pushDouble(y, state);
-      // a comparison with NaN counts as greater
-      code.dcmpg().branch(when, target);
-    }
-  }
-
-  private void equal(int pc, int x, int y, int[] state, Opcode when, Label target) {
-    if (form.tags(x, state) == TagSet.BOOL && form.tags(y, state) == TagSet.BOOL) {
-      slots.pushLong(x, state);
-      slots.pushLong(y, state);
-      code.lcmp().branch(when, target);
-      return;
-    }
-    Supplier<Label> exit = interpreted(pc);
-    guard(x, state, Registers.FLOAT, exit);
-    guard(y, state, Registers.FLOAT, exit);
-    if (ints(x, y, state)) {
-      slots.pushLong(x, state);
-      slots.pushLong(y, state);
-      code.lcmp().branch(when, target);
-    } else {
-      slots.pushDouble(x, state);
-      slots.pushDouble(y, state);
-      code.dcmpl().branch(when, target);
-    }
-  }
-
-  private void jumpIf(int pc, int operand, int[] state, Opcode when, Label target) {
-    guard(operand, state, Registers.BOOL, interpreted(pc));
-    slots.pushDouble(operand, state);
-    code.dconst_0().dcmpl().branch(when, target);
   }
 
   private void jumpIfGiven(int pc, int parameter, int target, int[] state) {
@@ -578,7 +354,7 @@ final class DirectMethod {
   }
 
   private void giveBack(int pc, int operand, int[] state) {
-    guard(operand, state, Registers.NONE, interpreted(pc));
+    operations.guard(operand, state, Registers.NONE, interpreted(pc));
     slots.writeBudgetBack();
     switch (DirectSlots.Kept.of(form.result())) {
       case NOT -> code.lconst_0().lreturn();
