@@ -10,4 +10,4 @@ while #times < 3 or total < seconds do
   total = total + time
 end
 table.sort(times)
-print(string.format("%.3f %.6f", times[#times // 2 + 1] * 1000, result))
+print(string.format("%.3f %.6f", times[math.floor(#times / 2) + 1] * 1000, result))
