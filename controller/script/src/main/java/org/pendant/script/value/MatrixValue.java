@@ -69,8 +69,11 @@ public final class MatrixValue extends Container implements Value {
     return elements[i];
   }
 
-  /** The elements row by row, for this package's loops: not a copy. */
-  double[] elements() {
+  /**
+   * The elements row by row, for loops: not a copy, and another array after a change of what is
+   * {@link #shared}.
+   */
+  public double[] elements() {
     return elements;
   }
 

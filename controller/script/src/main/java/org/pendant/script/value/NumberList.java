@@ -70,8 +70,11 @@ public final class NumberList extends Container implements ListValue {
     return elements[index];
   }
 
-  /** The elements, for this package's loops: not a copy, and longer than {@link #length}. */
-  double[] elements() {
+  /**
+   * The elements, for loops: not a copy, longer than {@link #length}, and another array after a
+   * change of what is {@link #shared}.
+   */
+  public double[] elements() {
     return elements;
   }
 

@@ -3,17 +3,26 @@ package org.pendant.script.vm;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.Optional;
 import org.pendant.script.value.Registers;
 
 /**
- * Direct form: one function for arguments of known tags, and what tags its slots may have before
- * each instruction. An instruction that needs anything but plain values cannot be done in this form
- * and ends it.
+ * Direct form: one function for arguments of known tags, or a loop for variables of known tags, and
+ * what tags its slots may have before each instruction. An instruction that needs anything but
+ * plain values, or a loop the elements of lists and matrices, cannot be done in this form and ends
+ * it.
+ *
+ * <p>Global variables of a loop have slots behind those of its function.
  */
 final class DirectForm {
   private final ScriptFunction function;
   private final int number;
   private final int[] parameters;
+  private final Optional<LoopRegion> loop;
+
+  /** The tags of the slots before its first instruction. */
+  private final int[] given;
+
   private final DirectUnit unit;
   private final Program.Tables tables;
   private final long[] instructions;
@@ -32,8 +41,26 @@ final class DirectForm {
     this.tables = tables;
     this.number = number;
     this.parameters = parameters;
+    loop = Optional.empty();
     function = tables.functions().get(number);
     instructions = function.instructions();
+    given = new int[function.slotCount()];
+    Arrays.fill(given, 0, function.variableCount(), TagSet.UNASSIGNED);
+    System.arraycopy(parameters, 0, given, 0, parameters.length);
+  }
+
+  /**
+   * @param tags of the loop's variables
+   */
+  DirectForm(DirectUnit unit, Program.Tables tables, LoopRegion loop, int[] tags) {
+    this.unit = unit;
+    this.tables = tables;
+    this.loop = Optional.of(loop);
+    number = -1;
+    parameters = new int[0];
+    function = loop.function();
+    instructions = function.instructions();
+    given = loop.state(tags);
   }
 
   ScriptFunction function() {
@@ -42,6 +69,25 @@ final class DirectForm {
 
   int number() {
     return number;
+  }
+
+  /** The loop that this is a form of; empty for that of a function. */
+  Optional<LoopRegion> loop() {
+    return loop;
+  }
+
+  /** The tags of the slots before the first instruction. */
+  int[] given() {
+    return given;
+  }
+
+  /** Whether instruction {@code pc} belongs to it. */
+  boolean contains(int pc) {
+    return loop.isEmpty() || loop.get().contains(pc);
+  }
+
+  int parameterCount() {
+    return parameters.length;
   }
 
   int parameter(int index) {
@@ -66,11 +112,8 @@ final class DirectForm {
   boolean flow() {
     states = new int[instructions.length][];
     int before = result;
-    int[] first = new int[function.slotCount()];
-    Arrays.fill(first, 0, function.variableCount(), TagSet.UNASSIGNED);
-    System.arraycopy(parameters, 0, first, 0, parameters.length);
     Deque<Integer> open = new ArrayDeque<>();
-    reach(0, first, open);
+    reach(loop.map(LoopRegion::head).orElse(0), given, open);
     while (!open.isEmpty()) {
       int pc = open.removeLast();
       follow(pc, states[pc], open);
@@ -89,11 +132,11 @@ final class DirectForm {
     switch (Instruction.operation(w)) {
       case Op.JUMP, Op.LOOP -> reach(far, after, open);
       case Op.JUMP_IF_GIVEN -> {
-        int given = state[Instruction.index(Instruction.a(w))];
-        if ((given & ~TagSet.UNASSIGNED) != 0) {
+        int argument = state[slot(Instruction.a(w))];
+        if ((argument & ~TagSet.UNASSIGNED) != 0) {
           reach(far, after, open);
         }
-        if ((given & TagSet.UNASSIGNED) != 0) {
+        if ((argument & TagSet.UNASSIGNED) != 0) {
           reach(pc + 1, after, open);
         }
       }
@@ -119,6 +162,9 @@ final class DirectForm {
   }
 
   private void reach(int pc, int[] incoming, Deque<Integer> open) {
+    if (!contains(pc)) {
+      return;
+    }
     int[] known = states[pc];
     if (known == null) {
       states[pc] = incoming.clone();
@@ -137,16 +183,23 @@ final class DirectForm {
     }
   }
 
+  /** The slot of {@code operand}; -1 if that is a constant or not to be had in this form. */
+  int slot(int operand) {
+    if (Instruction.isLocal(operand)) {
+      return Instruction.index(operand);
+    }
+    int global = loop.map(l -> Arrays.binarySearch(l.globals(), operand)).orElse(-1);
+    return global < 0 ? -1 : function.slotCount() + global;
+  }
+
   /** The tags that {@code operand} may have; 0 when they are not known. */
   int tags(int operand, int[] state) {
-    if (Instruction.isLocal(operand)) {
-      return state[Instruction.index(operand)];
-    }
-    return tables.constant(operand).map(TagSet::of).orElse(0);
+    int slot = slot(operand);
+    return slot >= 0 ? state[slot] : tables.constant(operand).map(TagSet::of).orElse(0);
   }
 
   boolean isVariable(int operand) {
-    return Instruction.index(operand) < function.variableCount();
+    return !Instruction.isLocal(operand) || Instruction.index(operand) < function.variableCount();
   }
 
   /** The form that the call {@code w} enters; null when it cannot be done in this form. */
@@ -158,7 +211,7 @@ final class DirectForm {
     int first = Instruction.index(Instruction.c(w));
     int count = tables.functions().get(callee).parameterCount();
     int[] arguments = Arrays.copyOfRange(state, first, first + count);
-    return Arrays.stream(arguments).anyMatch(tags -> tags == 0)
+    return Arrays.stream(arguments).anyMatch(tags -> tags == 0 || tags > TagSet.MAX)
         ? null
         : unit.form(callee, arguments);
   }
@@ -188,7 +241,13 @@ final class DirectForm {
       case Op.LESS, Op.LESS_OR_EQUAL ->
           with(state, a, numbers(tags(b, state), tags(c, state)) == 0 ? 0 : TagSet.BOOL);
       case Op.NOT -> with(state, a, hasTruth(tags(b, state)) ? TagSet.BOOL : 0);
-      case Op.JUMP_IF_GIVEN, Op.JUMP, Op.LOOP, Op.STRETCH, Op.RETURN_NONE -> state;
+      case Op.GET_INDEX -> withNumber(state, a, element(b, TagSet.LIST, state, c));
+      case Op.GET_INDEX_2 -> withNumber(state, a, element(b, TagSet.MATRIX, state, c, c + 1));
+      case Op.SET_INDEX -> takes(element(a, TagSet.LIST, state, b), tags(c, state)) ? state : null;
+      case Op.SET_INDEX_2 ->
+          takes(element(a, TagSet.MATRIX, state, b, b + 1), tags(c, state)) ? state : null;
+      case Op.JUMP_IF_GIVEN, Op.JUMP, Op.LOOP, Op.STRETCH -> state;
+      case Op.RETURN_NONE -> loop.isEmpty() ? state : null;
       case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE -> hasTruth(tags(a, state)) ? state : null;
       case Op.JUMP_IF_EQUAL, Op.JUMP_IF_NOT_EQUAL ->
           comparable(tags(a, state), tags(b, state)) ? state : null;
@@ -199,7 +258,7 @@ final class DirectForm {
           Op.LOOP_IF_LESS,
           Op.LOOP_IF_LESS_OR_EQUAL ->
           numbers(tags(a, state), tags(b, state)) == 0 ? null : state;
-      case Op.RETURN -> (tags(a, state) & TagSet.PLAIN) == 0 ? null : state;
+      case Op.RETURN -> loop.isPresent() || (tags(a, state) & TagSet.PLAIN) == 0 ? null : state;
       case Op.CALL -> {
         DirectForm callee = callee(w, state);
         if (callee == null || callee.result == 0) {
@@ -211,29 +270,40 @@ final class DirectForm {
     };
   }
 
+  /** The tag of the elements of a container; 0 if it has none at what may be such indices. */
+  private int element(int container, int kinds, int[] state, int... indices) {
+    int tags = tags(container, state) & kinds;
+    boolean ints = Arrays.stream(indices).allMatch(i -> (tags(i, state) & TagSet.INT) != 0);
+    return tags == 0 || !ints ? 0 : TagSet.element(tags);
+  }
+
+  /** Whether elements of such a tag may become what has {@code tags}. */
+  private static boolean takes(int element, int tags) {
+    return (tags & (element == TagSet.FLOAT ? TagSet.NUMBER : element)) != 0;
+  }
+
   /** After a call nothing is left of the arguments. */
-  private static int[] called(long w, int[] state, int result) {
+  private int[] called(long w, int[] state, int result) {
     int[] after = state.clone();
-    Arrays.fill(after, Instruction.index(Instruction.c(w)), after.length, 0);
+    Arrays.fill(after, Instruction.index(Instruction.c(w)), function.slotCount(), 0);
     after[Instruction.index(Instruction.a(w))] = result;
     return after;
   }
 
-  private static int[] with(int[] state, int target, int tags) {
-    if (tags == 0 || !Instruction.isLocal(target)) {
+  private int[] with(int[] state, int target, int tags) {
+    int slot = slot(target);
+    if (tags == 0 || slot < 0) {
       return null;
     }
     int[] after = state.clone();
-    after[Instruction.index(target)] = tags;
+    after[slot] = tags;
     return after;
   }
 
   /** A number is stored into a variable as it is unless that is of another kind. */
   private int[] withNumber(int[] state, int target, int tags) {
     boolean refused =
-        Instruction.isLocal(target)
-            && isVariable(target)
-            && (tags(target, state) & (TagSet.NUMBER | TagSet.UNASSIGNED)) == 0;
+        isVariable(target) && (tags(target, state) & (TagSet.NUMBER | TagSet.UNASSIGNED)) == 0;
     return refused ? null : with(state, target, tags);
   }
 

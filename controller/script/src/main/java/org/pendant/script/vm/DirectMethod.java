@@ -19,12 +19,9 @@ import org.pendant.script.value.Registers;
  * InstructionLoop} interprets it, on the {@link DirectSlots}.
  */
 final class DirectMethod {
-  static final ClassDesc CODE = JvmCode.desc(DirectCode.class);
   private static final ClassDesc LEFT_FRAMES = JvmCode.desc(LeftFrames.class);
   private static final ClassDesc INT = ConstantDescs.CD_int;
-  private static final ClassDesc DOUBLE = ConstantDescs.CD_double;
   private static final ClassDesc BOOLEAN = ConstantDescs.CD_boolean;
-  private static final ClassDesc VOID = ConstantDescs.CD_void;
 
   private final CodeBuilder code;
   private final DirectForm form;
@@ -37,6 +34,8 @@ final class DirectMethod {
 
   private final DirectSlots slots;
   private final DirectOperations operations;
+  private final DirectElements elements;
+  private final DirectFrame frame;
   private final List<Runnable> tail = new ArrayList<>();
   private final Map<List<Integer>, Label> exits = new HashMap<>();
 
@@ -52,11 +51,16 @@ final class DirectMethod {
     }
     slots = new DirectSlots(code, form);
     operations = new DirectOperations(code, form, slots, this::interpreted);
+    elements = new DirectElements(code, form, slots, operations, this::interpreted);
+    frame =
+        form.loop().isPresent()
+            ? new LoopFrame(code, form, slots, form.loop().get(), labels)
+            : new CalledFrame(code, form, slots, tail);
   }
 
   /** Writes the method of the form. */
   void write() {
-    begin();
+    frame.begin();
     for (int pc = 0; pc < instructions.length; pc++) {
       if (form.state(pc) != null) {
         code.labelBinding(labels[pc]);
@@ -68,31 +72,13 @@ final class DirectMethod {
     }
   }
 
-  /** Counts the call, if it can be begun. */
-  private void begin() {
-    Label refused = code.newLabel();
-    code.aload(DirectSlots.THREAD).getfield(JvmCode.THREAD, "budget", INT).iflt(refused);
-    code.iload(DirectSlots.ROOM).iflt(refused);
-    slots.loadBudget();
-    slots.count(form.function().callNs());
-    int[] given = new int[form.function().slotCount()];
-    for (int i = 0; i < form.function().variableCount(); i++) {
-      given[i] = i < form.function().parameterCount() ? form.parameter(i) : TagSet.UNASSIGNED;
-    }
-    slots.convert(given, form.state(0));
-    tail.add(
-        () -> {
-          code.labelBinding(refused);
-          slots.leftFrames();
-          code.invokevirtual(LEFT_FRAMES, "refuse", MethodTypeDesc.of(VOID));
-          slots.returnLeft();
-        });
-  }
-
   // --- ways from one instruction to another
 
   /** The place to jump to for instruction {@code target} with slots of these tags. */
   private Label edge(int[] from, int target) {
+    if (!form.contains(target)) {
+      return exit(target, LeftFrames.IN_ANY_FORM, from);
+    }
     int[] to = form.state(target);
     if (!slots.converts(from, to)) {
       return labels[target];
@@ -109,7 +95,11 @@ final class DirectMethod {
 
   /** Continues with the instruction after {@code pc}, which follows. */
   private void next(int pc, int[] after) {
-    slots.convert(after, form.state(pc + 1));
+    if (form.contains(pc + 1)) {
+      slots.convert(after, form.state(pc + 1));
+    } else {
+      code.goto_(exit(pc + 1, LeftFrames.IN_ANY_FORM, after));
+    }
   }
 
   // --- ways out
@@ -149,28 +139,12 @@ final class DirectMethod {
     }
     Label label = code.newLabel();
     exits.put(key, label);
-    tail.add(() -> leave(label, state));
+    tail.add(
+        () -> {
+          code.labelBinding(label);
+          frame.leave(state);
+        });
     return label;
-  }
-
-  private void leave(Label label, int[] state) {
-    code.labelBinding(label);
-    slots.leftFrames();
-    code.dup()
-        .astore(slots.leftVariable)
-        .loadConstant(form.number())
-        .iload(slots.pcVariable)
-        .iload(slots.howVariable)
-        .invokevirtual(LEFT_FRAMES, "frame", MethodTypeDesc.of(VOID, INT, INT, INT));
-    for (int i = 0; i < state.length; i++) {
-      if (state[i] != 0) {
-        code.aload(slots.leftVariable).loadConstant(i);
-        slots.pushTag(Instruction.local(i), state);
-        slots.pushNumber(i, state[i]);
-        code.invokevirtual(LEFT_FRAMES, "slot", MethodTypeDesc.of(VOID, INT, INT, DOUBLE));
-      }
-    }
-    slots.returnLeft();
   }
 
   // --- instructions
@@ -208,6 +182,10 @@ final class DirectMethod {
       case Op.LESS_OR_EQUAL ->
           operations.truth(a, one -> operations.order(pc, b, c, state, Opcode.IFLE, one));
       case Op.NOT -> operations.truth(a, one -> operations.jumpIf(pc, b, state, Opcode.IFEQ, one));
+      case Op.GET_INDEX -> elements.get(pc, a, b, state, after, c);
+      case Op.GET_INDEX_2 -> elements.get(pc, a, b, state, after, c, c + 1);
+      case Op.SET_INDEX -> elements.set(pc, a, c, state, b);
+      case Op.SET_INDEX_2 -> elements.set(pc, a, c, state, b, b + 1);
       case Op.JUMP -> code.goto_(edge(after, far));
       case Op.LOOP -> turn(pc, far, a, after);
       case Op.JUMP_IF_FALSE -> operations.jumpIf(pc, a, state, Opcode.IFEQ, edge(after, far));
@@ -259,7 +237,8 @@ final class DirectMethod {
       leaveWithCallee(pc, w, state);
       return;
     }
-    code.goto_(exit(pc, call ? LeftFrames.WITH_CALL : LeftFrames.INTERPRETED, state));
+    boolean anyForm = call || (form.loop().isPresent() && LoopInstructions.endsBefore(w));
+    code.goto_(exit(pc, anyForm ? LeftFrames.IN_ANY_FORM : LeftFrames.INTERPRETED, state));
   }
 
   private void jumpIfGiven(int pc, int parameter, int target, int[] state) {
@@ -348,7 +327,7 @@ final class DirectMethod {
         .loadConstant(pc)
         .iadd()
         .istore(slots.pcVariable)
-        .loadConstant(LeftFrames.WITH_CALL)
+        .loadConstant(LeftFrames.IN_ANY_FORM)
         .istore(slots.howVariable)
         .goto_(exit(before));
   }

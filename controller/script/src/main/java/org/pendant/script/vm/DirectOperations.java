@@ -57,7 +57,7 @@ final class DirectOperations {
 
   /** Keeps in {@code target} what {@code source} holds. */
   void copy(int target, int source, int[] state, int[] after) {
-    int slot = Instruction.index(target);
+    int slot = form.slot(target);
     switch (DirectSlots.Kept.of(after[slot])) {
       case NOT -> {}
       case LONG -> {
@@ -101,7 +101,7 @@ final class DirectOperations {
     guard(x, state, Registers.FLOAT, exit);
     guard(y, state, Registers.FLOAT, exit);
     guardTarget(target, state, exit);
-    int slot = Instruction.index(target);
+    int slot = form.slot(target);
     if (after[slot] == TagSet.INT) {
       slots.pushLong(x, state);
       slots.pushLong(y, state);
@@ -165,7 +165,7 @@ final class DirectOperations {
     code.dconst_0().dcmpl().ifeq(exit.get());
     slots.pushDouble(x, state);
     slots.pushDouble(y, state);
-    code.ddiv().dstore(slots.doubles[Instruction.index(target)]);
+    code.ddiv().dstore(slots.doubles[form.slot(target)]);
   }
 
   void modulo(int pc, int target, int x, int y, int[] state) {
@@ -178,14 +178,14 @@ final class DirectOperations {
     slots.pushLong(x, state);
     code.l2i();
     slots.pushLong(y, state);
-    code.l2i().irem().i2l().lstore(slots.longs[Instruction.index(target)]);
+    code.l2i().irem().i2l().lstore(slots.longs[form.slot(target)]);
   }
 
   void negate(int pc, int target, int x, int[] state, int[] after) {
     Supplier<Label> exit = exits.apply(pc);
     guard(x, state, Registers.FLOAT, exit);
     guardTarget(target, state, exit);
-    int slot = Instruction.index(target);
+    int slot = form.slot(target);
     if (after[slot] == TagSet.INT) {
       slots.pushLong(x, state);
       code.lneg();
@@ -209,7 +209,7 @@ final class DirectOperations {
 
   /** Stores whether {@code jump} jumps. */
   void truth(int target, Jump jump) {
-    int slot = Instruction.index(target);
+    int slot = form.slot(target);
     Label one = code.newLabel();
     Label done = code.newLabel();
     jump.to(one);

@@ -30,6 +30,12 @@ final class DirectSlots {
   static final int ROOM = 1;
   private static final int FIRST_PARAMETER = 2;
 
+  // parameters of loops
+  static final int NUMBERS = 2;
+  static final int TAGS = 3;
+  static final int OBJECTS = 4;
+  static final int BASE = 5;
+
   /** How values of some tags are kept. */
   enum Kept {
     NOT,
@@ -60,6 +66,15 @@ final class DirectSlots {
   final int tagVariable;
   final int leftVariable;
 
+  /** Index of an element. */
+  final int indexVariable;
+
+  /** Where the row of an element begins. */
+  final int rowVariable;
+
+  /** The array of elements of each list or matrix; 0 for none. */
+  final int[] elements;
+
   /** The budget of the thread, where a function has loops; else it is only found in the thread. */
   private final int budgetVariable;
 
@@ -68,12 +83,13 @@ final class DirectSlots {
   DirectSlots(CodeBuilder code, DirectForm form) {
     this.code = code;
     this.form = form;
-    int slots = form.function().slotCount();
+    int slots = form.given().length;
     longs = new int[slots];
     doubles = new int[slots];
     tagVariables = new int[slots];
-    int next = FIRST_PARAMETER;
-    for (int i = 0; i < form.function().parameterCount(); i++) {
+    elements = new int[slots];
+    int next = form.loop().isPresent() ? BASE + 1 : FIRST_PARAMETER;
+    for (int i = 0; i < form.parameterCount(); i++) {
       switch (Kept.of(form.parameter(i))) {
         case NOT -> {}
         case LONG -> {
@@ -103,6 +119,10 @@ final class DirectSlots {
       if (tagVariables[i] == 0) {
         tagVariables[i] = next++;
       }
+      if (form.given()[i] > TagSet.MAX) {
+        elements[i] = next;
+        next += 4;
+      }
     }
     numberVariable = next;
     pcVariable = next + 2;
@@ -110,11 +130,16 @@ final class DirectSlots {
     tagVariable = next + 4;
     leftVariable = next + 5;
     budgetVariable = next + 6;
+    indexVariable = next + 7;
+    rowVariable = next + 8;
     counts = Arrays.stream(form.function().instructions()).anyMatch(JvmCode::isCounted);
   }
 
   /** The type of the method of {@code form}. */
   static MethodTypeDesc type(DirectForm form) {
+    if (form.loop().isPresent()) {
+      return DirectUnit.LOOP;
+    }
     List<ClassDesc> parameters = new ArrayList<>(List.of(JvmCode.THREAD, INT));
     for (int i = 0; i < form.function().parameterCount(); i++) {
       switch (Kept.of(form.parameter(i))) {
@@ -133,6 +158,21 @@ final class DirectSlots {
   static boolean returnsLong(DirectForm form) {
     Kept kept = Kept.of(form.result());
     return kept == Kept.LONG || kept == Kept.NOT;
+  }
+
+  /** The length of a list, or the rows of a matrix. */
+  int length(int slot) {
+    return elements[slot] + 1;
+  }
+
+  /** The columns of a matrix. */
+  int columns(int slot) {
+    return elements[slot] + 2;
+  }
+
+  /** Whether nobody else has the elements of a list or matrix. */
+  int owned(int slot) {
+    return elements[slot] + 3;
   }
 
   /** Keeps the slots as the next instruction expects them. */
@@ -157,11 +197,14 @@ final class DirectSlots {
   // --- operands
 
   void pushTag(int operand, int[] state) {
-    int tags = form.tags(operand, state);
+    pushSlotTag(form.slot(operand), form.tags(operand, state));
+  }
+
+  void pushSlotTag(int slot, int tags) {
     if (TagSet.single(tags)) {
       code.loadConstant(TagSet.tag(tags));
     } else {
-      code.iload(tagVariables[Instruction.index(operand)]);
+      code.iload(tagVariables[slot]);
     }
   }
 
@@ -174,21 +217,19 @@ final class DirectSlots {
   }
 
   void pushDouble(int operand, int[] state) {
-    if (!Instruction.isLocal(operand)) {
+    int slot = form.slot(operand);
+    if (slot < 0) {
       code.loadConstant(form.constant(operand));
     } else {
-      int slot = Instruction.index(operand);
       pushNumber(slot, state[slot]);
     }
   }
 
   void pushLong(int operand, int[] state) {
-    if (!Instruction.isLocal(operand)) {
+    int slot = form.slot(operand);
+    if (slot < 0) {
       code.loadConstant((long) form.constant(operand));
-      return;
-    }
-    int slot = Instruction.index(operand);
-    if (Kept.of(state[slot]) == Kept.LONG) {
+    } else if (Kept.of(state[slot]) == Kept.LONG) {
       code.lload(longs[slot]);
     } else {
       code.dload(doubles[slot]).d2l();
@@ -232,7 +273,9 @@ final class DirectSlots {
   }
 
   void returnLeft() {
-    if (returnsLong(form)) {
+    if (form.loop().isPresent()) {
+      code.return_();
+    } else if (returnsLong(form)) {
       code.loadConstant(LEFT).lreturn();
     } else {
       code.loadConstant(Double.NaN).dreturn();

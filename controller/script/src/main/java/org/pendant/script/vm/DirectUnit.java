@@ -1,15 +1,19 @@
 package org.pendant.script.vm;
 
 import java.lang.classfile.ClassFile;
+import java.lang.classfile.CodeBuilder;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
+import java.lang.constant.MethodTypeDesc;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * Direct unit: a function and those it calls, for arguments of known tags, that become methods of
- * one {@link DirectCode} and call each other as such.
+ * one {@link DirectCode} and call each other as such; or a loop and those it calls, which become a
+ * {@link LoopCode}.
  */
 final class DirectUnit {
   /** The JVM does not compile methods of more bytes than this. */
@@ -21,6 +25,20 @@ final class DirectUnit {
 
   /** Each adds a tag to a result, of which there are few, so there are never as many. */
   private static final int MAX_ROUNDS = MAX_FORMS * TagSet.BITS;
+
+  private static final ClassDesc DIRECT_CODE = JvmCode.desc(DirectCode.class);
+  private static final ClassDesc LOOP_CODE = JvmCode.desc(LoopCode.class);
+
+  /** The type of {@link LoopCode#run}. */
+  static final MethodTypeDesc LOOP =
+      MethodTypeDesc.of(
+          ConstantDescs.CD_void,
+          JvmCode.THREAD,
+          ConstantDescs.CD_int,
+          ConstantDescs.CD_double.arrayType(),
+          ConstantDescs.CD_byte.arrayType(),
+          JvmCode.VALUE.arrayType(),
+          ConstantDescs.CD_int);
 
   static final ClassDesc SELF = ClassDesc.of(DirectCode.class.getPackageName(), "DirectFunctions");
 
@@ -44,14 +62,51 @@ final class DirectUnit {
     if (root == null || !unit.flow() || root.result() == 0) {
       return false;
     }
-    byte[] bytes = unit.write(root);
+    byte[] bytes =
+        unit.write(
+            DIRECT_CODE,
+            "call",
+            DirectEntryMethod.CALL,
+            code -> DirectEntryMethod.write(code, root, unit));
     if (HiddenClass.largestMethod(bytes) > LARGEST) {
       return false;
     }
-    int slots =
-        unit.forms.stream().mapToInt(form -> form.function().slotCount()).max().orElseThrow();
-    function.installDirect(key, HiddenClass.make(bytes, DirectCode.class), slots);
+    function.installDirect(key, HiddenClass.make(bytes, DirectCode.class), unit.mostSlots());
     return true;
+  }
+
+  /**
+   * Makes code for a loop with the variables that {@code entry} is for, and gives it to the entry
+   * unless it cannot go round.
+   */
+  static void translate(Program.Tables tables, LoopEntry entry) {
+    LoopRegion loop = entry.region();
+    LiveTemporaries live = new LiveTemporaries(tables);
+    if (loop.marks()
+        || loop.last() - loop.first() >= MAX_INSTRUCTIONS
+        || loop.function().slotCount() > MAX_SLOTS
+        || live.hasTemporaries(loop.function(), loop.head())) {
+      return;
+    }
+    DirectUnit unit = new DirectUnit(tables);
+    DirectForm root = new DirectForm(unit, tables, loop, entry.tags());
+    unit.forms.add(root);
+    if (!unit.flow()) {
+      return;
+    }
+    byte[] bytes = unit.write(LOOP_CODE, "run", LOOP, code -> unit.enterLoop(code, root));
+    if (HiddenClass.largestMethod(bytes) <= LARGEST) {
+      entry.install(HiddenClass.make(bytes, LoopCode.class), unit.mostSlots());
+    }
+  }
+
+  private void enterLoop(CodeBuilder code, DirectForm root) {
+    code.aload(1).iload(2).aload(3).aload(4).aload(5).iload(6);
+    code.invokestatic(SELF, method(root), LOOP).return_();
+  }
+
+  private int mostSlots() {
+    return forms.stream().mapToInt(form -> form.function().slotCount()).max().orElseThrow();
   }
 
   /** The form for arguments of these tags; null when there is none. */
@@ -90,12 +145,14 @@ final class DirectUnit {
     return !changed;
   }
 
-  private byte[] write(DirectForm root) {
+  /** A class of that type, with the method that is entered and one for each form. */
+  private byte[] write(
+      ClassDesc superclass, String name, MethodTypeDesc entry, Consumer<CodeBuilder> body) {
     return ClassFile.of()
         .build(
             SELF,
             type -> {
-              type.withSuperclass(DirectMethod.CODE)
+              type.withSuperclass(superclass)
                   .withFlags(ClassFile.ACC_FINAL | ClassFile.ACC_SUPER)
                   .withMethodBody(
                       ConstantDescs.INIT_NAME,
@@ -104,15 +161,9 @@ final class DirectUnit {
                       code ->
                           code.aload(0)
                               .invokespecial(
-                                  DirectMethod.CODE,
-                                  ConstantDescs.INIT_NAME,
-                                  ConstantDescs.MTD_void)
+                                  superclass, ConstantDescs.INIT_NAME, ConstantDescs.MTD_void)
                               .return_())
-                  .withMethodBody(
-                      "call",
-                      DirectEntryMethod.CALL,
-                      0,
-                      code -> DirectEntryMethod.write(code, root, this));
+                  .withMethodBody(name, entry, 0, body);
               for (int i = 0; i < forms.size(); i++) {
                 DirectForm form = forms.get(i);
                 type.withMethodBody(

@@ -2,6 +2,7 @@ package org.pendant.script.vm;
 
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import org.pendant.script.value.Registers;
 
 /**
  * Hot functions: finds the functions of one run that are worth a translation, and has them
@@ -13,6 +14,8 @@ final class HotFunctions {
 
   /** Calls that could not be direct, which arguments that there is no code for count for. */
   private static final int CALLS_WITHOUT_CODE = 300;
+
+  private static final int TURNS_UNTIL_LOOP = 64;
 
   /** Makes the translated form of a function. */
   interface Translating {
@@ -97,6 +100,45 @@ final class HotFunctions {
       }
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
       function.wasNotDirect(CALLS_WITHOUT_CODE);
+      fault.set(e);
+    }
+  }
+
+  /** Turns in translated code between two looks for code of the loop. */
+  int turnsUntilLoop() {
+    return when == Translation.ALWAYS ? 1 : TURNS_UNTIL_LOOP;
+  }
+
+  /**
+   * What goes on directly with the loop of {@code function} that begins a turn at {@code pc}; null
+   * while there is nothing.
+   */
+  LoopEntry loop(ScriptFunction function, int pc, Registers registers, int base) {
+    LoopEntry entry = function.loop(pc, registers, base);
+    if (entry == null) {
+      LoopRegion region = new LoopRegion(function, tables, pc);
+      entry = function.triesLoop(region, region.tags(registers, base));
+      if (entry != null) {
+        makeLoop(entry);
+      }
+    }
+    return entry == null || !entry.ready() ? null : entry;
+  }
+
+  private void makeLoop(LoopEntry entry) {
+    if (when == Translation.ALWAYS) {
+      translateLoop(entry);
+    } else {
+      Thread.ofVirtual()
+          .name("translate a loop of " + entry.region().function().name())
+          .start(() -> translateLoop(entry));
+    }
+  }
+
+  private void translateLoop(LoopEntry entry) {
+    try {
+      DirectUnit.translate(tables, entry);
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
       fault.set(e);
     }
   }

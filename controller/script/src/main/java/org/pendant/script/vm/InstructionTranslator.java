@@ -394,12 +394,18 @@ final class InstructionTranslator {
    */
   private void turn(int pc, int target, int free) {
     Label exhausted = code.newLabel();
+    Label direct = code.newLabel();
     registers.count(Cost.turn(pc + 1 - target - free), exhausted);
+    registers.countTurn(direct);
     code.goto_(label(target));
     tail.add(
         () -> {
           code.labelBinding(exhausted);
           registers.exhausted(target);
+          code.labelBinding(direct);
+          registers.loop(target);
+          registers.refusal();
+          code.areturn();
         });
   }
 

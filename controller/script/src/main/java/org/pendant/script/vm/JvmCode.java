@@ -7,6 +7,7 @@ import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.pendant.script.value.BoolValue;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.IntValue;
@@ -64,6 +65,7 @@ final class JvmCode {
   private static final int BUDGET = 13;
   private static final int FIRST_KEPT = 14;
   private static final int MARKS = FIRST_KEPT + 3 * MAX_KEPT;
+  private static final int TURNS = MARKS + 1;
 
   private final CodeBuilder code;
   private final ScriptFunction function;
@@ -78,6 +80,12 @@ final class JvmCode {
   /** Whether the function marks what it reaches. */
   private final boolean marks;
 
+  /** Whether it has loops. */
+  private final boolean loops;
+
+  /** Continues with the instruction in variable {@link #PC}. */
+  private final Label resume;
+
   /**
    * @param uses how often each local slot is read as a number
    */
@@ -88,6 +96,10 @@ final class JvmCode {
     counts = Arrays.stream(function.instructions()).anyMatch(JvmCode::isCounted);
     marks =
         Arrays.stream(function.instructions()).anyMatch(w -> Instruction.operation(w) == Op.MARK);
+    loops =
+        IntStream.range(0, function.instructions().length)
+            .anyMatch(pc -> LoopInstructions.backTo(function.instructions()[pc], pc) >= 0);
+    resume = code.newLabel();
     kept = new int[uses.length];
     int[] busiest = uses.clone();
     Arrays.sort(busiest);
@@ -275,9 +287,15 @@ final class JvmCode {
         .astore(OBJECTS);
   }
 
-  /** The beginning of the method: {@code start} follows for instruction 0, {@code resume} else. */
+  /** The beginning of the method: {@code start} follows for instruction 0, a switch for others. */
   void prologue(Label start) {
+    code.labelBinding(resume);
     reloadArrays();
+    if (loops) {
+      code.aload(THE_PROCESSOR)
+          .invokevirtual(PROCESSOR, "takeTurnsUntilLoop", MethodTypeDesc.of(INT))
+          .istore(TURNS);
+    }
     loadBudget();
     if (marks) {
       code.aload(THE_PROCESSOR)
@@ -372,6 +390,31 @@ final class JvmCode {
         .loadConstant(pc)
         .invokestatic(PROCESSOR, "exhausted", MethodTypeDesc.of(STOP, THREAD, INT))
         .areturn();
+  }
+
+  /** Counts a turn of a loop and jumps to {@code direct} now and then. */
+  void countTurn(Label direct) {
+    code.iinc(TURNS, -1);
+    code.iload(TURNS).ifle(direct);
+  }
+
+  /**
+   * Goes on directly with the loop that begins a turn at {@code pc}, if possible; what follows is
+   * for one that the thread has left in another way than this method continues with.
+   */
+  void loop(int pc) {
+    Label left = code.newLabel();
+    writeBudgetBack();
+    code.aload(THE_PROCESSOR)
+        .aload(THE_THREAD)
+        .iload(BASE)
+        .loadConstant(pc)
+        .invokevirtual(PROCESSOR, "loop", MethodTypeDesc.of(INT, THREAD, INT, INT))
+        .dup()
+        .istore(PC)
+        .iflt(left)
+        .goto_(resume)
+        .labelBinding(left);
   }
 
   /** Pushes a frame and the callee's code, or null. */

@@ -8,8 +8,8 @@ import org.pendant.script.value.Registers;
  * become call frames of the thread.
  */
 final class LeftFrames {
-  /** How the innermost frame continues. */
-  static final int WITH_CALL = 0;
+  /** How the innermost frame continues: at a call, or where loops are left. */
+  static final int IN_ANY_FORM = 0;
 
   /** The slice is used up. */
   static final int IN_NEXT_SLICE = 1;
@@ -21,6 +21,10 @@ final class LeftFrames {
   boolean leaving;
 
   private int how;
+
+  /** The instruction that the frame of a loop continues with. */
+  private int loopPc;
+
   private int depth;
   private int[] frames = new int[0];
   private int size;
@@ -57,6 +61,14 @@ final class LeftFrames {
     frames[at + 2] = size;
   }
 
+  /** The frame of a loop is left, as {@link #frame}; it is one of the thread already. */
+  void loop(int pc, int how) {
+    loopPc = pc;
+    if (depth == 0) {
+      this.how = how;
+    }
+  }
+
   /** What slot {@code index} of the frame that was left last holds. */
   void slot(int index, int tag, double number) {
     if (size == numbers.length) {
@@ -65,6 +77,23 @@ final class LeftFrames {
     }
     slots[size] = index << Byte.SIZE | tag;
     numbers[size++] = number;
+  }
+
+  /**
+   * Pushes the frames that the innermost frame of the thread, in a loop, has called.
+   *
+   * @return how the innermost continues
+   */
+  int pushAboveLoop(ScriptThread thread, ScriptFunction[] functions, Registers registers) {
+    int top = thread.depth - 1;
+    thread.pcs[top] = loopPc;
+    leaving = false;
+    if (depth == 0) {
+      return how;
+    }
+    long call = thread.functions[top].instructions()[loopPc - 1];
+    int first = thread.bases[top] + Instruction.index(Instruction.c(call));
+    return push(thread, functions, registers, first, Instruction.index(Instruction.a(call)));
   }
 
   /**

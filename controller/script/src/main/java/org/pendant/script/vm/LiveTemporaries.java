@@ -60,6 +60,16 @@ final class LiveTemporaries {
     return thread.pcs[index] - (again ? 1 : 0);
   }
 
+  /** Whether a value in a temporary is read from instruction {@code pc} on. */
+  boolean hasTemporaries(ScriptFunction function, int pc) {
+    for (int slot = function.variableCount(); slot < function.slotCount(); slot++) {
+      if (live(new Place(function, pc, slot))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   private boolean live(Place place) {
     return known.computeIfAbsent(place, p -> read(p.function().instructions(), p.pc(), p.slot()));
   }

@@ -37,6 +37,9 @@ final class Processor {
    */
   private static final int NESTING = 128;
 
+  /** So many times as long it is not looked for code of a loop when there was none. */
+  private static final int TURNS_WITHOUT_LOOP = 16;
+
   /** The tag bits that keep a number from being stored into a variable as it is. */
   static final int NOT_FOR_NUMBER = Registers.BOOL | Registers.NONE | Registers.OBJECT;
 
@@ -56,6 +59,7 @@ final class Processor {
   private final HotFunctions hot;
   private final InstructionLoop loop;
   private Stop refusal = Stop.CALLED;
+  private int turnsUntilLoop;
 
   Processor(ProgramRun run, Call<?> call, HotFunctions hot) {
     this.run = run;
@@ -64,6 +68,7 @@ final class Processor {
     this.slow = new SlowPath(run, general, call);
     this.hot = hot;
     this.loop = new InstructionLoop(run, general, slow, hot);
+    turnsUntilLoop = hot.turnsUntilLoop();
   }
 
   /**
@@ -200,7 +205,45 @@ final class Processor {
     return null;
   }
 
-  /** Why {@link #enter} answered no code. */
+  /**
+   * Turns of loops in translated code before {@link #loop} is to be called: many right after there
+   * was no code.
+   */
+  int takeTurnsUntilLoop() {
+    int turns = turnsUntilLoop;
+    turnsUntilLoop = hot.turnsUntilLoop();
+    return turns;
+  }
+
+  /**
+   * Goes on directly, if possible, with the loop that begins a turn at {@code pc} of the innermost
+   * frame.
+   *
+   * @return the instruction that the frame's code continues with; negative when the caller has to
+   *     return {@link #refusal}
+   */
+  int loop(ScriptThread thread, int base, int pc) {
+    ScriptFunction function = thread.functions[thread.depth - 1];
+    LoopEntry loop = run.trapped() ? null : hot.loop(function, pc, registers, base);
+    if (loop == null) {
+      turnsUntilLoop = TURNS_WITHOUT_LOOP * hot.turnsUntilLoop();
+      return pc;
+    }
+    int budget = thread.budget;
+    int room = Math.min(room(thread) + 1, loop.depth(thread.segmentEnd - base));
+    loop.code().run(thread, room, registers.numbers(), registers.tags(), registers.objects(), base);
+    loop.ran(budget - thread.budget);
+    int depth = thread.depth;
+    int how = thread.left.pushAboveLoop(thread, run.functions(), registers);
+    if (how == LeftFrames.IN_ANY_FORM && thread.depth == depth) {
+      return thread.pcs[depth - 1];
+    }
+    refusal = how == LeftFrames.IN_NEXT_SLICE ? Stop.EXHAUSTED : Stop.CALLED;
+    thread.interrupted = how == LeftFrames.INTERPRETED;
+    return -1;
+  }
+
+  /** Why {@link #enter} or {@link #loop} cannot go on. */
   Stop refusal() {
     return refusal;
   }

@@ -5,6 +5,7 @@ import java.util.function.IntPredicate;
 import org.pendant.language.check.FunctionScope;
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
+import org.pendant.script.value.Registers;
 
 /**
  * Script function: one compiled function, thread or main level.
@@ -16,6 +17,9 @@ final class ScriptFunction {
 
   /** Most direct entries of a function, two for each combination of tags. */
   private static final int MAX_DIRECT = 16;
+
+  /** Most loop entries of a function, one for each place and combination of tags. */
+  private static final int MAX_LOOPS = 32;
 
   private final String name;
   private final Source source;
@@ -56,6 +60,9 @@ final class ScriptFunction {
 
   /** For calls with arguments of certain tags, the newest first. */
   private DirectEntry direct;
+
+  /** For loops of it with variables of certain tags, the newest first. */
+  private LoopEntry loops;
 
   /**
    * @param paid how many of the instructions are not free
@@ -196,6 +203,24 @@ final class ScriptFunction {
   /** Takes {@code code} for calls with arguments that {@code key} tells of. */
   synchronized void installDirect(long key, DirectCode code, int slots) {
     direct = new DirectEntry(key, code, slots, direct);
+  }
+
+  /** Code for a turn at {@code pc} with such variables in the registers; null if not tried. */
+  LoopEntry loop(int pc, Registers registers, int base) {
+    LoopEntry entry = loops;
+    while (entry != null && !entry.suits(pc, registers, base)) {
+      entry = entry.next();
+    }
+    return entry;
+  }
+
+  /** Notes that code for a loop is being made; null when that must not be tried. */
+  synchronized LoopEntry triesLoop(LoopRegion region, int[] tags) {
+    if (loops != null && loops.count() == MAX_LOOPS) {
+      return null;
+    }
+    loops = new LoopEntry(region, tags, loops);
+    return loops;
   }
 
   /** What is interpreted, traps included. */

@@ -17,11 +17,23 @@ final class TagSet {
   static final int OBJECT = of(Registers.OBJECT);
   static final int UNASSIGNED = of(Registers.UNASSIGNED);
 
+  // objects of which more is known
+  static final int INT_LIST = 64;
+  static final int FLOAT_LIST = 128;
+  static final int INT_MATRIX = 256;
+  static final int FLOAT_MATRIX = 512;
+
+  static final int LIST = INT_LIST | FLOAT_LIST;
+  static final int MATRIX = INT_MATRIX | FLOAT_MATRIX;
+
   /** Every tag of a value that is no object. */
   static final int PLAIN = NUMBER | BOOL | NONE;
 
-  /** A set fits in as many bits. */
+  /** A set of tags of registers fits in as many bits. */
   static final int BITS = 6;
+
+  /** The largest set of tags of registers. */
+  static final int MAX = (1 << BITS) - 1;
 
   private TagSet() {}
 
@@ -38,6 +50,16 @@ final class TagSet {
           case NoneValue n -> Registers.NONE;
           default -> Registers.OBJECT;
         });
+  }
+
+  /** The tag of the elements of a container. */
+  static int element(int container) {
+    return container == INT_LIST || container == INT_MATRIX ? INT : FLOAT;
+  }
+
+  /** Whether direct code may have written what has tags of {@code set}: it writes no objects. */
+  static boolean mayBeWritten(int set) {
+    return set != 0 && within(set, PLAIN | UNASSIGNED);
   }
 
   /** Whether there is one tag that it must be. */

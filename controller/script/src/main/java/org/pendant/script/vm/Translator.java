@@ -90,7 +90,7 @@ final class Translator {
 
   /** Where the code can be entered, apart from the start. */
   private SortedSet<Integer> resumePoints() {
-    SortedSet<Integer> points = new TreeSet<>();
+    SortedSet<Integer> points = new TreeSet<>(LoopInstructions.waysOut(instructions));
     for (int pc = 0; pc < instructions.length; pc++) {
       long w = instructions[pc];
       switch (Instruction.operation(w)) {

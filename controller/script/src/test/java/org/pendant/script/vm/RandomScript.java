@@ -30,6 +30,7 @@ final class RandomScript {
     for (int number = 0; number < 3; number++) {
       text.append("  def f").append(number).append("(a, b):\n");
       text.append("    local l = [1, 2, 3]\n    local m = a\n    local n = 0\n");
+      matrix();
       if (random.nextInt(8) == 0) {
         text.append("    local l = [0.5, 1.5, 2.5, 3.5]\n");
       }
@@ -38,9 +39,11 @@ final class RandomScript {
     }
     text.append("  thread t():\n    local a = 1\n    local b = 2\n");
     text.append("    local l = [1.5, 2.5]\n    local m = 3\n    local n = 4\n");
+    matrix();
     block(3, 4, 5);
     text.append("  end\n  def body():\n    local a = 5\n    local b = 0.25\n");
     text.append("    local l = [1, 2, 3, 4]\n    local m = 3\n    local n = 4\n");
+    matrix();
     text.append("    local k = 0\n    while k < 3:\n      k = k + 1\n");
     if (random.nextInt(3) == 0) {
       text.append("      local handle = run t()\n");
@@ -49,6 +52,10 @@ final class RandomScript {
     text.append("      textmsg(").append(expression(3, 2)).append(", g)\n");
     text.append("    end\n  end\n  body()\n  textmsg(h, g)\nend\n");
     return text.toString();
+  }
+
+  private void matrix() {
+    text.append("    local q = [[1, 2], [").append(pick(CONSTANTS)).append(", 4]]\n");
   }
 
   private String pick(String[] choices) {
@@ -77,7 +84,7 @@ final class RandomScript {
           indent(depth).append(random.nextInt(9) == 0 ? "l = [n, m, 1]" : "n = l[1]").append('\n');
       case 4 ->
           indent(depth)
-              .append("l[")
+              .append(random.nextInt(3) == 0 ? "q[1, " : "l[")
               .append(random.nextInt(15) == 0 ? expression(functions, 1) : random.nextInt(2))
               .append("] = ")
               .append(random.nextInt(3) == 0 ? expression(functions, 1) : "n")
@@ -107,6 +114,7 @@ final class RandomScript {
     if (turns > 10) {
       indent(depth + 2).append("g = ").append(counter).append(" % 5\n");
       indent(depth + 2).append("m = n + l[1] * 0.5\n");
+      indent(depth + 2).append("n = q[g % 2, 0] - l[g % 3]\n");
     } else {
       block(functions, depth + 2, 1 + random.nextInt(2));
       if (random.nextInt(4) == 0) {
@@ -132,7 +140,7 @@ final class RandomScript {
               + " "
               + expression(functions, depth - 1)
               + ")";
-      case 6 -> "l[" + random.nextInt(2) + "]";
+      case 6 -> random.nextInt(3) == 0 ? "q[0, 1]" : "l[" + random.nextInt(2) + "]";
       case 7 -> random.nextInt(9) == 0 ? "l[" + expression(functions, 0) + "]" : "l[1]";
       case 8 ->
           functions > 0

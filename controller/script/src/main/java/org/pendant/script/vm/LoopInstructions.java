@@ -1,0 +1,148 @@
+package org.pendant.script.vm;
+
+import java.util.OptionalInt;
+import java.util.SortedSet;
+import java.util.TreeSet;
+
+/** Loop instructions: what instructions in loops are to code that runs loops directly. */
+final class LoopInstructions {
+  private LoopInstructions() {}
+
+  /** What instruction {@code pc} jumps back to at the end of a loop; -1 for any other. */
+  static int backTo(long w, int pc) {
+    return switch (Instruction.operation(w)) {
+      case Op.LOOP -> pc + 1 + Instruction.distance(w);
+      case Op.LOOP_IF_LESS, Op.LOOP_IF_LESS_OR_EQUAL -> pc + 1 + Instruction.c(w);
+      default -> -1;
+    };
+  }
+
+  /** What instruction {@code pc} may jump to; -1 for one that never jumps. */
+  private static int jumpTo(long w, int pc) {
+    return switch (Instruction.operation(w)) {
+      case Op.JUMP, Op.LOOP, Op.JUMP_IF_GIVEN, Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE ->
+          pc + 1 + Instruction.distance(w);
+      case Op.JUMP_IF_LESS,
+          Op.JUMP_IF_LESS_OR_EQUAL,
+          Op.JUMP_IF_NOT_LESS,
+          Op.JUMP_IF_NOT_LESS_OR_EQUAL,
+          Op.JUMP_IF_EQUAL,
+          Op.JUMP_IF_NOT_EQUAL,
+          Op.LOOP_IF_LESS,
+          Op.LOOP_IF_LESS_OR_EQUAL ->
+          pc + 1 + Instruction.c(w);
+      default -> -1;
+    };
+  }
+
+  /** The operands for values of what a loop does itself, in which arguments do not count. */
+  static int[] operands(long w) {
+    int a = Instruction.a(w);
+    int b = Instruction.b(w);
+    int c = Instruction.c(w);
+    return switch (Instruction.operation(w)) {
+      case Op.MOVE,
+          Op.COPY,
+          Op.ASSIGN,
+          Op.ASSIGN_COPY,
+          Op.NEGATE,
+          Op.NOT,
+          Op.GET_INDEX_2,
+          Op.JUMP_IF_LESS,
+          Op.JUMP_IF_LESS_OR_EQUAL,
+          Op.JUMP_IF_NOT_LESS,
+          Op.JUMP_IF_NOT_LESS_OR_EQUAL,
+          Op.JUMP_IF_EQUAL,
+          Op.JUMP_IF_NOT_EQUAL,
+          Op.LOOP_IF_LESS,
+          Op.LOOP_IF_LESS_OR_EQUAL ->
+          new int[] {a, b};
+      case Op.ADD,
+          Op.SUBTRACT,
+          Op.MULTIPLY,
+          Op.DIVIDE,
+          Op.MODULO,
+          Op.EQUAL,
+          Op.NOT_EQUAL,
+          Op.LESS,
+          Op.LESS_OR_EQUAL,
+          Op.GET_INDEX,
+          Op.SET_INDEX ->
+          new int[] {a, b, c};
+      case Op.SET_INDEX_2 -> new int[] {a, c};
+      case Op.UNSET, Op.JUMP_IF_GIVEN, Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE, Op.CALL -> new int[] {a};
+      default -> new int[0];
+    };
+  }
+
+  /** The operand that a loop itself writes a number or bool to. */
+  static OptionalInt target(long w) {
+    return switch (Instruction.operation(w)) {
+      case Op.MOVE,
+          Op.COPY,
+          Op.ASSIGN,
+          Op.ASSIGN_COPY,
+          Op.UNSET,
+          Op.ADD,
+          Op.SUBTRACT,
+          Op.MULTIPLY,
+          Op.DIVIDE,
+          Op.MODULO,
+          Op.NEGATE,
+          Op.NOT,
+          Op.EQUAL,
+          Op.NOT_EQUAL,
+          Op.LESS,
+          Op.LESS_OR_EQUAL,
+          Op.GET_INDEX,
+          Op.GET_INDEX_2,
+          Op.CALL ->
+          OptionalInt.of(Instruction.a(w));
+      default -> OptionalInt.empty();
+    };
+  }
+
+  /** Whether a loop that runs directly ends before {@code w}, whatever its operands are. */
+  static boolean endsBefore(long w) {
+    return switch (Instruction.operation(w)) {
+      case Op.JUMP, Op.LOOP, Op.STRETCH, Op.SET_INDEX, Op.SET_INDEX_2, Op.MARK -> false;
+      default -> operands(w).length == 0;
+    };
+  }
+
+  /** Where code continues with what loops have left: behind them, and where they end within. */
+  static SortedSet<Integer> waysOut(long[] instructions) {
+    SortedSet<Integer> ways = new TreeSet<>();
+    int end = -1;
+    for (int pc = 0; pc < instructions.length; pc++) {
+      if (pc > end) {
+        end = endOfLoop(instructions, pc);
+      }
+      if (pc > end) {
+        continue;
+      }
+      if (endsBefore(instructions[pc])) {
+        ways.add(pc);
+      }
+      int target = jumpTo(instructions[pc], pc);
+      if (target > end) {
+        ways.add(target);
+      }
+      if (pc == end) {
+        ways.add(pc + 1);
+      }
+    }
+    return ways.headSet(instructions.length);
+  }
+
+  /** The last instruction of the loop that begins with instruction {@code first}; -1 for none. */
+  private static int endOfLoop(long[] instructions, int first) {
+    int end = -1;
+    for (int pc = first; pc < instructions.length; pc++) {
+      if (backTo(instructions[pc], pc) == first) {
+        end = pc;
+      }
+    }
+    return end;
+  }
+}
