@@ -55,11 +55,9 @@ public interface MeshFiles {
   /** Those that a scene has already, for reading what was written of it. */
   static MeshFiles of(Scene scene) {
     return (name, unit) -> {
-      for (SceneObject object : scene.objects()) {
-        if (object instanceof SceneObject.Mesh mesh
-            && mesh.part().file().equals(name)
-            && mesh.part().unit() == unit) {
-          return mesh.part().triangles();
+      for (MeshPart mesh : scene.meshes()) {
+        if (mesh.file().equals(name) && mesh.unit() == unit) {
+          return mesh.triangles();
         }
       }
       throw new IOException("is not there");

@@ -2,6 +2,7 @@ package org.pendant.desktop.help;
 
 import java.util.List;
 import java.util.Locale;
+import org.pendant.models.mesh.MeshFile;
 
 /**
  * A program that comes with Pendant.
@@ -51,6 +52,10 @@ public record Example(String file, Topic topic, List<String> companions) {
         new Example("weigh_and_press.script", Topic.MOTION, List.of("table.scene.json")),
         new Example("grip_part.script", Topic.CELL, List.of("grip_part.scene.json")),
         new Example("belt_pick.script", Topic.CELL, List.of("belt_pick.scene.json")),
+        new Example(
+            "lift_casting.script",
+            Topic.CELL,
+            List.of("lift_casting.scene.json", "parts/casting.stl")),
         new Example("stack_vacuum.script", Topic.CELL, List.of("stack_vacuum.scene.json")),
         new Example("sort_parts.script", Topic.CELL, List.of("sort_parts.scene.json")),
         new Example("peg_in_hole.script", Topic.CELL, List.of("peg_in_hole.scene.json")),
@@ -80,6 +85,11 @@ public record Example(String file, Topic topic, List<String> companions) {
         + topic.name().toLowerCase(Locale.ROOT)
         + "."
         + file.substring(0, file.lastIndexOf('.')).replace('_', '-');
+  }
+
+  /** The meshes among its companions, which its scene names. */
+  public ExampleMeshes meshes() {
+    return new ExampleMeshes(companions.stream().filter(MeshFile::hasEnding).toList());
   }
 
   /** What a companion says. */

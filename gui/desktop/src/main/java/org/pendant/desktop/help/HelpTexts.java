@@ -21,6 +21,23 @@ public final class HelpTexts {
         .orElseThrow(() -> new IllegalStateException("resource " + name + " is missing"));
   }
 
+  /**
+   * A file that is always there, as it is.
+   *
+   * @param name where it is beside this class
+   * @throws IllegalStateException if it is missing, an internal error
+   */
+  static byte[] bytes(String name) {
+    try (InputStream in = HelpTexts.class.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException("resource " + name + " is missing");
+      }
+      return in.readAllBytes();
+    } catch (IOException e) {
+      throw new UncheckedIOException("resource " + name, e);
+    }
+  }
+
   /** One that only a packaged program has, such as {@code /NOTICE}. */
   static Optional<String> find(String name) {
     try (InputStream in = HelpTexts.class.getResourceAsStream(name)) {

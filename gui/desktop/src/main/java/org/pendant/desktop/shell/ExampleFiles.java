@@ -57,7 +57,10 @@ final class ExampleFiles {
   /** Where nothing is around the arm a scene comes with its program. */
   private void bring(Example example, String companion) {
     if (companion.endsWith(SceneFile.ENDING) && scenes.current().isNone()) {
-      surround(companion);
+      surround(example, companion);
+    } else if (example.meshes().files().contains(companion)) {
+      // comes with the scene that names it
+      return;
     } else if (companion.endsWith(SCRIPT)) {
       openBeside(companion);
     } else {
@@ -73,10 +76,10 @@ final class ExampleFiles {
         failed -> tell.accept("Not opened: " + failed.getMessage()));
   }
 
-  private void surround(String companion) {
+  private void surround(Example example, String companion) {
     Background.run(
         () -> Example.companion(companion),
-        text -> scenes.openCopy(companion, text),
+        text -> scenes.openCopy(companion, text, example.meshes()),
         failed -> tell.accept("Not opened: " + failed.getMessage()));
   }
 
@@ -85,7 +88,11 @@ final class ExampleFiles {
     if (companion.endsWith(InstallationText.ENDING)) {
       ask(companion, made + "installation " + companion + ".", "Use it", this::take);
     } else if (companion.endsWith(SceneFile.ENDING)) {
-      ask(companion, made + "scene " + companion + ".", "Use it", this::surround);
+      ask(
+          companion,
+          made + "scene " + companion + ".",
+          "Use it",
+          scene -> surround(example, scene));
     } else {
       String needs = example.file() + " needs " + companion + " in its folder.";
       ask(companion, needs, "Save a copy\u2026", this::save);

@@ -9,7 +9,9 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.pendant.controller.world.MeshFiles;
+import org.pendant.controller.world.MeshPart;
 import org.pendant.controller.world.SceneWriter;
+import org.pendant.desktop.help.ExampleMeshes;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.DiskChange;
 import org.pendant.desktop.session.ProgramDocument;
@@ -50,6 +52,9 @@ final class SceneFiles {
 
   /** The document of what is around the arm, which the draft may have left behind. */
   private ProgramDocument ofCurrent;
+
+  /** The meshes that came with what is around the arm, where that has no file. */
+  private ExampleMeshes lent = ExampleMeshes.NONE;
 
   private Optional<Path> wanted = Optional.empty();
   private DiskChange change = new DiskChange();
@@ -223,6 +228,14 @@ final class SceneFiles {
    */
   void saveAs(Path path, Consumer<Boolean> then) {
     ProgramDocument document = draft.document();
+    List<String> borrowed = document == ofCurrent ? borrowed(document) : List.of();
+    if (!borrowed.isEmpty()) {
+      copy(
+          () -> new SceneMove(lent.unpack(), path.getParent()).copy(borrowed),
+          () -> write(document, path, Optional.empty(), then),
+          then);
+      return;
+    }
     Optional<SceneMove> move =
         document.file().map(file -> new SceneMove(file.getParent(), path.getParent()));
     List<String> copies = move.map(each -> each.toCopy(draft.scene())).orElse(List.of());
@@ -240,19 +253,41 @@ final class SceneFiles {
             new Choice(
                 "Copy and save",
                 () ->
-                    Background.run(
-                        () -> {
-                          move.get().copy(copies);
-                          return copies.size();
-                        },
-                        copied -> write(document, path, move, then),
-                        failed -> {
-                          notices.tell(
-                              MESHES, "The scene is not saved there: " + failed.getMessage());
-                          then.accept(false);
-                        })),
+                    copy(
+                        () -> move.get().copy(copies),
+                        () -> write(document, path, move, then),
+                        then)),
             new Choice("Cancel", () -> then.accept(false), true)));
     notices.focus();
+  }
+
+  /** Meshes that its scene names and that are in no folder of the user's. */
+  private List<String> borrowed(ProgramDocument document) {
+    return document.file().isPresent()
+        ? List.of()
+        : draft.scene().meshes().stream()
+            .map(MeshPart::file)
+            .distinct()
+            .filter(lent.files()::contains)
+            .toList();
+  }
+
+  /** Copies of meshes. */
+  private interface Copying {
+    void run() throws IOException;
+  }
+
+  private void copy(Copying meshes, Runnable copied, Consumer<Boolean> then) {
+    Background.run(
+        () -> {
+          meshes.run();
+          return true;
+        },
+        all -> copied.run(),
+        failed -> {
+          notices.tell(MESHES, "The scene is not saved there: " + failed.getMessage());
+          then.accept(false);
+        });
   }
 
   private void write(
@@ -319,13 +354,17 @@ final class SceneFiles {
         failed -> trouble(failed.getMessage(), Optional.of(file)));
   }
 
-  /** Puts a scene around the arm that is no file of the user's. */
-  void openCopy(String name, String text) {
+  /**
+   * Puts a scene around the arm that is no file of the user's.
+   *
+   * @param meshes that come with it, and go along when it is saved
+   */
+  void openCopy(String name, String text, ExampleMeshes meshes) {
     unsaved.before(
         () ->
             Background.run(
-                () -> SceneFile.of(name, text),
-                this::take,
+                () -> SceneFile.of(name, text, MeshFiles.in(meshes.unpack())),
+                scene -> take(scene, meshes),
                 failed -> trouble(failed.getMessage(), Optional.empty())));
   }
 
@@ -334,6 +373,10 @@ final class SceneFiles {
   }
 
   private void take(SceneFile next) {
+    take(next, ExampleMeshes.NONE);
+  }
+
+  private void take(SceneFile next, ExampleMeshes meshes) {
     notices.close(TROUBLE);
     notices.close(CHANGED);
     surround.accept(
@@ -341,6 +384,7 @@ final class SceneFiles {
         () -> {
           current = next;
           followCurrent();
+          lent = meshes;
           change = new DiskChange();
           remember(next.path());
           tell.accept(

@@ -15,11 +15,12 @@ final class ExampleTest {
 
   @Test
   void everyFileOfTheFolderIsAnExampleOrItsCompanion() throws IOException {
-    try (Stream<Path> files = Files.list(FOLDER)) {
+    try (Stream<Path> files = Files.walk(FOLDER)) {
       List<String> there =
           files
               .filter(Files::isRegularFile)
-              .map(each -> each.getFileName().toString())
+              .map(each -> FOLDER.relativize(each).toString().replace('\\', '/'))
+              .filter(each -> !each.startsWith("tests/") && !each.startsWith("sweeps/"))
               .sorted()
               .toList();
       List<String> listed =
@@ -29,6 +30,19 @@ final class ExampleTest {
               .toList();
       assertEquals(there, listed);
     }
+  }
+
+  @Test
+  void meshesOfAnExampleAreUnpackedWhereItsSceneNamesThem() throws IOException {
+    Example example =
+        Example.all().stream()
+            .filter(each -> each.file().equals("lift_casting.script"))
+            .findFirst()
+            .orElseThrow();
+    Path folder = example.meshes().unpack();
+    assertEquals(
+        -1,
+        Files.mismatch(FOLDER.resolve("parts/casting.stl"), folder.resolve("parts/casting.stl")));
   }
 
   @Test

@@ -23,6 +23,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
+import org.pendant.desktop.help.Example;
+import org.pendant.desktop.help.ExampleMeshes;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SavedProgram;
@@ -320,6 +322,21 @@ final class SceneFilesTest {
     DispatchThread.await(() -> told.contains("saved true"));
     assertEquals(1, SceneFile.read(other).scene().objects().size());
     assertFalse(draft.document().modified());
+  }
+
+  @Test
+  void meshesOfAnExampleAreAroundTheArmAndGoAlongWhenItIsSaved() throws Exception {
+    String name = "lift_casting.scene.json";
+    ExampleMeshes meshes = new ExampleMeshes(List.of("parts/casting.stl"));
+    DispatchThread.run(() -> scenes.openCopy(name, Example.companion(name), meshes));
+    DispatchThread.await(() -> !told.isEmpty());
+    assertEquals(1, surroundings.getLast().meshes().size());
+    Path mine = Files.createDirectory(folder.resolve("mine")).resolve("mine.scene.json");
+    saveAs(mine);
+    DispatchThread.await(() -> told.contains("saved true"));
+
+    assertEquals(draft.scene(), SceneFile.read(mine).scene());
+    assertTrue(Files.exists(mine.resolveSibling("parts/casting.stl")));
   }
 
   @Test
