@@ -265,6 +265,30 @@ final class CellRerunTest {
   }
 
   @Test
+  void aFrameThatIsStillHeldIsHeldInTheBranchToo() throws RerunRefused {
+    CellPlay play = play();
+    Controllers all = play.journal().controllers();
+    ask(all.all().get(RIGHT), debugger -> debugger.set(Breakpoint.at(6)));
+    play.until(1);
+    while (!all.frames().held()) {
+      all.frames().advance();
+    }
+    var _ = all.all().get(PLC).submit(new IoCommand.SetInput("digital_in[5]", true));
+    all.frames().applyCommands();
+    RunJournal branch =
+        Rerun.to(all.frame(), play.journal(), CellPlay.recorded(all)).run(play.fresh(), () -> {});
+    assertTrue(branch.controllers().frames().held());
+    assertEquals(CellPlay.facts(all), CellPlay.facts(branch.controllers()));
+    for (Controllers each : List.of(all, branch.controllers())) {
+      ask(each.all().get(RIGHT), Debugger::resume);
+      for (int i = 0; i < 30; i++) {
+        each.frames().advance();
+      }
+    }
+    assertEquals(CellPlay.facts(all), CellPlay.facts(branch.controllers()));
+  }
+
+  @Test
   void whatOneControllerHasGotFromOutsideEndsWhatCanBeRepeatedAndIsTold() throws RerunRefused {
     ControllerOptions options =
         ControllerOptions.headless()

@@ -129,6 +129,22 @@ final class CellVariantTest {
   }
 
   @Test
+  void oneThatADebuggerHasPausedAtTheMomentGoesOn() throws RerunRefused {
+    play.at(2, RIGHT, new DebugCommand.Debug(new DebugRequest.SetBreakpoint(Breakpoint.at(6))))
+        .start(21, LEFT, ASKS)
+        .start(21, RIGHT, ANSWERS)
+        .at(22, RIGHT, new IoCommand.SetInput("digital_in[3]", true))
+        .until(200);
+    while (!play.controller(RIGHT).held()) {
+      play.journal().controllers().frames().advance();
+    }
+    long held = play.controller(LEFT).state().frame();
+    VariantOutcome outcome =
+        VariantRun.from(held, parked, LEFT, Variant.asItWas("on"), VariantLimits.STANDARD).run();
+    assertEquals(VariantOutcome.End.FINISHED, outcome.end(), outcome.words());
+  }
+
+  @Test
   void aProgramThatGaveWayToAnotherDoesSoAgain() throws RerunRefused {
     play.start(21, LEFT, ASKS)
         .start(21, RIGHT, "def idle():\n  sleep(1000)\nend\n")

@@ -301,6 +301,11 @@ public final class RobotSession implements AutoCloseable {
     driven.clock().grant(1);
   }
 
+  /** Whether a debugger has paused a program of any controller: robot time stands still. */
+  public boolean held() {
+    return members().stream().anyMatch(each -> each.state().debug().held());
+  }
+
   /** How punctual the frames are, since the controller was switched on. */
   public Lateness lateness() {
     return driven.clock().lateness();

@@ -478,9 +478,7 @@ final class DesktopWindow {
       Faults.guard(() -> footer.refresh(state));
     }
     Faults.guard(
-        () ->
-            status.refresh(
-                session.lateness(), session.pace(), state.behindS(), state.debug().held()));
+        () -> status.refresh(session.lateness(), session.pace(), state.behindS(), session.held()));
     Faults.guard(arms::refresh);
     Faults.guard(() -> prompts.refresh(state));
     Faults.guard(() -> stopNotice.refresh(state));
