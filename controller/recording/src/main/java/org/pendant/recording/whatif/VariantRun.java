@@ -144,6 +144,7 @@ public final class VariantRun {
     }
     List<LaterCommands> later = later(all.all().size());
     VariantMeasure measure = new VariantMeasure(moment, fresh.safety());
+    NeighbourWatch neighbours = new NeighbourWatch(all, member);
     vary(fresh, moment);
     all.all().forEach(VariantRun::leaveDebugger);
     long stopNs = System.nanoTime() + limits.wallTime().toNanos();
@@ -156,6 +157,7 @@ public final class VariantRun {
       ControllerState state = fresh.state();
       noteStart(state);
       measure.see(state);
+      neighbours.see();
       reachedS = measure.timeS();
       Optional<VariantOutcome> ended = ended(state, later.get(member), measure);
       if (ended.isPresent()) {
@@ -165,7 +167,8 @@ public final class VariantRun {
     Rounds.Round round = measure.round();
     return outcome(
         VariantOutcome.End.LIMIT,
-        String.format(Locale.ROOT, "runs on at %.0f s", measure.timeS()),
+        String.format(Locale.ROOT, "runs on at %.0f s", measure.timeS())
+            + neighbours.trouble().map(why -> "; " + why).orElse(""),
         round.line() == 0
             ? OptionalDouble.empty()
             : OptionalDouble.of(round.frames() * FrameTime.FRAME_S),

@@ -3,6 +3,7 @@ package org.pendant.recording.whatif;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
@@ -126,6 +127,18 @@ final class CellVariantTest {
         .until(200);
     VariantOutcome outcome = fromStart(Variant.asItWas("as it was"));
     assertEquals(VariantOutcome.End.FINISHED, outcome.end(), outcome.words());
+  }
+
+  @Test
+  void oneThatWaitsForAnotherThatHasFailedSaysSo() throws RerunRefused {
+    play.start(21, LEFT, ASKS)
+        .start(21, RIGHT, "def answers():\n  sleep(0.5)\n  sleep(0 - 1)\nend\n")
+        .until(900);
+    VariantLimits limits = new VariantLimits(Duration.ofSeconds(2), Duration.ofSeconds(60));
+    VariantOutcome outcome =
+        VariantRun.fromStart(parked, LEFT, Variant.asItWas("as it was"), limits).run();
+    assertEquals(VariantOutcome.End.LIMIT, outcome.end());
+    assertTrue(outcome.words().startsWith("runs on at 2 s; right: line 3: "), outcome.words());
   }
 
   @Test
