@@ -1,3 +1,5 @@
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -23,6 +25,10 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
+import java.util.jar.Attributes.Name;
+import java.util.jar.JarFile;
+import java.util.jar.Manifest;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
@@ -33,7 +39,9 @@ import java.util.zip.ZipOutputStream;
  * a start needs. The JVM makes the code behind a pattern switch and that of {@code equals} and
  * {@code hashCode} of a record when it first comes there, and keeps none of it in a cache; here it
  * is written into the class files, with the same results. Jars lose their signatures, since classes
- * of signed jars are not kept either, and checking them takes longer than everything else.
+ * of signed jars are not kept either, and checking them takes longer than everything else. Of their
+ * manifests remains what the JVM and Pendant ask for: those of all jars with a class in the cache
+ * are read at each start, and most of what they tell is for OSGi.
  */
 final class StartableJars {
   private static final String OURS = "org/pendant/";
@@ -41,6 +49,17 @@ final class StartableJars {
       MethodTypeDesc.of(ConstantDescs.CD_int, ConstantDescs.CD_Object);
   private static final MethodTypeDesc EQUAL =
       MethodTypeDesc.of(ConstantDescs.CD_boolean, ConstantDescs.CD_Object, ConstantDescs.CD_Object);
+
+  /** What stays in manifests. */
+  private static final Set<Name> NEEDED =
+      Set.of(
+          Name.MANIFEST_VERSION,
+          Name.MAIN_CLASS,
+          Name.CLASS_PATH,
+          Name.MULTI_RELEASE,
+          Name.IMPLEMENTATION_VERSION,
+          new Name("Enable-Native-Access"));
+
   private static final ClassDesc OBJECTS = ClassDesc.ofDescriptor(Objects.class.descriptorString());
 
   /** What a pattern switch selects by: the first type from a number on that a value has. */
@@ -82,9 +101,6 @@ final class StartableJars {
     Path rewritten = Path.of(jar + ".new");
     try (ZipFile in = new ZipFile(jar.toFile())) {
       List<ZipEntry> entries = in.stream().<ZipEntry>map(entry -> entry).toList();
-      if (entries.stream().noneMatch(entry -> isOurs(entry) || isSignature(entry))) {
-        return;
-      }
       try (OutputStream file = Files.newOutputStream(rewritten);
           ZipOutputStream out = new ZipOutputStream(file)) {
         for (ZipEntry entry : entries) {
@@ -93,7 +109,10 @@ final class StartableJars {
             ZipEntry copy = new ZipEntry(entry.getName());
             copy.setTime(entry.getTime());
             out.putNextEntry(copy);
-            out.write(isOurs(entry) ? rewritten(content) : content);
+            out.write(
+                isOurs(entry)
+                    ? rewritten(content)
+                    : isManifest(entry) ? shortened(content) : content);
           }
         }
       }
@@ -107,6 +126,19 @@ final class StartableJars {
 
   private static boolean isSignature(ZipEntry entry) {
     return entry.getName().matches("META-INF/[^/]*\\.(SF|RSA|DSA|EC)");
+  }
+
+  private static boolean isManifest(ZipEntry entry) {
+    return entry.getName().equals(JarFile.MANIFEST_NAME);
+  }
+
+  private static byte[] shortened(byte[] content) throws IOException {
+    Manifest manifest = new Manifest(new ByteArrayInputStream(content));
+    manifest.getEntries().clear();
+    manifest.getMainAttributes().keySet().retainAll(NEEDED);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    manifest.write(out);
+    return out.toByteArray();
   }
 
   private byte[] rewritten(byte[] content) {

@@ -13,10 +13,14 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
+import java.util.jar.Attributes;
+import java.util.jar.Attributes.Name;
 import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.jar.JarOutputStream;
+import java.util.jar.Manifest;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeAll;
@@ -133,6 +137,28 @@ class StartableJarsTest {
       assertEquals(
           List.of("META-INF/NOTICE"),
           jar.stream().map(JarEntry::getName).filter(name -> name.startsWith("META-INF")).toList());
+    }
+  }
+
+  @Test
+  void ofManifestsRemainsWhatIsAskedFor() throws Exception {
+    Manifest manifest = new Manifest();
+    Attributes attributes = manifest.getMainAttributes();
+    for (Name kept :
+        List.of(Name.MANIFEST_VERSION, Name.MULTI_RELEASE, Name.IMPLEMENTATION_VERSION)) {
+      attributes.put(kept, "1.0");
+    }
+    Attributes needed = new Attributes(attributes);
+    attributes.put(new Name("Export-Package"), "some");
+    manifest.getEntries().put("some/Some.class", new Attributes(needed));
+    Path file = folder.resolve("some.jar");
+    new JarOutputStream(Files.newOutputStream(file), manifest).close();
+
+    rewrite(file);
+
+    try (JarFile jar = new JarFile(file.toFile())) {
+      assertEquals(needed, jar.getManifest().getMainAttributes());
+      assertEquals(Map.of(), jar.getManifest().getEntries());
     }
   }
 
