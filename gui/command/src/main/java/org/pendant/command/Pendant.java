@@ -71,7 +71,7 @@ public final class Pendant {
     Thread[] threads = new Thread[2 * all.activeCount()];
     int count = all.enumerate(threads);
     for (int i = 0; i < count; i++) {
-      if (threads[i] != Thread.currentThread() && !threads[i].isDaemon()) {
+      if (!threads[i].equals(Thread.currentThread()) && !threads[i].isDaemon()) {
         return true;
       }
     }
