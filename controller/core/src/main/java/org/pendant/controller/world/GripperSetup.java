@@ -19,6 +19,9 @@ public record GripperSetup(Optional<Pose> atInFlange, Grip grip, double friction
   /** Rubber. */
   public static final double RUBBER = 0.8;
 
+  /** Fingers are so thick, m. */
+  public static final double FINGER_M = 0.008;
+
   /** What a gripper grips with. */
   public sealed interface Grip {
     /** What lengths of a gripper may be. */

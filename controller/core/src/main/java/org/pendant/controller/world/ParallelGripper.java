@@ -12,11 +12,11 @@ import org.pendant.models.time.FrameTime;
 
 /**
  * Finger gripper: two fingers that close along y. Their pads are bodies that push what is in their
- * way; what lies between both and is pressed for a moment is held by friction.
+ * way; what lies between both, or has walls outside both where they open, and is pressed for a
+ * moment is held by friction.
  */
 public final class ParallelGripper extends Gripper {
-  /** Fingers are so thick, m. */
-  private static final double THICK_M = 0.008;
+  private static final double THICK_M = GripperSetup.FINGER_M;
 
   /** Where surfaces are looked for: so many rays in both directions of a pad. */
   private static final int RAYS = 5;
@@ -26,6 +26,9 @@ public final class ParallelGripper extends Gripper {
 
   /** Pads press so deep on what they close on, to turn it straight, until they hold it, m. */
   private static final double SQUEEZE_M = 0.0003;
+
+  /** Walls around the fingers are looked for up to so far outside, m. */
+  private static final double REACH_M = 0.05;
 
   /** A pad touches what is as near as that, m. */
   private static final double TOUCH_M = 0.001;
@@ -45,7 +48,13 @@ public final class ParallelGripper extends Gripper {
   private double closingMPerS;
   private int pressedFrames;
 
-  /** Of the bodies between the fingers: from where to where they reach along y, m. */
+  /** Whether the fingers open, and press on walls around them. */
+  private boolean inside;
+
+  /**
+   * Of the bodies between the fingers: from where to where they reach along y, m. Of those around
+   * them: from where to where they leave room.
+   */
   private double fromM;
 
   private double toM;
@@ -83,6 +92,7 @@ public final class ParallelGripper extends Gripper {
    * @param forceN how hard they press
    */
   public double closesToM(double openingM, double forceN) {
+    press(false);
     if (holds()) {
       // as in the frame before: what is held goes along
       fromM = heldFromM;
@@ -91,9 +101,40 @@ public final class ParallelGripper extends Gripper {
       return 0;
     }
     double widthM = toM - fromM;
-    double depthM = Math.min(MAX_DEPTH_M, forceN / Material.DEFAULT.stiffnessNPerM());
-    double pushes = 2 * (Math.max(toM, -fromM) - depthM);
+    double pushes = 2 * (Math.max(toM, -fromM) - depthM(forceN));
     return Math.clamp(Math.max(widthM, pushes), 0, openingM);
+  }
+
+  /**
+   * The opening at which fingers that open from here meet the walls of a body around them, m;
+   * infinite where there is none.
+   *
+   * @param openingM how far they are open
+   * @param forceN how hard they press
+   */
+  public double opensToM(double openingM, double forceN) {
+    press(true);
+    if (holds()) {
+      fromM = heldFromM;
+      toM = heldToM;
+    } else if (!placed() || !look(openingM)) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double pushes = 2 * (Math.min(toM, -fromM) + depthM(forceN));
+    return Math.max(openingM, Math.min(toM - fromM, pushes) - 2 * THICK_M);
+  }
+
+  /** They press on what is around them from now on, or on what is between them. */
+  private void press(boolean outwards) {
+    if (inside != outwards) {
+      release();
+      pressedFrames = 0;
+      inside = outwards;
+    }
+  }
+
+  private static double depthM(double forceN) {
+    return Math.min(MAX_DEPTH_M, forceN / Material.DEFAULT.stiffnessNPerM());
   }
 
   /** The fingers are that far open in this frame, and press that hard on what they have met. */
@@ -125,19 +166,25 @@ public final class ParallelGripper extends Gripper {
       return;
     }
     for (int body : candidates(openingM)) {
-      if (look(body, openingM)
-          && fromM <= TOUCH_M - openingM / 2
-          && toM >= openingM / 2 - TOUCH_M
-          && !bodies.held(body)) {
+      if (look(body, openingM) && touch(openingM) && !bodies.held(body)) {
         holds.add(bodies.hold(body, frame12, limits(body, forceN), arm.tools()));
         reachHeld();
       }
     }
   }
 
+  /** Whether both fingers touch what was looked at last. */
+  private boolean touch(double openingM) {
+    double half = openingM / 2;
+    return inside
+        ? fromM >= -half - THICK_M - TOUCH_M && toM <= half + THICK_M + TOUCH_M
+        : fromM <= TOUCH_M - half && toM >= half - TOUCH_M;
+  }
+
   private void reachHeld() {
-    heldFromM = Math.min(heldFromM, fromM);
-    heldToM = Math.max(heldToM, toM);
+    boolean first = heldFromM == Double.POSITIVE_INFINITY;
+    heldFromM = first ? fromM : inside ? Math.max(heldFromM, fromM) : Math.min(heldFromM, fromM);
+    heldToM = first ? toM : inside ? Math.min(heldToM, toM) : Math.max(heldToM, toM);
   }
 
   private HoldLimits limits(int body, double forceN) {
@@ -159,30 +206,61 @@ public final class ParallelGripper extends Gripper {
 
   /** Finds from where to where all bodies between the fingers reach; whether there are any. */
   private boolean look(double openingM) {
-    double from = Double.POSITIVE_INFINITY;
-    double to = Double.NEGATIVE_INFINITY;
+    boolean any = false;
+    double from = 0;
+    double to = 0;
     for (int body : candidates(openingM)) {
       if (look(body, openingM)) {
-        from = Math.min(from, fromM);
-        to = Math.max(to, toM);
+        from = !any ? fromM : inside ? Math.max(from, fromM) : Math.min(from, fromM);
+        to = !any ? toM : inside ? Math.min(to, toM) : Math.max(to, toM);
+        any = true;
       }
     }
     fromM = from;
     toM = to;
-    return from < to;
+    return any;
+  }
+
+  private boolean look(int body, double openingM) {
+    return inside ? lookAround(body, openingM) : lookBetween(body, openingM);
+  }
+
+  /** Finds from where to where a body leaves room around the fingers; whether it has both walls. */
+  private boolean lookAround(int body, double openingM) {
+    double start = (openingM + THICK_M) / 2;
+    double[] along = axis(1);
+    double[] back = minus(along);
+    fromM = Double.NEGATIVE_INFINITY;
+    toM = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < RAYS; i++) {
+      double x = across(i, pads.widthM());
+      for (int j = 0; j < RAYS; j++) {
+        double z = across(j, pads.lengthM());
+        double forth = bodies.enters(body, at(x, start, z), along, REACH_M);
+        double reverse = bodies.enters(body, at(x, -start, z), back, REACH_M);
+        toM = Math.min(toM, start + forth);
+        fromM = Math.max(fromM, -start - reverse);
+      }
+    }
+    return toM < Double.POSITIVE_INFINITY && fromM > Double.NEGATIVE_INFINITY;
+  }
+
+  /** Where a ray is in a side of a pad, m. */
+  private static double across(int ray, double sideM) {
+    return 0.9 * sideM * ((double) ray / (RAYS - 1) - 0.5);
   }
 
   /** Finds from where to where a body reaches between the fingers; whether it is there. */
-  private boolean look(int body, double openingM) {
+  private boolean lookBetween(int body, double openingM) {
     double half = openingM / 2 + MAX_DEPTH_M + TOUCH_M;
     double[] along = axis(1);
     double[] back = minus(along);
     fromM = Double.POSITIVE_INFINITY;
     toM = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < RAYS; i++) {
-      double x = 0.9 * pads.widthM() * ((double) i / (RAYS - 1) - 0.5);
+      double x = across(i, pads.widthM());
       for (int j = 0; j < RAYS; j++) {
-        double z = 0.9 * pads.lengthM() * ((double) j / (RAYS - 1) - 0.5);
+        double z = across(j, pads.lengthM());
         double forth = bodies.enters(body, at(x, -half, z), along, 2 * half);
         double reverse = bodies.enters(body, at(x, half, z), back, 2 * half);
         if (forth < 2 * half && reverse < 2 * half) {
@@ -196,7 +274,7 @@ public final class ParallelGripper extends Gripper {
 
   @Override
   void moved() {
-    double squeezeM = pressedFrames > 0 && !holds() ? SQUEEZE_M : 0;
+    double squeezeM = pressedFrames > 0 && !holds() ? inside ? -SQUEEZE_M : SQUEEZE_M : 0;
     for (int side = 0; side < 2; side++) {
       double sign = side == 0 ? -1 : 1;
       double[] at = at(0, sign * ((openingM + THICK_M) / 2 - squeezeM), 0);

@@ -318,7 +318,7 @@ public final class AdaptiveGripper {
 
   /** What fingers hold, for people. */
   static String gripping(Fingers fingers) {
-    return "part gripped at "
+    return (fingers.direction() > 0 ? "part gripped from inside at " : "part gripped at ")
         + Math.round(1e4 * fingers.openingM()) / 10.0
         + " mm with "
         + Math.round(fingers.pressN())

@@ -24,9 +24,10 @@ public interface FingerSpace {
    * that they hold from the inside.
    *
    * @param openingM how far they are open
+   * @param forceN how hard they press
    * @return m, at least {@code openingM}; infinity where nothing is around them
    */
-  default double opensToM(double openingM) {
+  default double opensToM(double openingM, double forceN) {
     return Double.POSITIVE_INFINITY;
   }
 

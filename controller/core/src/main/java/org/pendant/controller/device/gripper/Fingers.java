@@ -117,7 +117,7 @@ public final class Fingers {
     double reached =
         direction < 0
             ? Math.max(wanted, space.closesToM(openingM, forceN))
-            : Math.min(wanted, space.opensToM(openingM));
+            : Math.min(wanted, space.opensToM(openingM, forceN));
     openingM = reached;
     if (reached != wanted) {
       pressedFrames++;

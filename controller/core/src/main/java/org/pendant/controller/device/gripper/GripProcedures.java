@@ -3,6 +3,7 @@ package org.pendant.controller.device.gripper;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.pendant.controller.world.GripperSetup;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.IntValue;
 import org.pendant.script.value.ScriptError;
@@ -19,6 +20,9 @@ public final class GripProcedures {
 
   private static final double MM = 1e-3;
   private static final double PERCENT = 1e-2;
+
+  /** Between the outer sides of the fingers it is so much more than between the inner ones, m. */
+  private static final double INNER_M = 2 * GripperSetup.FINGER_M;
 
   /** What is answered for a tool that is not there. */
   private static final double NO_WIDTH = -999;
@@ -75,16 +79,19 @@ public final class GripProcedures {
     String what = method.substring(make.prefix().length());
     boolean there = number(method, arguments, 0) == 0;
     return switch (what) {
-      case "grip", "grip_external", "grip_internal" ->
-          Optional.of(Value.of(there ? grip(method, arguments) : -1));
+      case "grip", "grip_external" ->
+          Optional.of(Value.of(there ? grip(method, arguments, 0) : -1));
+      case "grip_internal" -> Optional.of(Value.of(there ? grip(method, arguments, INNER_M) : -1));
       case "stop" -> {
         if (there) {
           fingers.stop();
         }
         yield Optional.of(Value.of(there ? 0 : -1));
       }
-      case "get_width", "get_external_width", "get_internal_width" ->
+      case "get_width", "get_external_width" ->
           Optional.of(Value.of(there ? fingers.openingM() / MM : NO_WIDTH));
+      case "get_internal_width" ->
+          Optional.of(Value.of(there ? (fingers.openingM() + INNER_M) / MM : NO_WIDTH));
       case "get_min_external_width" -> Optional.of(Value.of(0.0));
       case "get_max_external_width" -> Optional.of(Value.of(make.strokeM() / MM));
       case "get_busy" -> Optional.of(Value.of(there && busy()));
@@ -103,12 +110,17 @@ public final class GripProcedures {
     return fingers.direction() != 0 && !gripped;
   }
 
-  private int grip(String method, List<Value> arguments) throws ScriptError {
+  /**
+   * Goes to a width.
+   *
+   * @param innerM how much more the width counts than the fingers are open
+   */
+  private int grip(String method, List<Value> arguments, double innerM) throws ScriptError {
     double widthMm = number(method, arguments, 1);
     double forceN = number(method, arguments, 2);
     double share = arguments.size() > 3 ? PERCENT * number(method, arguments, 3) : 1;
     fingers.drive(
-        MM * widthMm,
+        MM * widthMm - innerM,
         make.speedMPerS() * Math.clamp(share, 0.1, 1),
         Math.clamp(forceN, make.minForceN(), make.maxForceN()));
     gripped = gripped && fingers.pressing();

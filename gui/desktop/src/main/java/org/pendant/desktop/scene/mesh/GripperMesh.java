@@ -12,7 +12,6 @@ import org.pendant.controller.world.GripperSetup;
 public final class GripperMesh {
   private static final double BEVEL_M = 0.001;
   private static final double BODY_RADIUS_M = 0.03;
-  private static final double FINGER_M = 0.008;
   private static final double RAIL_M = 0.016;
   private static final double PART_M = 0.02;
 
@@ -78,7 +77,7 @@ public final class GripperMesh {
   private Mesh rail(GripperSetup.Grip.Pads pads, double strokeM) {
     MeshBuilder mesh = new MeshBuilder(detail).finish(Finish.METAL);
     if (fingerM(pads) > 0) {
-      double lengthM = strokeM + 4 * FINGER_M;
+      double lengthM = strokeM + 4 * GripperSetup.FINGER_M;
       block(mesh, RAIL_M, lengthM, RAIL_M / 2, 0, bodyM() - reachM + RAIL_M / 4);
     }
     return mesh.build();
@@ -94,15 +93,21 @@ public final class GripperMesh {
    */
   private Mesh finger(GripperSetup.Grip.Pads pads, int side) {
     MeshBuilder mesh = new MeshBuilder(detail).finish(pad);
-    block(mesh, pads.widthM(), FINGER_M / 2, pads.lengthM(), side * FINGER_M / 4, 0);
+    block(
+        mesh,
+        pads.widthM(),
+        GripperSetup.FINGER_M / 2,
+        pads.lengthM(),
+        side * GripperSetup.FINGER_M / 4,
+        0);
     mesh.finish(Finish.METAL);
     double lengthM = fingerM(pads) + pads.lengthM();
     block(
         mesh,
         0.8 * pads.widthM(),
-        FINGER_M / 2,
+        GripperSetup.FINGER_M / 2,
         lengthM,
-        side * 0.75 * FINGER_M,
+        side * 0.75 * GripperSetup.FINGER_M,
         pads.lengthM() / 2 - lengthM / 2);
     return mesh.build();
   }
