@@ -1,6 +1,9 @@
 package org.pendant.desktop.session;
 
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.ReentrantLock;
 import org.pendant.controller.FrameLoop;
@@ -9,9 +12,12 @@ import org.pendant.controller.Pace;
 import org.pendant.controller.SteerableClock;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
+import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
 import org.pendant.models.time.FrameTime;
+import org.pendant.recording.Recording;
+import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.vm.ProgramState;
 
 /**
@@ -138,6 +144,60 @@ final class DrivenControllers implements AutoCloseable {
   /** Its number. */
   int shownNumber() {
     return shown;
+  }
+
+  /** What each member is, in their order. */
+  List<SwitchedOn> on() {
+    return members.stream().map(SessionMember::on).toList();
+  }
+
+  /** Others in the places of the members, when nobody drives these any more. */
+  List<SessionMember> replacedBy(List<SwitchedOn> next) {
+    List<SessionMember> replaced = new ArrayList<>();
+    for (int i = 0; i < members.size(); i++) {
+      replaced.add(members.get(i).replacedBy(next.get(i)));
+    }
+    return List.copyOf(replaced);
+  }
+
+  /**
+   * What each member was in a frame, in their order; empty where its recording does not reach.
+   *
+   * @param recorded what the one was that is shown
+   * @throws RerunRefused if a recording can no longer be read
+   */
+  List<Optional<ControllerState>> recordedBeside(ControllerState recorded) throws RerunRefused {
+    List<Optional<ControllerState>> all = new ArrayList<>();
+    for (SessionMember each : members) {
+      all.add(each == shown() ? Optional.of(recorded) : recorded(each, recorded.frame()));
+    }
+    return all;
+  }
+
+  private static Optional<ControllerState> recorded(SessionMember other, long frame)
+      throws RerunRefused {
+    Recording recording = other.recording();
+    if (frame < recording.firstFrame() || frame > recording.lastFrame()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(recording.atFrame(frame));
+    } catch (UncheckedIOException e) {
+      throw new RerunRefused(
+          "the recording of "
+              + other.name()
+              + " can no longer be read: "
+              + e.getCause().getMessage());
+    }
+  }
+
+  /** Gives back all signals that clients have taken. */
+  void releaseSignals() {
+    for (SessionMember each : members) {
+      for (String owner : each.journal().owners()) {
+        var _ = submit(each, new IoCommand.ReleaseSignals(owner));
+      }
+    }
   }
 
   /** Has the frames of another member told from now on. */

@@ -1,8 +1,6 @@
 package org.pendant.desktop.session;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -23,7 +21,6 @@ import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.file.ProgramsFolder;
-import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
@@ -511,29 +508,9 @@ public final class RobotSession implements AutoCloseable {
    */
   public Branching branch(ControllerState recorded) throws RerunRefused {
     DrivenControllers from = driven;
-    List<Optional<ControllerState>> all = new ArrayList<>();
-    for (SessionMember each : from.members()) {
-      all.add(each == from.shown() ? Optional.of(recorded) : recorded(each, recorded.frame()));
-    }
-    return branch(from, Rerun.to(recorded.frame(), from.shown().journal().run(), all));
-  }
-
-  /** What another controller was in a frame; empty where its recording does not reach. */
-  private static Optional<ControllerState> recorded(SessionMember other, long frame)
-      throws RerunRefused {
-    Recording recording = other.recording();
-    if (frame < recording.firstFrame() || frame > recording.lastFrame()) {
-      return Optional.empty();
-    }
-    try {
-      return Optional.of(recording.atFrame(frame));
-    } catch (UncheckedIOException e) {
-      throw new RerunRefused(
-          "the recording of "
-              + other.name()
-              + " can no longer be read: "
-              + e.getCause().getMessage());
-    }
+    return branch(
+        from,
+        Rerun.to(recorded.frame(), from.shown().journal().run(), from.recordedBeside(recorded)));
   }
 
   private Branching branch(DrivenControllers from, Rerun rerun) {
@@ -544,37 +521,23 @@ public final class RobotSession implements AutoCloseable {
   }
 
   private void branchOff(DrivenControllers from, Rerun rerun) throws RerunRefused {
-    List<SwitchedOn> next =
-        SwitchedOn.again(from.members().stream().map(SessionMember::on).toList(), rerun, store);
+    List<SwitchedOn> next = SwitchedOn.again(from.on(), rerun, store);
     switching.lock();
     try {
       if (closed || driven != from) {
         next.forEach(SwitchedOn::close);
         throw new RerunRefused("the controller was switched off meanwhile");
       }
-      exchange(cell, lent, () -> drive(replaced(from.members(), next), from.shownNumber()));
+      exchange(cell, lent, () -> driveBranch(from, next));
     } finally {
       switching.unlock();
     }
   }
 
-  private static List<SessionMember> replaced(List<SessionMember> members, List<SwitchedOn> next) {
-    List<SessionMember> replaced = new ArrayList<>();
-    for (int i = 0; i < members.size(); i++) {
-      replaced.add(members.get(i).replacedBy(next.get(i)));
-    }
-    return replaced;
-  }
-
-  /** Drives those of a branch. */
-  private DrivenControllers drive(List<SessionMember> members, int shown) {
-    DrivenControllers made = drive(members, shown, new Pace.Paused());
-    for (SessionMember each : members) {
-      // clients that had taken signals are gone with the ports
-      for (String owner : each.journal().owners()) {
-        var _ = made.submit(each, new IoCommand.ReleaseSignals(owner));
-      }
-    }
+  private DrivenControllers driveBranch(DrivenControllers from, List<SwitchedOn> next) {
+    DrivenControllers made = drive(from.replacedBy(next), from.shownNumber(), new Pace.Paused());
+    // clients that had taken signals are gone with the ports
+    made.releaseSignals();
     return made;
   }
 
