@@ -246,7 +246,7 @@ final class DirectForm {
       case Op.SET_INDEX -> takes(element(a, TagSet.LIST, state, b), tags(c, state)) ? state : null;
       case Op.SET_INDEX_2 ->
           takes(element(a, TagSet.MATRIX, state, b, b + 1), tags(c, state)) ? state : null;
-      case Op.JUMP_IF_GIVEN, Op.JUMP, Op.LOOP, Op.STRETCH -> state;
+      case Op.JUMP_IF_GIVEN, Op.JUMP, Op.LOOP, Op.STRETCH, Op.MARK -> state;
       case Op.RETURN_NONE -> loop.isEmpty() ? state : null;
       case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE -> hasTruth(tags(a, state)) ? state : null;
       case Op.JUMP_IF_EQUAL, Op.JUMP_IF_NOT_EQUAL ->

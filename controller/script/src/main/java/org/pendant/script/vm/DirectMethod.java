@@ -60,6 +60,7 @@ final class DirectMethod {
 
   /** Writes the method of the form. */
   void write() {
+    slots.loadMarks();
     frame.begin();
     for (int pc = 0; pc < instructions.length; pc++) {
       if (form.state(pc) != null) {
@@ -167,6 +168,7 @@ final class DirectMethod {
         operations.copy(a, b, state, after);
       }
       case Op.UNSET, Op.JUMP_IF_GIVEN -> {}
+      case Op.MARK -> slots.mark(Instruction.distance(w));
       case Op.ASSIGN, Op.ASSIGN_COPY -> operations.assign(pc, a, b, state, after);
       case Op.ADD, Op.SUBTRACT, Op.MULTIPLY ->
           operations.arithmetic(pc, operation, a, b, c, state, after);

@@ -80,6 +80,9 @@ final class DirectSlots {
 
   private final boolean counts;
 
+  /** Where coverage is marked. */
+  private final int marksVariable;
+
   DirectSlots(CodeBuilder code, DirectForm form) {
     this.code = code;
     this.form = form;
@@ -132,6 +135,7 @@ final class DirectSlots {
     budgetVariable = next + 6;
     indexVariable = next + 7;
     rowVariable = next + 8;
+    marksVariable = next + 9;
     counts = Arrays.stream(form.function().instructions()).anyMatch(JvmCode::isCounted);
   }
 
@@ -267,6 +271,24 @@ final class DirectSlots {
     count(costNs);
     code.iload(budgetVariable).iflt(exhausted);
   }
+
+  // --- coverage
+
+  void loadMarks() {
+    if (Arrays.stream(form.function().instructions())
+        .anyMatch(w -> Instruction.operation(w) == Op.MARK)) {
+      code.aload(THREAD)
+          .getfield(JvmCode.THREAD, "marks", ConstantDescs.CD_byte.arrayType())
+          .astore(marksVariable);
+    }
+  }
+
+  /** Marks coverage {@code slot} as reached. */
+  void mark(int slot) {
+    code.aload(marksVariable).loadConstant(slot).iconst_1().bastore();
+  }
+
+  // --- ways out
 
   void leftFrames() {
     code.aload(THREAD).getfield(JvmCode.THREAD, "left", LEFT_FRAMES);

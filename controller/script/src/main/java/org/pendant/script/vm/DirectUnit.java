@@ -6,7 +6,6 @@ import java.lang.constant.ClassDesc;
 import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 
@@ -22,6 +21,7 @@ final class DirectUnit {
   private static final int MAX_FORMS = 16;
   private static final int MAX_INSTRUCTIONS = 300;
   private static final int MAX_SLOTS = 40;
+  private static final int MAX_LOOP_SLOTS = 120;
 
   /** Each adds a tag to a result, of which there are few, so there are never as many. */
   private static final int MAX_ROUNDS = MAX_FORMS * TagSet.BITS;
@@ -82,9 +82,8 @@ final class DirectUnit {
   static void translate(Program.Tables tables, LoopEntry entry) {
     LoopRegion loop = entry.region();
     LiveTemporaries live = new LiveTemporaries(tables);
-    if (loop.marks()
-        || loop.last() - loop.first() >= MAX_INSTRUCTIONS
-        || loop.function().slotCount() > MAX_SLOTS
+    if (loop.isTooLong()
+        || loop.slotCount() > MAX_LOOP_SLOTS
         || live.hasTemporaries(loop.function(), loop.head())) {
       return;
     }
@@ -119,9 +118,7 @@ final class DirectUnit {
     ScriptFunction function = tables.functions().get(number);
     if (forms.size() == MAX_FORMS
         || function.instructions().length > MAX_INSTRUCTIONS
-        || function.slotCount() > MAX_SLOTS
-        || Arrays.stream(function.instructions())
-            .anyMatch(w -> Instruction.operation(w) == Op.MARK)) {
+        || function.slotCount() > MAX_SLOTS) {
       return null;
     }
     DirectForm form = new DirectForm(this, tables, number, parameters);

@@ -106,7 +106,7 @@ final class Evaluator {
   private static ScriptThread worker(
       ProgramRun side, ScriptThread thread, int frame, SideCode code) {
     ScriptFunction function = code.function();
-    ScriptThread worker = new ScriptThread(0, -1);
+    ScriptThread worker = new ScriptThread(0, -1, side.marks());
     worker.budget = MAX_NS;
     worker.segmentStart = side.segments().take(function.slotCount());
     worker.segmentEnd = worker.segmentStart + RegisterSegments.sizeFor(function.slotCount());

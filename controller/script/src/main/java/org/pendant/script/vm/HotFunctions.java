@@ -3,6 +3,7 @@ package org.pendant.script.vm;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import org.pendant.script.value.Registers;
+import org.pendant.script.vm.Processor.Stop;
 
 /**
  * Hot functions: finds the functions of one run that are worth a translation, and has them
@@ -65,6 +66,21 @@ final class HotFunctions {
   }
 
   /**
+   * Counts a turn of an interpreted function; {@link Stop#GOES_ON}, or why it is better not
+   * interpreted any longer.
+   */
+  Stop turn(ScriptFunction function) {
+    if (counts(function)) {
+      return Stop.CALLED;
+    }
+    boolean looks =
+        function.untranslatable
+            && when != Translation.NEVER
+            && function.heat % turnsUntilLoop() == 0;
+    return looks ? Stop.TURNED : Stop.GOES_ON;
+  }
+
+  /**
    * What to call function {@code number} directly with for arguments that {@code key} tells of;
    * null while there is nothing.
    */
@@ -104,7 +120,7 @@ final class HotFunctions {
     }
   }
 
-  /** Turns in translated code between two looks for code of the loop. */
+  /** Turns between two looks for code of the loop. */
   int turnsUntilLoop() {
     return when == Translation.ALWAYS ? 1 : TURNS_UNTIL_LOOP;
   }

@@ -232,8 +232,9 @@ final class InstructionLoop {
           if (thread.budget < 0) {
             return Processor.stop(thread, pc, Stop.EXHAUSTED);
           }
-          if (hot.counts(function)) {
-            return Processor.stop(thread, pc, Stop.CALLED);
+          Stop turned = hot.turn(function);
+          if (turned != Stop.GOES_ON) {
+            return Processor.stop(thread, pc, turned);
           }
         }
         case Op.JUMP_IF_FALSE -> {
@@ -329,8 +330,9 @@ final class InstructionLoop {
             if (thread.budget < 0) {
               return Processor.stop(thread, pc, Stop.EXHAUSTED);
             }
-            if (hot.counts(function)) {
-              return Processor.stop(thread, pc, Stop.CALLED);
+            Stop turned = hot.turn(function);
+            if (turned != Stop.GOES_ON) {
+              return Processor.stop(thread, pc, turned);
             }
           }
         }
@@ -348,8 +350,9 @@ final class InstructionLoop {
             if (thread.budget < 0) {
               return Processor.stop(thread, pc, Stop.EXHAUSTED);
             }
-            if (hot.counts(function)) {
-              return Processor.stop(thread, pc, Stop.CALLED);
+            Stop turned = hot.turn(function);
+            if (turned != Stop.GOES_ON) {
+              return Processor.stop(thread, pc, turned);
             }
           }
         }

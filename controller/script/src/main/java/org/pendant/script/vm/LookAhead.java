@@ -119,7 +119,7 @@ final class LookAhead {
         return List.of();
       }
       ProgramRun side = run.onTheSide(tables(run), host, ahead);
-      ScriptThread worker = copy(thread, side.registers());
+      ScriptThread worker = copy(thread, side);
       Interpreter.Preview lines = interpreter.preview(thread, LookAhead::foreseeing);
       Processor.Stop stop = side.processor().execute(worker);
       for (int i = 0; i < MAX_LINES && stop == Processor.Stop.INTERPRETED; i++) {
@@ -143,8 +143,9 @@ final class LookAhead {
     return bytes > MAX_BYTES;
   }
 
-  private static ScriptThread copy(ScriptThread thread, Registers registers) {
-    ScriptThread copy = new ScriptThread(thread.id(), thread.parentId());
+  private static ScriptThread copy(ScriptThread thread, ProgramRun side) {
+    Registers registers = side.registers();
+    ScriptThread copy = new ScriptThread(thread.id(), thread.parentId(), side.marks());
     for (int i = 0; i < thread.depth; i++) {
       copy.push(thread.functions[i].original(), thread.bases[i], thread.results[i]);
       copy.pcs[i] = thread.pcs[i];

@@ -6,6 +6,9 @@ import java.util.TreeSet;
 
 /** Loop instructions: what instructions in loops are to code that runs loops directly. */
 final class LoopInstructions {
+  /** Longer loops never run directly, but shorter ones within them do. */
+  private static final int MAX_INSTRUCTIONS = 150;
+
   private LoopInstructions() {}
 
   /** What instruction {@code pc} jumps back to at the end of a loop; -1 for any other. */
@@ -135,10 +138,25 @@ final class LoopInstructions {
     return ways.headSet(instructions.length);
   }
 
-  /** The last instruction of the loop that begins with instruction {@code first}; -1 for none. */
-  private static int endOfLoop(long[] instructions, int first) {
+  /** Where the outermost loop begins that runs directly and a turn at {@code head} belongs to. */
+  static int outermost(long[] instructions, int head) {
+    int outermost = head;
+    for (int pc = head; pc < Math.min(instructions.length, head + MAX_INSTRUCTIONS); pc++) {
+      int first = backTo(instructions[pc], pc);
+      if (first >= 0 && pc - first < MAX_INSTRUCTIONS) {
+        outermost = Math.min(outermost, first);
+      }
+    }
+    return outermost;
+  }
+
+  /**
+   * The last instruction of the loop that begins with instruction {@code first}; -1 for none that
+   * runs directly.
+   */
+  static int endOfLoop(long[] instructions, int first) {
     int end = -1;
-    for (int pc = first; pc < instructions.length; pc++) {
+    for (int pc = first; pc < Math.min(instructions.length, first + MAX_INSTRUCTIONS); pc++) {
       if (backTo(instructions[pc], pc) == first) {
         end = pc;
       }

@@ -18,7 +18,6 @@ final class LoopRegion {
   private final int head;
   private final int first;
   private final int last;
-  private final boolean marks;
 
   /** The operands of local and then of global variables that it names. */
   private final int[] variables;
@@ -36,29 +35,16 @@ final class LoopRegion {
     this.function = function;
     this.head = head;
     long[] instructions = function.instructions();
-    int from = head;
-    int to = head;
-    for (int pc = head; pc < instructions.length; pc++) {
-      int target = LoopInstructions.backTo(instructions[pc], pc);
-      if (target >= 0 && target <= head) {
-        from = Math.min(from, target);
-        to = pc;
-      }
-    }
-    first = from;
-    last = to;
+    first = LoopInstructions.outermost(instructions, head);
+    last = LoopInstructions.endOfLoop(instructions, first);
     SortedSet<Integer> named = new TreeSet<>();
-    boolean marked = false;
     for (int pc = first; pc <= last; pc++) {
-      long w = instructions[pc];
-      marked |= Instruction.operation(w) == Op.MARK;
-      for (int operand : LoopInstructions.operands(w)) {
+      for (int operand : LoopInstructions.operands(instructions[pc])) {
         if (isVariable(operand, tables)) {
           named.add(operand);
         }
       }
     }
-    marks = marked;
     variables = named.stream().mapToInt(Integer::intValue).toArray();
     globals = Arrays.stream(variables).filter(o -> !Instruction.isLocal(o)).toArray();
     for (int pc = first; pc <= last; pc++) {
@@ -90,6 +76,16 @@ final class LoopRegion {
     return last;
   }
 
+  /** Whether it has nothing, since even the innermost loop is too long to run directly. */
+  boolean isTooLong() {
+    return last < head;
+  }
+
+  /** The slots of its function and of its global variables. */
+  int slotCount() {
+    return function.slotCount() + globals.length;
+  }
+
   boolean contains(int pc) {
     return pc >= first && pc <= last;
   }
@@ -109,11 +105,6 @@ final class LoopRegion {
   /** Whether some instruction of it changes {@code slot}. */
   boolean writes(int slot) {
     return written.get(slot);
-  }
-
-  /** Whether it marks what it reaches. */
-  boolean marks() {
-    return marks;
   }
 
   /** The {@link TagSet} of each variable in the registers, in an order of its own. */
@@ -137,7 +128,7 @@ final class LoopRegion {
 
   /** The tags of all slots, 0 for those it does not name, and behind them of its globals. */
   int[] state(int[] tags) {
-    int[] state = new int[function.slotCount() + globals.length];
+    int[] state = new int[slotCount()];
     for (int i = 0; i < tags.length; i++) {
       state[slot(variables[i])] = tags[i];
     }

@@ -9,12 +9,14 @@ import org.pendant.script.value.ScriptError;
  * by their own {@link TranslatedCode}, all others in the {@link InstructionLoop}.
  */
 final class Processor {
-  /** Why code returned to the code that ran it; the first three never leave {@link #execute}. */
+  /** Why code returned to the code that ran it; the first four never leave {@link #execute}. */
   enum Stop {
     /** Nothing has stopped; only single instructions answer this. */
     GOES_ON,
     /** A frame was left, its caller's is the innermost one now. */
     RETURNED,
+    /** A turn begins of an interpreted function, whose loop may have code of its own. */
+    TURNED,
     /** A frame was pushed that has to be run next. */
     CALLED,
     /** A wait began; it stands in the thread. */
@@ -84,11 +86,25 @@ final class Processor {
           code != null
               ? code.run(this, thread, thread.bases[top], thread.pcs[top])
               : loop.run(thread);
+      if (stop == Stop.TURNED) {
+        stop = turn(thread);
+      }
       if (stop.compareTo(Stop.CALLED) > 0) {
         slow.settle(thread);
         return stop;
       }
     }
+  }
+
+  /** Goes on directly, if possible, with the loop of a function that has no translation. */
+  private Stop turn(ScriptThread thread) {
+    int top = thread.depth - 1;
+    int next = loop(thread, thread.bases[top], thread.pcs[top]);
+    if (next < 0) {
+      return refusal;
+    }
+    thread.pcs[top] = next;
+    return Stop.CALLED;
   }
 
   // --- what translated code needs

@@ -280,7 +280,7 @@ final class ProgramRun {
   }
 
   private void startFunction(int parent, ScriptFunction function) {
-    ScriptThread thread = new ScriptThread(newestThread++, parent);
+    ScriptThread thread = new ScriptThread(newestThread++, parent, marks);
     thread.segmentStart = segments.take(function.slotCount());
     thread.segmentEnd = thread.segmentStart + RegisterSegments.sizeFor(function.slotCount());
     for (int i = 0; i < function.variableCount(); i++) {

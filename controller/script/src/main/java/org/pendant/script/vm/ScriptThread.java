@@ -98,9 +98,13 @@ final class ScriptThread {
    */
   int lineSlots;
 
-  ScriptThread(int id, int parentId) {
+  /** Where coverage is marked. */
+  final byte[] marks;
+
+  ScriptThread(int id, int parentId, byte[] marks) {
     this.id = id;
     this.parentId = parentId;
+    this.marks = marks;
   }
 
   int id() {

@@ -347,6 +347,48 @@ class LoopTranslationTest {
     assertEquals(List.of("15000040000"), fixture.messages);
   }
 
+  @Test
+  void aLoopOfAFunctionTooLargeForATranslationRunsDirectly() {
+    String much =
+        IntStream.range(0, 700)
+            .mapToObj(i -> "  x = x + " + i + "\n")
+            .collect(Collectors.joining());
+    String script = WEIGHTS.replace("def weights():", "def weights():\n  local x = 1\n" + much);
+    MachineFixture fixture = new MachineFixture(Translation.ALWAYS);
+    Program program = fixture.compile(script);
+    fixture.machine.start(program);
+    fixture.advance(1);
+    assertTrue(program.tables().functions().getFirst().untranslatable);
+    assertTrue(runsDirectly(fixture));
+    loopsDoTheSame(script);
+    loopsArePreemptedBeforeTheSameInstructions(script);
+  }
+
+  @Test
+  void aLoopWithinOneThatIsTooLongRunsDirectly() {
+    String much =
+        IntStream.range(0, 200).mapToObj(i -> "x = x + " + i + "\n").collect(Collectors.joining());
+    String script =
+        WEIGHTS
+            .replace("while i < 40000:", "local x = 1\nwhile i < 60:\n" + much)
+            .replace("j < 3", "j < 3000")
+            .replace("[j]", "[j % 3]");
+    MachineFixture fixture = new MachineFixture(Translation.ALWAYS);
+    fixture.machine.start(fixture.compile(script));
+    fixture.advance(1);
+    assertTrue(runsDirectly(fixture));
+    loopsDoTheSame(script);
+    loopsArePreemptedBeforeTheSameInstructions(script);
+  }
+
+  @Test
+  void aLoopCompiledForCoverageRunsDirectly() {
+    MachineFixture fixture = new MachineFixture(Translation.ALWAYS);
+    fixture.machine.start(fixture.compileCovered(WEIGHTS));
+    fixture.advance(1);
+    assertTrue(runsDirectly(fixture));
+  }
+
   /** Whether there is code for the loop that the main thread is in. */
   private static boolean runsDirectly(MachineFixture fixture) {
     ProgramRun run = fixture.machine.run().orElseThrow();
