@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -140,6 +143,30 @@ final class CellRerunTest {
         long until = Math.min(LAST, frame + 200);
         assertEquals(play.frames(frame, until), play.follow(branch, until), where);
       }
+    }
+  }
+
+  /** Grippers by XML-RPC, a bar that both arms hold, a sensor: the whole of an example. */
+  @Test
+  void theHandoverIsRepeatedFromAnyMoment() throws IOException, RerunRefused {
+    Path examples = Path.of("../../examples");
+    CellPlay play =
+        new CellPlay(
+            Files.readString(examples.resolve("handover.scene.json")),
+            ControllerOptions.headless().withMeasuredNoise(true));
+    List<String> names = List.of("handover_left", "handover_right", "handover_cell");
+    for (int i = 0; i < names.size(); i++) {
+      play.start(1, i, Files.readString(examples.resolve(names.get(i) + ".script")));
+    }
+    long last = 5000;
+    play.until(last);
+    assertEquals(
+        ProgramState.STOPPED, play.controller(PLC).state().program().state(), "handed over");
+    SplittableRandom random = new SplittableRandom(last);
+    for (int i = 0; i < 4; i++) {
+      long frame = random.nextLong(1000, last);
+      Controllers branch = play.again(frame).controllers();
+      assertEquals(play.frames(frame, last), play.follow(branch, last), "frame " + frame);
     }
   }
 
