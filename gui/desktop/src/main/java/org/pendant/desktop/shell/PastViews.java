@@ -81,6 +81,7 @@ final class PastViews {
         PastSteps.of(
             lookBack,
             workbench.session()::state,
+            workbench.session()::held,
             ran -> open(ran).map(breakpoints).orElse(List.of()),
             workbench::notify);
     PastActions.addTo(workbench.actions(), steps);

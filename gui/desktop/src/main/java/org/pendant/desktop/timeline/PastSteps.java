@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -36,6 +37,7 @@ import org.pendant.script.variables.VariableSample;
 public final class PastSteps {
   private final LookBack lookBack;
   private final Supplier<ControllerState> live;
+  private final BooleanSupplier held;
   private final Function<RecordedProgram, List<Breakpoint>> breakpoints;
   private final Threads threads;
   private final Consumer<String> tell;
@@ -65,16 +67,19 @@ public final class PastSteps {
   /**
    * From {@code live} on.
    *
+   * @param held whether a debugger has paused any program of the cell: time stands still
    * @param breakpoints those of a program of the recording, with lines of its text
    */
   PastSteps(
       LookBack lookBack,
       Supplier<ControllerState> live,
+      BooleanSupplier held,
       Function<RecordedProgram, List<Breakpoint>> breakpoints,
       Threads threads,
       Consumer<String> tell) {
     this.lookBack = lookBack;
     this.live = live;
+    this.held = held;
     this.breakpoints = breakpoints;
     this.threads = threads;
     this.tell = tell;
@@ -84,12 +89,13 @@ public final class PastSteps {
   public static PastSteps of(
       LookBack lookBack,
       Supplier<ControllerState> live,
+      BooleanSupplier held,
       Function<RecordedProgram, List<Breakpoint>> breakpoints,
       Consumer<String> tell) {
     Threads threads =
         new Threads(
             task -> Thread.ofVirtual().name("past-steps").start(task), EventQueue::invokeLater);
-    return new PastSteps(lookBack, live, breakpoints, threads, tell);
+    return new PastSteps(lookBack, live, held, breakpoints, threads, tell);
   }
 
   /** Whether people look at the past. */
@@ -104,7 +110,9 @@ public final class PastSteps {
 
   /** Why nobody can go back from here; empty if they can. */
   public String whyNoBack() {
-    return lookBack.back() || ProgramPhase.of(live.get()) != ProgramPhase.RUNNING
+    return lookBack.back()
+            || held.getAsBoolean()
+            || ProgramPhase.of(live.get()) != ProgramPhase.RUNNING
         ? ""
         : "Pause the program first, or look at a moment on the timeline";
   }

@@ -23,12 +23,17 @@ final class PastStepsTest {
 
   private final RecordedRun run = new RecordedRun().start(SLEEPS);
   private final List<String> told = new ArrayList<>();
+
+  /** Whether a debugger has paused the program of another controller. */
+  private boolean otherHeld;
+
   private final List<Breakpoint> breakpoints = new ArrayList<>();
   private final LookBack lookBack = new LookBack(run.ring::recording, told::add);
   private final PastSteps steps =
       new PastSteps(
           lookBack,
           run::state,
+          () -> otherHeld,
           ran -> breakpoints,
           new PastSteps.Threads(Runnable::run, Runnable::run),
           told::add);
@@ -60,6 +65,13 @@ final class PastStepsTest {
     }
     assertEquals(2, lookBack.line());
     assertEquals(List.of("The recording has no earlier statement"), told);
+  }
+
+  @Test
+  void oneWhoseCellIsPausedByAnotherProgramNeedNotBe() {
+    run.frames(10);
+    otherHeld = true;
+    assertEquals("", steps.whyNoBack());
   }
 
   @Test
@@ -124,6 +136,7 @@ final class PastStepsTest {
         new PastSteps(
             lookBack,
             run::state,
+            () -> otherHeld,
             ran -> breakpoints,
             new PastSteps.Threads(Runnable::run, later::add),
             told::add);
