@@ -7,12 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -36,13 +40,37 @@ final class CellTest {
       ]\
       """;
 
+  /** A bar of 140 x 140 x 400 mm with its origin in its middle. */
+  private static final String BAR =
+      """
+      v -70 -70 -200
+      v 70 -70 -200
+      v 70 70 -200
+      v -70 70 -200
+      v -70 -70 200
+      v 70 -70 200
+      v 70 70 200
+      v -70 70 200
+      f 4 3 2 1
+      f 5 6 7 8
+      f 1 2 6 5
+      f 2 3 7 6
+      f 3 4 8 7
+      f 4 1 5 8
+      """;
+
+  @TempDir Path folder;
+
   private static Cell cell(String members) throws JsonException {
     return cell(members, ControllerOptions.headless());
   }
 
   private static Cell cell(String members, ControllerOptions each) throws JsonException {
     byte[] file = ("{" + members + "}").getBytes(StandardCharsets.UTF_8);
-    CellPlan plan = CellPlan.read("cell.json", new ByteArrayInputStream(file), MeshFiles.NONE);
+    return cell(CellPlan.read("cell.json", new ByteArrayInputStream(file), MeshFiles.NONE), each);
+  }
+
+  private static Cell cell(CellPlan plan, ControllerOptions each) throws JsonException {
     List<ControllerOptions> options = new ArrayList<>();
     plan.layout().names().forEach(_ -> options.add(each));
     return new Cell(plan, options, StandardBuiltins.create());
@@ -179,6 +207,46 @@ final class CellTest {
     assertEquals(right.hitLinks(), left.hitLinkOf("right").stream().toList());
     assertEquals(left.hitLinks(), right.hitLinkOf("left").stream().toList());
     assertEquals(Optional.empty(), left.hitLinkOf("ight"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "\"type\": \"box\", \"pose\": [0, 0, 0.2, 0, 0, 0], \"size\": [0.14, 0.14, 0.4]",
+        "\"type\": \"cylinder\", \"pose\": [0, 0, 0.2, 0, 0, 0], \"radius\": 0.07, \"length\": 0.4",
+        "\"type\": \"mesh\", \"pose\": [0, 0, 0.2, 0, 0, 0], \"mesh\": \"bar.obj\", \"unit\":"
+            + " \"mm\""
+      })
+  void bodiesOfTwoToolsThatHitOneAnotherStopBothArms(String body) throws Exception {
+    Files.writeString(folder.resolve("bar.obj"), BAR);
+    String tool =
+        "\"tool\": [{\"name\": \"long\", "
+            + body
+            + "}], \"start\": [0, -1.5708, -1.5708, -1.5708, 1.5708, 0]";
+    String text =
+        "{\"arms\": [{\"name\": \"left\", "
+            + tool
+            + "}, {\"name\": \"right\", \"base\": [1.16, -0.267, 0, 0, 0, 3.141592653589793], "
+            + tool
+            + "}]}";
+    CellPlan plan =
+        CellPlan.read(
+            "cell.json",
+            new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
+            MeshFiles.in(folder));
+    Cell cell = cell(plan, ControllerOptions.headless());
+    assertTrue(nearestM(cell, "left") > 0.01);
+    start(cell, "left", "movel(pose_add(get_actual_tcp_pose(), p[0.1, 0, 0, 0, 0, 0]))");
+    for (int i = 0; i < 3000 && state(cell, "left").safety().stop().isEmpty(); i++) {
+      cell.advance();
+    }
+    cell.advance();
+    SafetyStop stop = state(cell, "left").safety().stop().orElseThrow();
+    assertEquals("the tool has hit the tool of right", stop.sentence());
+    assertEquals(
+        "the tool has hit the tool of left",
+        state(cell, "right").safety().stop().orElseThrow().sentence());
+    assertTrue(stop.value() < 0.003, stop::message);
   }
 
   @Test

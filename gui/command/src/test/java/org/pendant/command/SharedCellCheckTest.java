@@ -117,6 +117,46 @@ final class SharedCellCheckTest {
   }
 
   @Test
+  void meshesOnTheFlangesOfBothArmsAreAmongWhatIsHit() throws IOException {
+    write(
+        "bar.obj",
+        """
+        v -40 -40 0
+        v 40 -40 0
+        v 40 40 0
+        v -40 40 0
+        v -40 -40 300
+        v 40 -40 300
+        v 40 40 300
+        v -40 40 300
+        f 4 3 2 1
+        f 5 6 7 8
+        f 1 2 6 5
+        f 2 3 7 6
+        f 3 4 8 7
+        f 4 1 5 8
+        """);
+    String tool =
+        "\"tool\": [{\"type\": \"mesh\", \"name\": \"bar\", \"pose\": [0, 0, 0, 0, 0, 0],"
+            + " \"mesh\": \"bar.obj\", \"unit\": \"mm\"}], ";
+    write(
+        "cell.json",
+        cell(tool + "\"program\": \"right.script\", ")
+            .replace("\"name\": \"left\", ", "\"name\": \"left\", " + tool));
+    assertEquals(ExitCode.DOES_NOT_COMPILE, check("--cell", "cell.json"));
+    for (String arm : List.of("left", "right")) {
+      String other = arm.equals("left") ? "right" : "left";
+      assertTrue(
+          told().stream()
+              .anyMatch(
+                  each ->
+                      each.startsWith(arm + ".script:")
+                          && each.contains("the tool has hit the tool of " + other)),
+          told()::toString);
+    }
+  }
+
+  @Test
   void eachRunWritesTheSameJson() throws IOException {
     check("--cell", "cell.json", "--json", "found.json");
     String first = Files.readString(folder.resolve("found.json"));

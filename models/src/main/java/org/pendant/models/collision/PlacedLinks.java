@@ -99,7 +99,24 @@ public final class PlacedLinks {
     if (body == LinkCapsules.TOOL) {
       least = Math.min(least, toolToM(other, otherBody));
     }
+    if (body == LinkCapsules.TOOL && otherBody == LinkCapsules.TOOL) {
+      least = Math.min(least, toToolM(other, Math.min(least, farM)));
+    }
     return otherBody == LinkCapsules.TOOL ? Math.min(least, other.toolToM(this, body)) : least;
+  }
+
+  /** How far the solids on the flange are from those on that of another arm, m. */
+  private double toToolM(PlacedLinks other, double farM) {
+    double least = farM;
+    for (int i = 0; i < arm.tool().size(); i++) {
+      for (int j = 0; j < other.arm.tool().size(); j++) {
+        least =
+            Math.min(
+                least,
+                arm.tool().get(i).toTool(flange12, other.arm.tool().get(j), other.flange12, least));
+      }
+    }
+    return least;
   }
 
   /** How far the solids on the flange are from the capsules of a body of another arm, m. */

@@ -13,6 +13,7 @@ public final class ToolSolid {
   private final double reachM;
   private final double[] place3 = new double[3];
   private final double[] other3 = new double[3];
+  private final double[] line6 = new double[6];
 
   /**
    * A solid.
@@ -76,8 +77,8 @@ public final class ToolSolid {
     double least = Double.POSITIVE_INFINITY;
     double[] ends = edges.ends();
     for (int i = 0; i < ends.length; i += 6) {
-      placed(flange12, ends, i, place3);
-      placed(flange12, ends, i + 3, other3);
+      placed(flange12, ends, i, place3, 0);
+      placed(flange12, ends, i + 3, other3, 0);
       least =
           Math.min(
               least,
@@ -91,6 +92,37 @@ public final class ToolSolid {
     return least;
   }
 
+  /**
+   * How far a solid on another flange is from it, m; both flanges in one frame.
+   *
+   * @param farM from here on it need not be exact, m: the answer is then at least this, and at most
+   *     the distance
+   */
+  double toTool(double[] flange12, ToolSolid other, double[] otherFlange12, double farM) {
+    placed(flange12, centre, 0, place3, 0);
+    placed(otherFlange12, other.centre, 0, other3, 0);
+    double x = place3[0] - other3[0];
+    double y = place3[1] - other3[1];
+    double z = place3[2] - other3[2];
+    double bound = Math.sqrt(x * x + y * y + z * z) - reachM - other.reachM;
+    return bound >= farM
+        ? bound
+        : Math.min(
+            edgesTo(flange12, other, otherFlange12), other.edgesTo(otherFlange12, this, flange12));
+  }
+
+  /** How far its edges are from another solid on a flange. */
+  private double edgesTo(double[] flange12, ToolSolid other, double[] otherFlange12) {
+    double least = Double.POSITIVE_INFINITY;
+    double[] ends = edges.ends();
+    for (int i = 0; i < ends.length; i += 6) {
+      placed(flange12, ends, i, line6, 0);
+      placed(flange12, ends, i + 3, line6, 3);
+      least = Math.min(least, other.toSegment(otherFlange12, line6, 0) - edges.radiusM());
+    }
+    return least;
+  }
+
   private static void own(double[] frame, double[] from, int at, double[] to) {
     double x = from[at] - frame[9];
     double y = from[at + 1] - frame[10];
@@ -100,9 +132,9 @@ public final class ToolSolid {
     }
   }
 
-  private static void placed(double[] frame, double[] from, int at, double[] to) {
+  private static void placed(double[] frame, double[] from, int at, double[] to, int toAt) {
     for (int row = 0; row < 3; row++) {
-      to[row] =
+      to[toAt + row] =
           frame[9 + row]
               + frame[3 * row] * from[at]
               + frame[3 * row + 1] * from[at + 1]

@@ -69,6 +69,32 @@ class ToolSolidTest {
     }
   }
 
+  @Test
+  void anotherToolIsAsFarAsAnObstacleInItsPlace() {
+    SplittableRandom random = new SplittableRandom(8);
+    ToolSolid other = new ToolSolid(new SolidShape.Block(Pose.ZERO, 0.2, 0.3, 0.1));
+    for (int i = 0; i < 300; i++) {
+      Pose pose =
+          new Pose(
+              random.nextDouble(-0.4, 0.4),
+              random.nextDouble(-0.4, 0.4),
+              random.nextDouble(-0.4, 0.6),
+              random.nextDouble(-3, 3),
+              random.nextDouble(-3, 3),
+              random.nextDouble(-3, 3));
+      double[] flange12 = new double[Transforms.SIZE];
+      Transforms.of(pose, flange12);
+      double[] own12 = at(0, 0, 0, 0);
+      double obstacleM = BLOCK.toObstacle(own12, new SolidShape.Block(pose, 0.2, 0.3, 0.1));
+      assertEquals(
+          obstacleM, BLOCK.toTool(own12, other, flange12, Double.POSITIVE_INFINITY), 1e-12);
+      assertEquals(
+          obstacleM, other.toTool(flange12, BLOCK, own12, Double.POSITIVE_INFINITY), 1e-12);
+      double boundM = BLOCK.toTool(own12, other, flange12, 0.02);
+      assertTrue(boundM <= obstacleM + 1e-12 && (boundM >= 0.02 || boundM >= obstacleM - 1e-12));
+    }
+  }
+
   /** Whether one of the 15 axes of two blocks separates them (S. Gottschalk and others, 1996). */
   private static boolean separated(Pose pose) {
     double[] one = at(0, 0, 0.1, 0);

@@ -6,6 +6,7 @@ import org.pendant.controller.layout.ArmEntry;
 import org.pendant.controller.layout.CellLayout;
 import org.pendant.controller.layout.LayoutReader;
 import org.pendant.controller.world.MeshFiles;
+import org.pendant.controller.world.MeshPart;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneReader;
 import org.pendant.models.json.FilePosition;
@@ -36,8 +37,16 @@ public record CellPlan(String fileName, Scene scene, CellLayout layout, Equipmen
     Json file = JsonFile.read(fileName, in);
     Scene scene = SceneReader.read(file, meshes);
     JsonFields fields = new JsonFields(file, "a scene");
-    CellLayout layout = LayoutReader.read(fields);
+    CellLayout layout = LayoutReader.read(fields, meshes);
     return new CellPlan(fileName, scene, layout, EquipmentReader.plan(fields, layout));
+  }
+
+  /** The meshes of arms that have a tool of their own. */
+  public List<MeshPart> meshesOfArms() {
+    return MeshPart.of(
+        layout.arms().stream()
+            .flatMap(arm -> arm.tool().stream())
+            .flatMap(tool -> tool.bodies().stream()));
   }
 
   /** The arms, also the only one of which the file says nothing. */

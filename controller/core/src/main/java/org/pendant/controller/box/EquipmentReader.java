@@ -34,7 +34,7 @@ public final class EquipmentReader {
    */
   public static CellEquipment read(String fileName, InputStream in) throws JsonException {
     JsonFields scene = new JsonFields(JsonFile.read(fileName, in), "a scene");
-    return plan(scene, LayoutReader.read(scene)).ofFirst();
+    return plan(scene, LayoutReader.readWithoutTools(scene)).ofFirst();
   }
 
   /**

@@ -9,6 +9,7 @@ import java.util.regex.Pattern;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.CellSignalNames;
 import org.pendant.controller.world.LoadReader;
+import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.SceneTool;
 import org.pendant.controller.world.ToolReader;
 import org.pendant.language.check.Nearest;
@@ -38,18 +39,36 @@ public final class LayoutReader {
   private final Map<String, FilePosition> names = new HashMap<>();
   private final Map<String, FilePosition> addresses = new HashMap<>();
 
-  private LayoutReader() {}
+  /** The files that tools may name; empty for tools that are not looked at. */
+  private final Optional<MeshFiles> meshes;
+
+  private LayoutReader(Optional<MeshFiles> meshes) {
+    this.meshes = meshes;
+  }
 
   /**
    * Reads the sections {@code arms} and {@code script} of a scene.
    *
+   * @param meshes the files that tools of arms may name
    * @throws JsonException for the first thing that is wrong, with its place
    */
-  public static CellLayout read(JsonFields scene) throws JsonException {
-    LayoutReader reader = new LayoutReader();
+  public static CellLayout read(JsonFields scene, MeshFiles meshes) throws JsonException {
+    return new LayoutReader(Optional.of(meshes)).layout(scene);
+  }
+
+  /**
+   * As {@link #read}, without the tools of arms, which are not looked at.
+   *
+   * @throws JsonException for the first thing that is wrong, with its place
+   */
+  public static CellLayout readWithoutTools(JsonFields scene) throws JsonException {
+    return new LayoutReader(Optional.empty()).layout(scene);
+  }
+
+  private CellLayout layout(JsonFields scene) throws JsonException {
     List<ArmEntry> arms = new ArrayList<>();
     for (Json each : scene.array("arms", CellLayout.MAX_ARMS)) {
-      arms.add(reader.arm(new JsonFields(each, "an arm")));
+      arms.add(arm(new JsonFields(each, "an arm")));
     }
     return new CellLayout(arms, file(scene, "script"));
   }
@@ -70,8 +89,8 @@ public final class LayoutReader {
     Optional<Payload> payload =
         load.isPresent() ? Optional.of(LoadReader.load(load.get())) : Optional.empty();
     Optional<SceneTool> tool =
-        fields.optional("tool").isPresent()
-            ? Optional.of(ToolReader.read(fields))
+        meshes.isPresent() && fields.optional("tool").isPresent()
+            ? Optional.of(ToolReader.read(fields, meshes.get()))
             : Optional.empty();
     return new ArmEntry(
         name(fields),

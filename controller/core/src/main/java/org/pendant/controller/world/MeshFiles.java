@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.pendant.models.mesh.MeshException;
 import org.pendant.models.mesh.MeshLook;
@@ -52,10 +53,16 @@ public interface MeshFiles {
     return new MeshFolder(folder).named(name);
   }
 
-  /** Those that a scene has already, for reading what was written of it. */
-  static MeshFiles of(Scene scene) {
+  /**
+   * Those that a scene has already, for reading what was written of it.
+   *
+   * @param ofArms those of arms that have a tool of their own
+   */
+  static MeshFiles of(Scene scene, List<MeshPart> ofArms) {
+    List<MeshPart> all = new ArrayList<>(scene.meshes());
+    all.addAll(ofArms);
     return (name, unit) -> {
-      for (MeshPart mesh : scene.meshes()) {
+      for (MeshPart mesh : all) {
         if (mesh.file().equals(name) && mesh.unit() == unit) {
           return mesh.triangles();
         }

@@ -2,6 +2,7 @@ package org.pendant.controller.world;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.pendant.models.json.Json;
 import org.pendant.models.mesh.MeshFile;
 import org.pendant.models.mesh.MeshUnit;
@@ -25,6 +26,15 @@ public record MeshPart(String file, MeshUnit unit, TriangleMesh triangles) {
     if (refusal.isPresent()) {
       throw new IllegalArgumentException(refusal.get());
     }
+  }
+
+  /** Those of objects, also of their parts. */
+  public static List<MeshPart> of(Stream<SceneObject> objects) {
+    return objects
+        .flatMap(each -> each.pieces().stream())
+        .flatMap(
+            each -> each instanceof SceneObject.Mesh mesh ? Stream.of(mesh.part()) : Stream.empty())
+        .toList();
   }
 
   /** Why a name cannot be that of a file; empty if it can. */

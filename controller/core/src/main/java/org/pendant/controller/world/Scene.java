@@ -84,11 +84,7 @@ public record Scene(
 
   /** All meshes that it names, also those of parts of objects and of the tool. */
   public List<MeshPart> meshes() {
-    return Stream.concat(objects.stream(), toolBodies.stream())
-        .flatMap(each -> each.pieces().stream())
-        .flatMap(
-            each -> each instanceof SceneObject.Mesh mesh ? Stream.of(mesh.part()) : Stream.empty())
-        .toList();
+    return MeshPart.of(Stream.concat(objects.stream(), toolBodies.stream()));
   }
 
   /** What is on the flange. */

@@ -18,11 +18,11 @@ public final class ToolReader {
   /**
    * The tool of an arm that has its own in a cell.
    *
-   * @throws JsonException for the first thing that is wrong; also for a mesh, which the tool of the
-   *     whole scene alone may have
+   * @param meshes the files that it may name
+   * @throws JsonException for the first thing that is wrong, with its place
    */
-  public static SceneTool read(JsonFields fields) throws JsonException {
-    return read(fields, new SceneReader(MeshFiles.NONE));
+  public static SceneTool read(JsonFields fields, MeshFiles meshes) throws JsonException {
+    return read(fields, new SceneReader(meshes));
   }
 
   static SceneTool read(JsonFields fields, SceneReader objects) throws JsonException {

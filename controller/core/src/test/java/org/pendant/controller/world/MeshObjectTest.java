@@ -74,7 +74,8 @@ final class MeshObjectTest {
     assertEquals(
         scene, SceneReader.read("t.json", new ByteArrayInputStream(text), MeshFiles.in(folder)));
     assertEquals(
-        scene, SceneReader.read("t.json", new ByteArrayInputStream(text), MeshFiles.of(scene)));
+        scene,
+        SceneReader.read("t.json", new ByteArrayInputStream(text), MeshFiles.of(scene, List.of())));
   }
 
   @Test

@@ -17,7 +17,9 @@ final class LinksCard {
     this.draft = draft;
     form =
         new PartsForm<>(
-            "cell-links", next -> SceneRefusal.of(() -> next, draft.equipment()), draft::set);
+            "cell-links",
+            next -> SceneRefusal.of(() -> next, draft, draft.equipment()),
+            draft::set);
     form.check(
         "Stop at what they hit",
         scene -> scene.links() == LinkContact.STOP,

@@ -118,7 +118,7 @@ final class LoadCard {
   }
 
   private String refusal(Scene next) {
-    return SceneRefusal.of(() -> next, draft.equipment());
+    return SceneRefusal.of(() -> next, draft, draft.equipment());
   }
 
   JComponent component() {

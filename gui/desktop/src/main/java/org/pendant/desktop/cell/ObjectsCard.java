@@ -242,7 +242,7 @@ final class ObjectsCard {
 
     @Override
     public String refusal(List<SceneObject> next) {
-      return SceneRefusal.of(() -> with(next), following(next));
+      return SceneRefusal.of(() -> with(next), draft, following(next));
     }
 
     private Map<String, String> following(List<SceneObject> next) {

@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
+import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneFile;
 
 /** Scene refusal: why there cannot be a scene. */
@@ -17,13 +18,16 @@ final class SceneRefusal {
   /**
    * What is wrong with what {@code wanted} makes, as a file or before; empty if nothing is.
    *
-   * @param equipment the members for devices and rules
+   * @param draft what is changed so
+   * @param equipment the members for devices and rules that go with it
    */
-  static String of(Supplier<Scene> wanted, Map<String, String> equipment) {
+  static String of(Supplier<Scene> wanted, SceneDraft draft, Map<String, String> equipment) {
     try {
       // what is shown here can be saved, and read again
       Scene scene = wanted.get();
-      var _ = SceneFile.of(FILE, SceneWriter.write(scene, equipment), MeshFiles.of(scene));
+      var _ =
+          SceneFile.of(
+              FILE, SceneWriter.write(scene, equipment), MeshFiles.of(scene, draft.meshesOfArms()));
       return "";
     } catch (IllegalArgumentException e) {
       return e.getMessage();

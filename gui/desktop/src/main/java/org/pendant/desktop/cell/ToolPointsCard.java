@@ -67,7 +67,7 @@ final class ToolPointsCard {
 
     @Override
     public String refusal(List<ToolPoint> next) {
-      return SceneRefusal.of(() -> with(next), draft.equipment());
+      return SceneRefusal.of(() -> with(next), draft, draft.equipment());
     }
 
     private Scene with(List<ToolPoint> next) {

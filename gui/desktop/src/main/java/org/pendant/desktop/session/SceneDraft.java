@@ -14,6 +14,7 @@ import org.pendant.controller.box.CellEquipment;
 import org.pendant.controller.box.CellPlan;
 import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.world.MeshFiles;
+import org.pendant.controller.world.MeshPart;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
 import org.pendant.models.json.JsonMembers;
@@ -42,6 +43,9 @@ public final class SceneDraft {
   private Content now = Content.EMPTY;
   private Read read = Read.NOTHING;
 
+  /** The meshes of arms that have a tool of their own, which is not to be edited here. */
+  private List<MeshPart> ofArms = List.of();
+
   /**
    * What the file says.
    *
@@ -69,9 +73,10 @@ public final class SceneDraft {
   private record Read(Content content, List<String> controllers, List<List<DeviceSetup>> devices) {
     static final Read NOTHING = new Read(Content.EMPTY, List.of(), List.of());
 
-    static Read of(Content content) {
+    static Read of(Content content, List<MeshPart> ofArms) {
       try {
-        CellPlan plan = SceneFile.of("scene", content.text(), MeshFiles.of(content.scene())).plan();
+        CellPlan plan =
+            SceneFile.of("scene", content.text(), MeshFiles.of(content.scene(), ofArms)).plan();
         return new Read(
             content,
             plan.layout().names(),
@@ -103,6 +108,16 @@ public final class SceneDraft {
     return now.scene();
   }
 
+  /** The meshes that it has, with those of tools of arms. */
+  public MeshFiles meshes() {
+    return MeshFiles.of(scene(), ofArms);
+  }
+
+  /** The meshes of arms that have a tool of their own. */
+  public List<MeshPart> meshesOfArms() {
+    return ofArms;
+  }
+
   /** The members for devices and rules, by key, as JSON. */
   public Map<String, String> equipment() {
     return Collections.unmodifiableMap(now.equipment());
@@ -120,7 +135,7 @@ public final class SceneDraft {
 
   private Read read() {
     if (!read.content().equals(now)) {
-      read = Read.of(now);
+      read = Read.of(now, ofArms);
     }
     return read;
   }
@@ -146,15 +161,18 @@ public final class SceneDraft {
                 () ->
                     ProgramDocument.untitled(
                         other.isNone() ? UNTITLED : other.name(), other.text())),
-        other.scene());
+        other.scene(),
+        other.plan());
   }
 
   /**
-   * As {@link #open(SceneFile)}.
+   * Takes a document.
    *
-   * @param wanted what the document says, which is a scene
+   * @param wanted what it says, which is a scene
+   * @param plan that has the arms of its cell
    */
-  public void open(ProgramDocument other, Scene wanted) {
+  private void open(ProgramDocument other, Scene wanted, CellPlan plan) {
+    ofArms = plan.meshesOfArms();
     document.removeListener(follower);
     document = other;
     document.addListener(follower);
@@ -173,7 +191,7 @@ public final class SceneDraft {
    * @param left what was not saved
    */
   public void restore(ProgramDocument other, Scene onDisk, SceneFile left) {
-    open(other, onDisk);
+    open(other, onDisk, left.plan());
     done.push(now);
     now = Content.of(left.scene(), left.text());
     document.setText(left.text());

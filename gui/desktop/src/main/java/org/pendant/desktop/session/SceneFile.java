@@ -103,7 +103,8 @@ public record SceneFile(String name, Optional<SavedProgram> onDisk, String text,
             .collect(Collectors.joining(",\n    ", "[\n    ", "\n  ]")));
     String known = isNone() ? SceneDraft.UNTITLED : name;
     String next = SceneWriter.write(scene(), members);
-    return new SceneFile(known, onDisk, next, plan(known, next, MeshFiles.of(scene())));
+    return new SceneFile(
+        known, onDisk, next, plan(known, next, MeshFiles.of(scene(), plan.meshesOfArms())));
   }
 
   /** The same, known by another file. */

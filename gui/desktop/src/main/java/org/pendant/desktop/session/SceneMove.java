@@ -57,13 +57,20 @@ public record SceneMove(Path from, Path to) {
     return from.resolve(file).normalize().startsWith(to);
   }
 
-  /** Files of meshes that have to be copied; empty if none. */
-  public List<String> toCopy(Scene scene) {
+  /**
+   * Files of meshes that have to be copied; empty if none.
+   *
+   * @param kept those that are named as before, wherever they are: of the tools of arms
+   */
+  public List<String> toCopy(Scene scene, List<MeshPart> kept) {
     Set<String> files = new LinkedHashSet<>();
     for (MeshPart mesh : scene.meshes()) {
       if (!within(mesh.file())) {
         files.add(mesh.file());
       }
+    }
+    if (!from.equals(to)) {
+      kept.forEach(mesh -> files.add(mesh.file()));
     }
     return List.copyOf(files);
   }

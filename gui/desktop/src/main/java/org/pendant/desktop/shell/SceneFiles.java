@@ -161,7 +161,7 @@ final class SceneFiles {
     SceneFile next;
     try {
       next =
-          SceneFile.of(document.name(), document.text(), MeshFiles.of(draft.scene()))
+          SceneFile.of(document.name(), document.text(), draft.meshes())
               .at(document.name(), document.onDisk());
     } catch (IOException e) {
       trouble(e.getMessage(), Optional.empty());
@@ -238,7 +238,8 @@ final class SceneFiles {
     }
     Optional<SceneMove> move =
         document.file().map(file -> new SceneMove(file.getParent(), path.getParent()));
-    List<String> copies = move.map(each -> each.toCopy(draft.scene())).orElse(List.of());
+    List<String> copies =
+        move.map(each -> each.toCopy(draft.scene(), draft.meshesOfArms())).orElseGet(List::of);
     if (copies.isEmpty()) {
       write(document, path, move, then);
       return;
@@ -319,7 +320,7 @@ final class SceneFiles {
       ProgramDocument document = draft.document();
       try {
         current =
-            SceneFile.of(document.name(), document.text(), MeshFiles.of(draft.scene()))
+            SceneFile.of(document.name(), document.text(), draft.meshes())
                 .at(document.name(), document.onDisk());
       } catch (IOException e) {
         trouble(e.getMessage(), document.file());

@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
@@ -15,6 +17,21 @@ import org.pendant.controller.world.SceneWriter;
 import org.pendant.controller.world.Vector3;
 
 final class SceneDraftTest {
+  /** A pyramid on a triangle. */
+  private static final String TIP =
+      """
+      v 0 0 0
+      v 50 0 0
+      v 0 50 0
+      v 10 10 80
+      f 1 3 2
+      f 1 2 4
+      f 2 3 4
+      f 3 1 4
+      """;
+
+  @TempDir Path folder;
+
   private final SceneDraft draft = new SceneDraft();
 
   private static Scene ball(double radiusM) {
@@ -101,6 +118,25 @@ final class SceneDraftTest {
     assertTrue(afterOne > 0);
     draft.set(ball(0.1));
     assertEquals(afterOne, told[0], "the same again is no change");
+  }
+
+  @Test
+  void theMeshesOfToolsAreThereWhileOtherThingsChange() throws Exception {
+    Files.writeString(folder.resolve("tip.obj"), TIP);
+    String tool =
+        "\"tool\": [{\"type\": \"mesh\", \"name\": \"tip\", \"pose\": [0, 0, 0.1, 0, 0, 0],"
+            + " \"mesh\": \"tip.obj\", \"unit\": \"mm\"}]";
+    Path file =
+        Files.writeString(
+            folder.resolve("tools.scene.json"),
+            "{%1$s, \"arms\": [{\"name\": \"left\"}, {\"name\": \"right\", %1$s}]}"
+                .formatted(tool));
+    draft.open(SceneFile.read(file));
+    draft.set(draft.scene().withObjects(ball(0.1).objects()));
+    assertEquals(List.of("left", "right"), draft.controllers());
+    SceneFile again = SceneFile.of("again", draft.document().text(), draft.meshes());
+    assertEquals(1, again.scene().toolBodies().size());
+    assertEquals(1, again.plan().meshesOfArms().size());
   }
 
   @Test

@@ -47,7 +47,7 @@ final class SceneMoveTest {
 
     assertEquals("cell/parts/a.obj", file(move.renamed(scene)));
     assertEquals(2, move.renamed(scene).objects().getFirst().massKg());
-    assertEquals(List.of(), move.toCopy(scene));
+    assertEquals(List.of(), move.toCopy(scene, List.of()));
   }
 
   @Test
@@ -55,7 +55,7 @@ final class SceneMoveTest {
     SceneMove move = new SceneMove(cell, cell.resolve("parts"));
 
     assertEquals("a.obj", file(move.renamed(scene)));
-    assertEquals(List.of(), move.toCopy(scene));
+    assertEquals(List.of(), move.toCopy(scene, List.of()));
   }
 
   @Test
@@ -64,10 +64,28 @@ final class SceneMoveTest {
     SceneMove move = new SceneMove(cell, other);
 
     assertEquals(scene, move.renamed(scene));
-    assertEquals(List.of("parts/a.obj"), move.toCopy(scene));
-    move.copy(move.toCopy(scene));
+    assertEquals(List.of("parts/a.obj"), move.toCopy(scene, List.of()));
+    move.copy(move.toCopy(scene, List.of()));
     assertEquals(BLOCK, Files.readString(other.resolve("parts/a.obj")));
-    move.copy(move.toCopy(scene));
+    move.copy(move.toCopy(scene, List.of()));
+  }
+
+  @Test
+  void whatIsOnAFlangeMovesLikeObjects() {
+    Scene mounted = scene.withToolBodies(scene.objects()).withObjects(List.of());
+    SceneMove above = new SceneMove(cell, folder.resolve("work"));
+    SceneObject.Mesh body = (SceneObject.Mesh) above.renamed(mounted).toolBodies().getFirst();
+    assertEquals("cell/parts/a.obj", body.part().file());
+    SceneMove elsewhere = new SceneMove(cell, folder.resolve("other"));
+    assertEquals(List.of("parts/a.obj"), elsewhere.toCopy(mounted, List.of()));
+  }
+
+  @Test
+  void theToolsOfArmsKeepTheNamesOfTheirMeshesSoTheyAreCopied() {
+    SceneMove above = new SceneMove(cell, folder.resolve("work"));
+    assertEquals(List.of("parts/a.obj"), above.toCopy(Scene.EMPTY, scene.meshes()));
+    SceneMove same = new SceneMove(cell, cell);
+    assertEquals(List.of(), same.toCopy(Scene.EMPTY, scene.meshes()));
   }
 
   @Test
@@ -76,7 +94,9 @@ final class SceneMoveTest {
     Files.writeString(other.resolve("a.obj"), "mine");
     SceneMove move = new SceneMove(cell, folder.resolve("other"));
 
-    String why = assertThrows(IOException.class, () -> move.copy(move.toCopy(scene))).getMessage();
+    String why =
+        assertThrows(IOException.class, () -> move.copy(move.toCopy(scene, List.of())))
+            .getMessage();
     assertTrue(why.endsWith("a.obj is there already, and is another file"), why);
     assertEquals("mine", Files.readString(other.resolve("a.obj")));
   }
@@ -86,7 +106,7 @@ final class SceneMoveTest {
     SceneMove move = new SceneMove(cell, cell.resolve("../cell"));
 
     assertEquals(scene, move.renamed(scene));
-    assertTrue(move.toCopy(scene).isEmpty());
+    assertTrue(move.toCopy(scene, List.of()).isEmpty());
     assertFalse(scene.objects().isEmpty());
   }
 }
