@@ -15,6 +15,7 @@ import org.pendant.sweep.folder.ResultReader;
 import org.pendant.sweep.folder.SweepFolder;
 import org.pendant.sweep.folder.SweepFolderException;
 import org.pendant.sweep.plan.PlanException;
+import org.pendant.sweep.remote.JobArchive;
 import org.pendant.sweep.table.ResultTable;
 import org.pendant.sweep.table.RowCondition;
 
@@ -64,23 +65,21 @@ final class SweepCommand implements Subcommand {
     }
     Path plan = arguments.files().path("the plan", arguments.operands().getFirst());
     SweepOptions options = SweepOptions.of(arguments, plan);
-    Sweep sweep;
     try {
-      sweep = Sweep.read(plan);
-    } catch (PlanException e) {
-      e.reports().forEach(console::complainInLines);
-      return ExitCode.WRONG_USAGE;
-    }
-    try {
+      Sweep sweep = Sweep.read(plan);
       Optional<EngineProvider> cluster = cluster(options);
       if (cluster.isEmpty() && options.onSpark()) {
         // what is wrong is told before Spark is started
         options.conditions(sweep.table());
         options.kept(sweep.table());
+        JobArchive.check(plan, sweep.job());
         return new SparkSubmission(options.spark(), System.getenv())
             .run(options.wordsForSpark(plan), console);
       }
       return run(sweep, plan, cluster, options, console);
+    } catch (PlanException e) {
+      e.reports().forEach(console::complainInLines);
+      return ExitCode.WRONG_USAGE;
     } catch (SweepFolderException e) {
       throw new UsageException(e.getMessage());
     } catch (IOException e) {
@@ -111,7 +110,7 @@ final class SweepCommand implements Subcommand {
 
   private static Engine engine(
       Sweep sweep, Path plan, Optional<EngineProvider> cluster, SweepOptions options)
-      throws EngineException {
+      throws EngineException, PlanException {
     return cluster.isPresent()
         ? cluster.get().create(plan, sweep.job())
         : sweep.local(options.localWorkers());
@@ -123,7 +122,7 @@ final class SweepCommand implements Subcommand {
       Optional<EngineProvider> cluster,
       SweepOptions options,
       Console console)
-      throws UsageException, IOException, SweepFolderException, EngineException {
+      throws UsageException, IOException, SweepFolderException, EngineException, PlanException {
     ResultTable table = sweep.table();
     List<RowCondition> conditions = options.conditions(table);
     Optional<KeptRuns> kept = options.kept(table);

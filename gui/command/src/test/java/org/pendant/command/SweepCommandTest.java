@@ -189,4 +189,16 @@ final class SweepCommandTest {
     assertEquals(ExitCode.WRONG_USAGE, sweep("--engine", "flink", plan()));
     assertTrue(errors.toString(UTF_8).contains("--engine is flink, must be local or spark"));
   }
+
+  @Test
+  void planThatOtherComputersCannotReadIsRefusedBeforeSparkIsStarted() throws IOException {
+    Path plan = plan();
+    String program = folder.resolve("wait.script").toString();
+    Files.writeString(plan, Files.readString(plan).replace("\"wait.script\"", "'" + program + "'"));
+
+    assertEquals(ExitCode.WRONG_USAGE, sweep("--engine", "spark", plan));
+
+    String told = errors.toString(UTF_8);
+    assertTrue(told.contains(program + ": the plan names a file by its whole path"), told);
+  }
 }

@@ -1,10 +1,10 @@
 package org.pendant.spark;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import org.pendant.sweep.engine.Engine;
 import org.pendant.sweep.engine.EngineException;
 import org.pendant.sweep.engine.EngineProvider;
+import org.pendant.sweep.plan.PlanException;
 import org.pendant.sweep.remote.JobArchive;
 import org.pendant.sweep.run.SweepJob;
 
@@ -23,11 +23,7 @@ public final class SparkEngineProvider implements EngineProvider {
   }
 
   @Override
-  public Engine create(Path plan, SweepJob job) throws EngineException {
-    try {
-      return SparkApplication.start(new WorkerJob(JobArchive.pack(plan, job), job.identity()));
-    } catch (IOException e) {
-      throw new EngineException(e.getMessage(), e);
-    }
+  public Engine create(Path plan, SweepJob job) throws EngineException, PlanException {
+    return SparkApplication.start(new WorkerJob(JobArchive.pack(plan, job), job.identity()));
   }
 }

@@ -1,6 +1,7 @@
 package org.pendant.sweep.engine;
 
 import java.nio.file.Path;
+import org.pendant.sweep.plan.PlanException;
 import org.pendant.sweep.run.SweepJob;
 
 /**
@@ -20,7 +21,8 @@ public interface EngineProvider {
    *
    * @param plan the file of the plan
    * @param job what was read of it
-   * @throws EngineException if the engine cannot start, or a file that workers need cannot be read
+   * @throws EngineException if the engine cannot start
+   * @throws PlanException if workers cannot have the files of the plan
    */
-  Engine create(Path plan, SweepJob job) throws EngineException;
+  Engine create(Path plan, SweepJob job) throws EngineException, PlanException;
 }

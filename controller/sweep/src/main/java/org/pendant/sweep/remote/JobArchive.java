@@ -12,6 +12,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import java.util.zip.ZipOutputStream;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.sweep.plan.PlanException;
 import org.pendant.sweep.plan.SweepPlan;
 import org.pendant.sweep.run.SweepJob;
 
@@ -28,21 +29,48 @@ public final class JobArchive {
    *
    * @param plan the file of its plan
    * @return bytes for {@link #unpack}
-   * @throws IOException if a file cannot be read, lies in no folder that the others share, or there
-   *     are too many; for people
+   * @throws PlanException if a file cannot be read or is named by its whole path, lies in no folder
+   *     that the others share, or there are too many
    */
-  public static byte[] pack(Path plan, SweepJob job) throws IOException {
-    Path file = plan.toAbsolutePath().normalize();
-    SortedSet<Path> files = files(file, job);
-    Path root = file.getParent();
+  public static byte[] pack(Path plan, SweepJob job) throws PlanException {
+    try {
+      Path file = plan.toAbsolutePath().normalize();
+      return pack(file, files(file, job));
+    } catch (IOException e) {
+      throw new PlanException(plan + ": error: " + e.getMessage());
+    }
+  }
+
+  /**
+   * Looks whether the files of a job can be packed, without reading them.
+   *
+   * @throws PlanException as {@link #pack}
+   */
+  public static void check(Path plan, SweepJob job) throws PlanException {
+    try {
+      Path file = plan.toAbsolutePath().normalize();
+      root(file, files(file, job));
+    } catch (IOException e) {
+      throw new PlanException(plan + ": error: " + e.getMessage());
+    }
+  }
+
+  /** The folder that all files are in. */
+  private static Path root(Path plan, SortedSet<Path> files) throws IOException {
+    Path root = plan.getParent();
     for (Path each : files) {
       while (root != null && !each.startsWith(root)) {
         root = root.getParent();
       }
     }
     if (root == null) {
-      throw new IOException(plan + " names files that share no folder with it");
+      throw new IOException("the plan names files that share no folder with it");
     }
+    return root;
+  }
+
+  private static byte[] pack(Path file, SortedSet<Path> files) throws IOException {
+    Path root = root(file, files);
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (ZipOutputStream zip = new ZipOutputStream(bytes)) {
       // the first entry is the plan, so that who unpacks it knows which it is

@@ -15,6 +15,7 @@ import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.pendant.sweep.plan.PlanException;
 import org.pendant.sweep.run.SweepJob;
 
 final class JobArchiveTest {
@@ -96,9 +97,14 @@ final class JobArchiveTest {
         plan,
         "program = '" + program + "'\n[[parameter]]\nset = \"variable x\"\nvalues = [1, 2]\n");
 
-    String told = assertThrows(IOException.class, this::packed).getMessage();
+    String told = assertThrows(PlanException.class, this::packed).getMessage();
+    SweepJob job = SweepJob.read(plan);
 
-    assertTrue(told.startsWith(program + ": the plan names a file by its whole path"), told);
+    assertTrue(
+        told.startsWith(plan + ": error: " + program + ": the plan names a file by its whole path"),
+        told);
+    assertEquals(
+        told, assertThrows(PlanException.class, () -> JobArchive.check(plan, job)).getMessage());
   }
 
   @Test
@@ -107,7 +113,7 @@ final class JobArchiveTest {
       write("cell/program/many/" + i, "");
     }
 
-    String told = assertThrows(IOException.class, this::packed).getMessage();
+    String told = assertThrows(PlanException.class, this::packed).getMessage();
 
     assertTrue(told.contains("more than 2000, or 256 MiB"), told);
   }
