@@ -46,10 +46,22 @@ final class SparkApplication {
     // A worker that dies says nothing against its runs, up to this number.
     conf.setIfMissing("spark.task.maxFailures", "8");
     conf.setIfMissing("spark.deploy.maxExecutorRetries", "-1");
+    // As pendant sweep runs on one machine: what a frame leaves behind dies in a young generation
+    // that holds some.
+    conf.setIfMissing("spark.executor.extraJavaOptions", "-XX:+UseSerialGC -Xmn64m");
     // Spark remembers so many jobs and tasks for its pages, with or without them; a sweep has many.
     conf.setIfMissing("spark.ui.retainedJobs", "50");
     conf.setIfMissing("spark.ui.retainedStages", "50");
     conf.setIfMissing("spark.ui.retainedTasks", "1000");
+    // How often it is looked for workers that have hung for spark.network.timeout.
+    conf.setIfMissing("spark.network.timeoutInterval", "10s");
+    if (conf.get("spark.master", "").startsWith("local-cluster")
+        && !conf.contains("spark.network.timeout")) {
+      // Nothing is lost on the way to a worker of this computer, and no other computer runs beside
+      // what a worker has that hangs.
+      conf.set("spark.network.timeout", "30s");
+      conf.setIfMissing("spark.executor.heartbeatInterval", "5s");
+    }
     if (conf.get("spark.master", "").startsWith("local")) {
       conf.setIfMissing("spark.driver.host", "127.0.0.1");
       conf.setIfMissing("spark.driver.bindAddress", "127.0.0.1");
