@@ -26,11 +26,12 @@ public record PoseForm(DisplayUnit length, DisplayUnit angle, RotationForm rotat
     return List.of("X", "Y", "Z", turns.get(0), turns.get(1), turns.get(2));
   }
 
-  /** The six numbers of a pose, in m and rad. */
+  /** The six numbers of a pose, in m and rad; half a turn is always written with the same sign. */
   public double[] numbers(Pose pose) {
     double[] numbers = pose.toArray();
     double[] angles = new double[3];
     rotation.fromVector(pose.rx(), pose.ry(), pose.rz(), angles);
+    rotation.settle(angles);
     System.arraycopy(angles, 0, numbers, 3, 3);
     return numbers;
   }

@@ -46,6 +46,38 @@ final class PoseFormTest {
     }
   }
 
+  /** A tool that points down, turned by 45 degrees: as much to the one as to the other side. */
+  @Test
+  void halfATurnHasOneSignWhateverTheNoise() {
+    SplittableRandom random = new SplittableRandom(11);
+    double part = Math.PI / Math.sqrt(2);
+    for (double[] axis :
+        List.of(
+            new double[] {part, part, 0},
+            new double[] {part, -part, 0},
+            new double[] {0, Math.PI, 0})) {
+      for (int i = 0; i < 1000; i++) {
+        double sign = random.nextBoolean() ? 1 : -1;
+        double[] noisy = new double[3];
+        for (int k = 0; k < 3; k++) {
+          noisy[k] = sign * axis[k] + random.nextDouble(-1e-3, 1e-3);
+        }
+        Pose pose = new Pose(0, 0, 0, noisy[0], noisy[1], noisy[2]);
+        for (RotationForm rotation : RotationForm.values()) {
+          PoseForm form = new PoseForm(DisplayUnit.MILLIMETRE, DisplayUnit.DEGREE, rotation);
+          double[] exact = form.numbers(new Pose(0, 0, 0, axis[0], axis[1], axis[2]));
+          double[] shown = form.numbers(pose);
+          assertArrayEquals(exact, shown, 0.02, () -> form + " of " + pose);
+          assertEquals(0, Poses.rotationAngle(pose, form.pose(shown)), 1e-7, pose::toString);
+        }
+      }
+    }
+    PoseForm vector = PoseForm.STANDARD;
+    assertEquals("127.28\u00b0", vector.readings(new Pose(0, 0, 0, -part, -part, 0)).get(3));
+    assertEquals("-127.28\u00b0", vector.readings(new Pose(0, 0, 0, -part, part, 0)).get(4));
+    assertEquals("-90.00\u00b0", vector.readings(new Pose(0, 0, 0, -Math.PI / 2, 0, 0)).get(3));
+  }
+
   @Test
   void aPoseIsReadInTheChosenUnits() {
     Pose pose = new Pose(0.45, -0.3, 0.15, 0, 0, Math.PI / 2);
