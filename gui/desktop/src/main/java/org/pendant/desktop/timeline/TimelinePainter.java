@@ -26,8 +26,8 @@ final class TimelinePainter {
   private enum Row {
     PROGRAM("Program", 1.35),
     MARKS("Marks", 1.2),
-    INPUTS("Inputs", 0.7),
-    OUTPUTS("Outputs", 0.7),
+    INPUTS("Inputs", 1),
+    OUTPUTS("Outputs", 1),
     NEAREST("Nearest", 1.4),
     SPEED("TCP speed", 2.4);
 
@@ -105,7 +105,7 @@ final class TimelinePainter {
     return rows.subList(0, rows.size() - 1).stream().mapToDouble(row -> row.height).sum();
   }
 
-  private static int gap() {
+  static int gap() {
     return UIScale.scale(4);
   }
 
@@ -152,7 +152,7 @@ final class TimelinePainter {
   }
 
   /** The last row takes what is left; where there is little, all get less. */
-  private double[] heights(double room, int lineHeight) {
+  double[] heights(double room, int lineHeight) {
     double[] heights = new double[rows.size()];
     double gaps = (double) rows.size() * gap();
     double rest = rest() * lineHeight;
