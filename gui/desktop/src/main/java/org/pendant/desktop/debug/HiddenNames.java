@@ -1,7 +1,10 @@
 package org.pendant.desktop.debug;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.pendant.kit.settings.Settings;
 import org.pendant.project.program.script.GeneratedNames;
 
@@ -11,28 +14,41 @@ import org.pendant.project.program.script.GeneratedNames;
  * the dispatch thread.
  */
 public final class HiddenNames {
+  /** Programs whose names are remembered, those that were started last. */
+  private static final int MAX_PROGRAMS = 200;
+
   private static final String SETTING = "variables.generated";
 
   private final Settings settings;
   private final List<Runnable> listeners = new ArrayList<>();
-  private GeneratedNames names = GeneratedNames.NONE;
+  private final Map<String, Set<String>> variables = new LinkedHashMap<>();
 
   /** Hides none until a program has been started. */
   public HiddenNames(Settings settings) {
     this.settings = settings;
   }
 
-  /** A program starts, or one of which nothing is known ({@link GeneratedNames#NONE}). */
+  /**
+   * A program starts. Its names stay hidden when others start: people look back at it, run it again
+   * from outside, or run the script that they saved of it.
+   */
   public void start(GeneratedNames now) {
-    if (!now.equals(names)) {
-      names = now;
+    if (now.equals(GeneratedNames.NONE)) {
+      return;
+    }
+    Set<String> before = variables.remove(now.program());
+    variables.put(now.program(), now.variables());
+    if (variables.size() > MAX_PROGRAMS) {
+      variables.remove(variables.keySet().iterator().next());
+    }
+    if (!now.variables().equals(before)) {
       listeners.forEach(Runnable::run);
     }
   }
 
   /** Whether a variable of the program called {@code program} is left out of lists. */
   public boolean hides(String program, String variable) {
-    return !shown() && program.equals(names.program()) && names.variables().contains(variable);
+    return !shown() && variables.getOrDefault(program, Set.of()).contains(variable);
   }
 
   boolean shown() {

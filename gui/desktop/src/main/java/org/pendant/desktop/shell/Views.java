@@ -62,7 +62,6 @@ import org.pendant.kit.dock.Side;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.models.time.FrameTime;
-import org.pendant.project.program.script.GeneratedNames;
 import org.pendant.recording.lines.RunProfile;
 
 /** Views: everything that is in the window: a line for each view. */
@@ -338,7 +337,6 @@ final class Views {
     runner.forget();
     link.strangerStarted(Optional.empty());
     strip.strangerStarted(Optional.empty());
-    hidden.start(GeneratedNames.NONE);
   }
 
   /** What is asked before a program starts. */
@@ -451,7 +449,6 @@ final class Views {
       Optional<ProgramDocument> shown = received.show(session.startedSource());
       link.strangerStarted(shown);
       strip.strangerStarted(shown);
-      hidden.start(GeneratedNames.NONE);
     }
     Faults.guard(() -> debug.refresh(state));
     debugBars.forEach(each -> Faults.guard(each::refresh));

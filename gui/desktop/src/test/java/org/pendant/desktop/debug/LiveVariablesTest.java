@@ -119,8 +119,21 @@ final class LiveVariablesTest {
     assertEquals(List.of("Global", "At_q = 2", "At_p = 1", "placed = 3"), rows());
     assertEquals("", variables.omission());
     hidden.toggle();
+    assertEquals(List.of("Global", "At_q = 2", "placed = 3"), rows());
+  }
+
+  @Test
+  void thoseThatNodesMakeStayHiddenWhenAnotherProgramStarts() {
+    hidden.start(new GeneratedNames("stack", Set.of("At_p")));
+    hidden.start(new GeneratedNames("sort", Set.of("Bin_p")));
     hidden.start(GeneratedNames.NONE);
-    assertEquals(List.of("Global", "At_q = 2", "At_p = 1", "placed = 3"), rows());
+
+    assertTrue(hidden.hides("stack", "At_p"));
+    assertTrue(hidden.hides("sort", "Bin_p"));
+    assertFalse(hidden.hides("sort", "At_p"));
+    hidden.start(new GeneratedNames("stack", Set.of("Feeder_p")));
+    assertFalse(hidden.hides("stack", "At_p"));
+    assertTrue(hidden.hides("stack", "Feeder_p"));
   }
 
   @Test
