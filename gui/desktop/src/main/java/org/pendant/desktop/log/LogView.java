@@ -3,7 +3,6 @@ package org.pendant.desktop.log;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.ActionEvent;
-import java.nio.file.Path;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -301,7 +300,7 @@ public final class LogView implements View {
         content,
         new SaveRequest(
             "Export " + lines.size() + " messages",
-            Path.of("log.csv"),
+            workbench.exportFile("log.csv"),
             List.of("csv", "txt"),
             workbench.openFiles()),
         file -> LogExport.forFile(file).write(lines, file),

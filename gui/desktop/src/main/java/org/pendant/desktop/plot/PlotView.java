@@ -2,7 +2,6 @@ package org.pendant.desktop.plot;
 
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -200,7 +199,7 @@ public final class PlotView implements View {
         content,
         new SaveRequest(
             "Export " + csv.rows() + " samples",
-            Path.of("plot.csv"),
+            workbench.exportFile("plot.csv"),
             List.of("csv"),
             workbench.openFiles()),
         csv::write,

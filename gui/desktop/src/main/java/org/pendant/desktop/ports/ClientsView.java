@@ -11,7 +11,6 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
@@ -56,8 +55,8 @@ public final class ClientsView implements View {
 
   private static final int[] CLIENT_WIDTHS = {132, 84, 50, 110, 124, 126, 74, 70};
   private static final int[] MIN_CLIENT_WIDTHS = {116, 78, 40, 66, 66, 114, 60, 62};
-  private static final int[] MESSAGE_WIDTHS = {76, 22, 116, 78, 104, 2000};
-  private static final int[] MIN_MESSAGE_WIDTHS = {76, 22, 116, 78, 104, 100};
+  private static final int[] MESSAGE_WIDTHS = {76, 22, 116, 78, 132, 2000};
+  private static final int[] MIN_MESSAGE_WIDTHS = {76, 22, 116, 78, 84, 100};
 
   private final Workbench workbench;
   private final ClientsPresenter presenter;
@@ -400,7 +399,7 @@ public final class ClientsView implements View {
         content,
         new SaveRequest(
             "Export " + shown.size() + " messages of clients",
-            Path.of("clients.jsonl"),
+            workbench.exportFile("clients.jsonl"),
             List.of("jsonl", "pcap"),
             workbench.openFiles()),
         file -> AtomicFile.write(file, out -> LiveTrace.write(shown, file, out)),

@@ -125,6 +125,7 @@ final class DesktopWindow {
     views = new Views(workbench, programs, runner);
     workbench.openFilesAre(
         () -> EditedFiles.of(programs, views.installation(), views.sceneDraft()));
+    workbench.programFolderIs(() -> programs.current().file().map(Path::getParent));
     status.alsoTell(views::told);
     // before whoever sets controllers up
     arms = new CellArms(session, programs, views.installation(), runner, this::showRobot);

@@ -503,7 +503,7 @@ final class ScenePanel implements View, GhostArm {
         panel,
         new SaveRequest(
             "Save the picture",
-            Path.of(workbench.session().options().robotId() + ".png"),
+            workbench.exportFile(workbench.session().options().robotId() + ".png"),
             List.of("png"),
             workbench.openFiles()),
         file -> write(photo, file),

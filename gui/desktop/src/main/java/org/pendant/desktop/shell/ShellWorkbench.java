@@ -24,6 +24,7 @@ final class ShellWorkbench implements Workbench {
   private final Typing typing;
   private Optional<Supplier<View>> sourceView = Optional.empty();
   private Supplier<List<Path>> openFiles = List::of;
+  private Supplier<Optional<Path>> programFolder = Optional::empty;
   private SourcePlace source = (line, column) -> {};
 
   ShellWorkbench(
@@ -101,6 +102,16 @@ final class ShellWorkbench implements Workbench {
   /** Where dialogs for files begin. */
   UsedFolder usedFolder() {
     return usedFolder;
+  }
+
+  /** {@code folder} says where the program is that people see, if it has a file. */
+  void programFolderIs(Supplier<Optional<Path>> folder) {
+    programFolder = folder;
+  }
+
+  @Override
+  public Path exportFile(String name) {
+    return programFolder.get().orElse(usedFolder.get()).resolve(name);
   }
 
   @Override

@@ -347,7 +347,7 @@ public final class TimelineView implements View {
         content,
         new SaveRequest(
             "Export " + LookBack.text(fromS) + " to " + LookBack.text(toS),
-            Path.of("run.rec"),
+            workbench.exportFile("run.rec"),
             List.of("rec", "csv"),
             inUse),
         file -> {

@@ -337,7 +337,7 @@ public final class WaveformView implements View, SwitchListener {
         content,
         new SaveRequest(
             "Save waveforms",
-            file.orElse(Path.of("inputs.csv")),
+            file.orElse(workbench.exportFile("inputs.csv")),
             List.of(ENDING),
             workbench.openFiles()),
         path -> {

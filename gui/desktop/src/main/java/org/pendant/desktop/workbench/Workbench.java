@@ -28,6 +28,12 @@ public interface Workbench {
   /** The files of the programs and the installation that are open; nothing is exported to them. */
   List<Path> openFiles();
 
+  /**
+   * A file called {@code name} where people export to at first: beside the program, else where
+   * files were opened last.
+   */
+  Path exportFile(String name);
+
   /** Tells something at the edge of the window, without stopping the user. */
   default void notify(String text) {
     notify(text, () -> true);

@@ -81,6 +81,11 @@ public class PreviewWorkbench implements Workbench {
   }
 
   @Override
+  public Path exportFile(String name) {
+    return Path.of(name);
+  }
+
+  @Override
   public void notify(String text, BooleanSupplier holds) {
     told.add(text);
   }

@@ -14,6 +14,7 @@ import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import javax.swing.plaf.basic.BasicFileChooserUI;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.kit.fault.Faults;
 
@@ -23,7 +24,7 @@ import org.pendant.kit.fault.Faults;
  */
 public final class SaveDialog {
   private final JDialog dialog;
-  private final JFileChooser chooser;
+  private final AskingTwice chooser;
 
   private SaveDialog(Component parent, SaveRequest request) {
     dialog =
@@ -53,15 +54,13 @@ public final class SaveDialog {
   public static void ask(Component parent, SaveRequest request, Consumer<Optional<Path>> chosen) {
     SaveDialog save = new SaveDialog(parent, request);
     JFileChooser chooser = save.chooser;
-    String[] endings = request.endings().toArray(String[]::new);
-    chooser.setFileFilter(
-        new FileNameExtensionFilter("*." + String.join(", *.", endings), endings));
     Path suggestion = request.suggestion();
     if (suggestion.getParent() != null) {
       chooser.setCurrentDirectory(suggestion.getParent().toFile());
     }
     chooser.setSelectedFile(
         new File(chooser.getCurrentDirectory(), suggestion.getFileName().toString()));
+    save.chooser.followFilter();
     chooser.addActionListener(
         event -> {
           save.dialog.dispose();
@@ -119,11 +118,39 @@ public final class SaveDialog {
       setName("save-dialog");
       setDialogType(SAVE_DIALOG);
       getAccessibleContext().setAccessibleName(request.title());
+      String first = request.ending(request.suggestion().getFileName().toString());
+      for (String ending : request.endings()) {
+        FileNameExtensionFilter filter = new FileNameExtensionFilter("*." + ending, ending);
+        addChoosableFileFilter(filter);
+        if (ending.equals(first)) {
+          setFileFilter(filter);
+        }
+      }
+    }
+
+    /** The name gets the ending of the filter that people choose from now on. */
+    void followFilter() {
+      addPropertyChangeListener(
+          FILE_FILTER_CHANGED_PROPERTY,
+          event -> {
+            // The chooser forgets the file that its new filter hides, but not what was typed.
+            if (getUI() instanceof BasicFileChooserUI ui && !ui.getFileName().isBlank()) {
+              String name = new File(ui.getFileName()).getName();
+              setSelectedFile(new File(getCurrentDirectory(), request.withEnding(name, ending())));
+            }
+          });
+    }
+
+    /** That of the chosen filter; the first while files of any kind are shown. */
+    private String ending() {
+      return getFileFilter() instanceof FileNameExtensionFilter chosen
+          ? chosen.getExtensions()[0]
+          : request.ending(getUI() instanceof BasicFileChooserUI ui ? ui.getFileName() : "");
     }
 
     @Override
     public void approveSelection() {
-      File file = request.file(getSelectedFile().toPath()).toFile();
+      File file = request.file(getSelectedFile().toPath(), ending()).toFile();
       setSelectedFile(file);
       Optional<String> refusal = request.refusal(file.toPath());
       if (refusal.isPresent()) {

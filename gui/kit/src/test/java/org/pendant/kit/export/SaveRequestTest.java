@@ -18,9 +18,20 @@ final class SaveRequestTest {
   }
 
   @Test
-  void nameWithoutAnEndingGetsTheFirst() {
-    assertEquals(folder.resolve("a.csv"), table().file(folder.resolve("a")));
-    assertEquals(folder.resolve("a.txt"), table().file(folder.resolve("a.txt")));
+  void nameWithoutAnEndingGetsTheChosenOne() {
+    assertEquals(folder.resolve("a.csv"), table().file(folder.resolve("a"), "csv"));
+    assertEquals(folder.resolve("a.txt"), table().file(folder.resolve("a"), "txt"));
+    assertEquals(folder.resolve("a.txt"), table().file(folder.resolve("a.txt"), "csv"));
+  }
+
+  @Test
+  void endingFollowsTheChosenOne() {
+    assertEquals("log.txt", table().withEnding("log.csv", "txt"));
+    assertEquals("log.csv", table().withEnding("log.csv", "csv"));
+    assertEquals("log.tar", table().withEnding("log.tar", "txt"));
+    assertEquals("log", table().withEnding("log", "txt"));
+    assertEquals("txt", table().ending("log.txt"));
+    assertEquals("csv", table().ending("log"));
   }
 
   @Test
@@ -33,7 +44,8 @@ final class SaveRequestTest {
             path -> path.resolveSibling(path.getFileName() + ".pendant"),
             List.of());
 
-    assertEquals(folder.resolve("my.cell.pendant"), tree.file(folder.resolve("my.cell")));
+    assertEquals(
+        folder.resolve("my.cell.pendant"), tree.file(folder.resolve("my.cell"), "pendant"));
   }
 
   @Test
