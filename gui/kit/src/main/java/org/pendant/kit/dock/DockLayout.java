@@ -48,20 +48,18 @@ final class DockLayout implements LayoutManager {
     int inner = width - left - right;
     int gap = UIScale.scale(DIVIDER);
 
-    place(Side.LEFT, left, r -> r.setBounds(0, 0, left, height), gap);
+    place(Side.LEFT, left, r -> r.setBounds(0, 0, left, height), gap, height);
     int upper = plan.views(Side.RIGHT).isEmpty() ? 0 : right;
-    place(Side.RIGHT, upper, r -> r.setBounds(width - right, 0, right, height - lower), gap);
+    place(
+        Side.RIGHT, upper, r -> r.setBounds(width - right, 0, right, height - lower), gap, height);
     int inset = plan.collapsed(Side.RIGHT) || upper == 0 ? 0 : gap;
     place(
         Side.LOWER,
         lower,
         r -> r.setBounds(width - right + inset, height - lower, right - inset, lower),
-        gap);
-    if (upper > 0 && !plan.collapsed(Side.RIGHT)) {
-      // one line along both
-      dividers.get(Side.RIGHT).setBounds(width - right, 0, gap, height);
-    }
-    place(Side.BOTTOM, bottom, r -> r.setBounds(left, height - bottom, inner, bottom), gap);
+        gap,
+        height);
+    place(Side.BOTTOM, bottom, r -> r.setBounds(left, height - bottom, inner, bottom), gap, height);
     main.setBounds(left, 0, inner, height - bottom);
   }
 
@@ -108,7 +106,7 @@ final class DockLayout implements LayoutManager {
     return Math.max(smallest, Math.min(Math.max(wanted, useful), room));
   }
 
-  private void place(Side side, int thickness, Consumer<Rectangle> bounds, int gap) {
+  private void place(Side side, int thickness, Consumer<Rectangle> bounds, int gap, int height) {
     Rectangle area = new Rectangle();
     bounds.accept(area);
     boolean divided = thickness > 0 && !plan.collapsed(side);
@@ -126,7 +124,8 @@ final class DockLayout implements LayoutManager {
         area.width -= gap;
       }
       case RIGHT -> {
-        line.width = gap;
+        // one line along both docks there; to move it twice would have all beside it drawn again
+        line.setBounds(area.x, 0, gap, height);
         area.x += gap;
         area.width -= gap;
       }
