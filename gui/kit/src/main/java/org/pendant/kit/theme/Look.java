@@ -83,6 +83,7 @@ public final class Look {
     colors.put("Component.arc", "6");
     colors.put("Button.arc", "6");
     colors.put("ScrollBar.width", "11");
+    colors.put("ScrollBarUI", ScrollBarLook.class.getName());
     colors.put("TabbedPane.tabHeight", "28");
     colors.put("TabbedPane.inactiveUnderlineColor", "@accentColor");
     // Of buttons side by side the chosen one must not look like those that cannot be used.

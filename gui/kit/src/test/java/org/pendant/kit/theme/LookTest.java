@@ -5,11 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollBar;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -91,5 +96,27 @@ final class LookTest {
       double words = Contrast.of(UIManager.getColor("ToggleButton.selectedForeground"), chosen);
       assertTrue(words >= Contrast.READABLE, theme + ", words: " + words);
     }
+  }
+
+  @Test
+  void tracksOfScrollBarsAreDrawnWithoutSmoothing() {
+    new Look(settings).setTheme(Theme.LIGHT);
+    JScrollBar bar = new JScrollBar(JScrollBar.VERTICAL, 0, 10, 0, 100);
+    bar.setSize(11, 100);
+    bar.doLayout();
+    BufferedImage picture = new BufferedImage(20, 100, BufferedImage.TYPE_INT_RGB);
+    Graphics2D pen = picture.createGraphics();
+    pen.setColor(Color.RED);
+    pen.fillRect(0, 0, 20, 100);
+    // between two pixels, where smoothing would mix the colours
+    pen.translate(0.4, 0);
+    bar.paint(pen);
+    pen.dispose();
+    Set<Integer> colors = new HashSet<>();
+    for (int x = 0; x < 20; x++) {
+      colors.add(picture.getRGB(x, 90));
+    }
+    assertEquals(
+        Set.of(Color.RED.getRGB(), UIManager.getColor("ScrollBar.track").getRGB()), colors);
   }
 }
