@@ -37,6 +37,7 @@ public sealed interface DeviceField {
    * @param range what it may be, in SI
    * @param standing what holds where a file says nothing; empty for nothing
    * @param whole whether it has no fraction
+   * @param without what holds without one that has no standing value, in words
    */
   record Amount(
       String key,
@@ -45,7 +46,8 @@ public sealed interface DeviceField {
       Range range,
       OptionalDouble standing,
       boolean required,
-      boolean whole)
+      boolean whole,
+      String without)
       implements DeviceField {}
 
   /**
@@ -82,8 +84,12 @@ public sealed interface DeviceField {
   record Words(String key, String title, String help, String example, boolean required)
       implements DeviceField {}
 
-  /** Numbers by names, such as {@code register[3]}. */
-  record Values(String key, String title, String help) implements DeviceField {
+  /**
+   * Numbers by names, such as {@code register[3]}.
+   *
+   * @param example as people type them
+   */
+  record Values(String key, String title, String help, String example) implements DeviceField {
     @Override
     public boolean required() {
       return false;

@@ -138,13 +138,19 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                       false,
                       false),
                   optional(
-                      "encoder", "Encoder", "the one that it turns", new Range(0, 1, ""), true),
+                      "encoder",
+                      "Encoder",
+                      "the one that it turns",
+                      new Range(0, 1, ""),
+                      true,
+                      "none"),
                   optional(
                       "ticks",
                       "Ticks per m",
                       "of the encoder",
                       new Range(1, 100_000, "ticks/m"),
-                      false))),
+                      false,
+                      "none"))),
           new DeviceKind(
               "source",
               "Source of parts",
@@ -152,7 +158,13 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
               List.of(
                   new DeviceField.Subject(
                       "object", "Part", "another one like it comes where it was at first", true),
-                  optional("every", "Every", "how often", new Range(0.01, 3600, "s"), false),
+                  optional(
+                      "every",
+                      "Every",
+                      "how often",
+                      new Range(0.01, 3600, "s"),
+                      false,
+                      "not by time"),
                   new DeviceField.Wire(
                       "when", "When", "the output that has one come when it rises", false, false),
                   whole(
@@ -261,16 +273,22 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 "Unit",
                 "that it answers to, all of them without",
                 new Range(0, 255, ""),
-                true),
+                true,
+                "all"),
             whole("coils", "Coils", COUNTED, COUNT, FIRST_COUNT),
             whole("inputs", "Inputs", COUNTED, COUNT, FIRST_COUNT),
             whole("registers", "Registers", COUNTED, COUNT, FIRST_COUNT),
             whole("input_registers", "Input registers", COUNTED, COUNT, FIRST_COUNT),
             whole("first", "First address", "of each of these", new Range(0, 65_535, ""), 0),
             new DeviceField.Values(
-                "values", "Values", "what is not 0 at first, such as register[3] = 17"),
+                "values", "Values", "what is not 0 at first", "register[3] = 17, coil[0] = 1"),
             optional(
-                "port", "Port", "of this controller where other computers reach it", PORT, true)));
+                "port",
+                "Port",
+                "of this controller where other computers reach it",
+                PORT,
+                true,
+                "none")));
   }
 
   private static DeviceKind ethernetIp() {
@@ -288,7 +306,8 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
             new DeviceField.Values(
                 "values",
                 "Values",
-                "what it writes at first that is not 0, such as input_integer_register[3] = 17")));
+                "what it writes at first that is not 0",
+                "input_integer_register[3] = 17")));
   }
 
   private static DeviceKind rail() {
@@ -470,24 +489,25 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   private static DeviceField amount(
       String key, String title, String help, Range range, double standing) {
     return new DeviceField.Amount(
-        key, title, help, range, OptionalDouble.of(standing), false, false);
+        key, title, help, range, OptionalDouble.of(standing), false, false, "");
   }
 
   private static DeviceField whole(
       String key, String title, String help, Range range, double standing) {
     return new DeviceField.Amount(
-        key, title, help, range, OptionalDouble.of(standing), false, true);
+        key, title, help, range, OptionalDouble.of(standing), false, true, "");
   }
 
   /** A number that must be there. */
   private static DeviceField wanted(String key, String title, String help, Range range) {
-    return new DeviceField.Amount(key, title, help, range, OptionalDouble.empty(), true, false);
+    return new DeviceField.Amount(key, title, help, range, OptionalDouble.empty(), true, false, "");
   }
 
   /** A number that may be left out, which means that there is nothing of that. */
   private static DeviceField optional(
-      String key, String title, String help, Range range, boolean whole) {
-    return new DeviceField.Amount(key, title, help, range, OptionalDouble.empty(), false, whole);
+      String key, String title, String help, Range range, boolean whole, String without) {
+    return new DeviceField.Amount(
+        key, title, help, range, OptionalDouble.empty(), false, whole, without);
   }
 
   private static DeviceField place(String key, String title, String help) {

@@ -8,7 +8,7 @@ import org.pendant.controller.wire.SignalGroupState;
  *
  * @param name what it is called
  * @param kind what it is, for people
- * @param strokeM how far its fingers, or its door, open; 0 where it has none
+ * @param strokeM how far its fingers, its door or what is on its rail go; 0 where it has none
  * @param openingM how far they are open
  * @param forceN how hard they press on a part; 0 where they hold none
  * @param on whether it holds a part, or sees something

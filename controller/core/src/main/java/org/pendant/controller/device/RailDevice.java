@@ -37,6 +37,17 @@ final class RailDevice implements CellDevice {
     return placeM() > AT_END_M;
   }
 
+  @Override
+  public double strokeM() {
+    return setup.travelM();
+  }
+
+  /** Where the object is, in tenths of a millimetre: what trembles less is at rest. */
+  @Override
+  public double openingM() {
+    return Math.rint(1e4 * Math.clamp(placeM(), 0, setup.travelM())) / 1e4;
+  }
+
   private double placeM() {
     return rail.map(BodyGuide::place).orElse(0.0);
   }

@@ -182,12 +182,16 @@ final class DeviceForm {
       case DeviceField.Words words ->
           form.text(
               words.title(),
+              words.title() + ": " + words.help(),
+              "",
               device -> part.get.apply(device).text(words.key()),
               (device, typed) ->
                   part.change(device, text -> text.withText(words.key(), typed.strip())));
       case DeviceField.Values values ->
           form.text(
               values.title(),
+              values.title() + ": " + values.help() + ", such as " + values.example(),
+              values.example(),
               device -> part.get.apply(device).values(values.key()),
               (device, typed) -> part.change(device, text -> text.withValues(values.key(), typed)));
       case DeviceField.Subject subject ->
@@ -201,6 +205,8 @@ final class DeviceForm {
       case DeviceField.Subjects subjects ->
           form.text(
               subjects.title(),
+              subjects.title() + ": " + subjects.help() + ", with commas between",
+              "all",
               device -> String.join(", ", part.get.apply(device).list(subjects.key())),
               (device, names) ->
                   part.change(device, text -> text.withList(subjects.key(), names(names))));
@@ -313,6 +319,7 @@ final class DeviceForm {
         () -> hint(amount, measures.of(usual)),
         usual,
         amount.standing(),
+        amount.without(),
         device -> part.get.apply(device).number(amount.key()),
         (device, number) -> {
           Measure unit = measures.of(usual);
@@ -442,7 +449,8 @@ final class DeviceForm {
       case DeviceField.Wire wire -> device.withText(wire.key(), free(wire, used));
       case DeviceField.Amount amount ->
           device.withNumber(amount.key(), OptionalDouble.of(FIRST_NUMBER));
-      case DeviceField.Place place -> device.withPlace(place.key(), first(place.key()));
+      case DeviceField.Place place ->
+          device.withPlace(place.key(), first(place.key(), device.text("object"), scene));
       case DeviceField.Direction way -> device.withPlace(way.key(), first(way.key()));
       case DeviceField.Subject subject ->
           device.withText(
@@ -472,6 +480,15 @@ final class DeviceForm {
         : camera
             .withNumber("port", OptionalDouble.of(next))
             .withNumber("rpc", OptionalDouble.of(next + 1));
+  }
+
+  /** Where the object is that a device moves, for its hinge; of others as below. */
+  private static Vector3 first(String key, String object, Scene scene) {
+    return scene.objects().stream()
+        .filter(each -> key.equals("hinge") && each.name().equals(object))
+        .findFirst()
+        .map(ObjectShape::placeM)
+        .orElseGet(() -> first(key));
   }
 
   /** In front of the base: a beam from side to side, or a box; a way ahead, down or round. */

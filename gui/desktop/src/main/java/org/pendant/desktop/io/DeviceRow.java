@@ -15,6 +15,7 @@ import org.pendant.controller.device.DeviceState;
 public record DeviceRow(String name, String kind, String doing, Box box, boolean boxOn) {
   private static final double MM = 1e-3;
   private static final String DOOR = "door";
+  private static final String RAIL = "rail";
   private static final String LIMIT_SWITCH = "limit switch";
   private static final String BUTTON = "button";
 
@@ -79,7 +80,12 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
       };
     }
     if (device.kind().equals(DOOR)) {
-      return Math.round(100 * device.openingM() / device.strokeM()) + " % open";
+      double share = device.openingM() / device.strokeM();
+      return share <= 0 ? "Closed" : share >= 1 ? "Open" : Math.round(100 * share) + " % open";
+    }
+    if (device.kind().equals(RAIL)) {
+      return String.format(
+          Locale.ROOT, "At %.1f of %.1f mm", device.openingM() / MM, device.strokeM() / MM);
     }
     String opening = String.format(Locale.ROOT, "%.1f mm", device.openingM() / MM);
     return device.on()

@@ -2,10 +2,12 @@ package org.pendant.desktop.io;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.EventObject;
 import javax.swing.AbstractAction;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
@@ -13,6 +15,7 @@ import javax.swing.ListSelectionModel;
 import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.text.JTextComponent;
 
 /**
  * Device signal table: {@link DeviceSignals} on the screen. Space or a click on it changes a level;
@@ -32,10 +35,14 @@ final class DeviceSignalTable extends JTable {
     getAccessibleContext().setAccessibleName("Signals");
     setDefaultRenderer(Object.class, new Cell());
     setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-    setCellSelectionEnabled(true);
+    setRowSelectionAllowed(true);
+    setColumnSelectionAllowed(false);
     setShowGrid(false);
     setTableHeader(null);
     setSurrendersFocusOnKeystroke(true);
+    // Tab goes on to the next device, as from any other component
+    setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+    setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     putClientProperty("terminateEditOnFocusLost", true);
     putClientProperty("FlatLaf.style", "cellMargins: 2,8,2,8");
     int width = VALUE_DIGITS * getFontMetrics(getFont()).charWidth('0');
@@ -66,6 +73,22 @@ final class DeviceSignalTable extends JTable {
             }
           }
         });
+  }
+
+  /** The value is what keys change, wherever the row was clicked. */
+  @Override
+  public void changeSelection(int row, int column, boolean toggle, boolean extend) {
+    super.changeSelection(row, DeviceSignals.VALUE, toggle, extend);
+  }
+
+  /** What is typed takes the place of the value. */
+  @Override
+  public boolean editCellAt(int row, int column, EventObject event) {
+    boolean edits = super.editCellAt(row, column, event);
+    if (edits && getEditorComponent() instanceof JTextComponent field) {
+      field.selectAll();
+    }
+    return edits;
   }
 
   @Override

@@ -24,6 +24,14 @@ final class DeviceRowTest {
   @Test
   void aDoorTellsHowFarItIsOpen() {
     assertEquals("25 % open", doing(new DeviceState("d", "door", 1, 0.25, 0, false, 0, 0, 0)));
+    assertEquals("Closed", doing(new DeviceState("d", "door", 1, 0, 0, false, 0, 0, 0)));
+    assertEquals("Open", doing(new DeviceState("d", "door", 1, 1, 0, false, 0, 0, 0)));
+  }
+
+  @Test
+  void aRailTellsWhereItsObjectIs() {
+    assertEquals(
+        "At 120.5 of 200.0 mm", doing(new DeviceState("r", "rail", 0.2, 0.1205, 0, true, 0, 0, 0)));
   }
 
   @Test

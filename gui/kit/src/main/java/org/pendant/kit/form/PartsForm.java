@@ -231,7 +231,24 @@ public final class PartsForm<T> {
 
   /** A row for a text. */
   public PartsForm<T> text(String label, Function<T, String> get, BiFunction<T, String, T> with) {
-    row(label, entry(nameOf(label), label, get, with::apply), new JLabel());
+    return text(label, label, "", get, with);
+  }
+
+  /**
+   * A row for a text.
+   *
+   * @param tip what it is for
+   * @param empty what is seen in the field while nothing is in it
+   */
+  public PartsForm<T> text(
+      String label,
+      String tip,
+      String empty,
+      Function<T, String> get,
+      BiFunction<T, String, T> with) {
+    EntryField field = entry(nameOf(label), tip, get, with::apply);
+    field.putClientProperty("JTextField.placeholderText", empty);
+    row(label, field, new JLabel());
     return this;
   }
 
@@ -247,12 +264,14 @@ public final class PartsForm<T> {
    *
    * @param hint about it; asked again whenever it is shown
    * @param standing what holds where it is left out, to be seen in the empty field
+   * @param without what is to be seen there where nothing holds
    */
   public PartsForm<T> optionalNumber(
       String label,
       Supplier<String> hint,
       Measure unit,
       OptionalDouble standing,
+      String without,
       Function<T, OptionalDouble> get,
       BiFunction<T, OptionalDouble, T> with) {
     EntryField field =
@@ -273,10 +292,9 @@ public final class PartsForm<T> {
     followers.add(
         now -> {
           field.withTip(hint.get());
-          standing.ifPresent(
-              value ->
-                  field.putClientProperty(
-                      "JTextField.placeholderText", measures.of(unit).text(value)));
+          field.putClientProperty(
+              "JTextField.placeholderText",
+              standing.isPresent() ? measures.of(unit).text(standing.getAsDouble()) : without);
         });
     row(label, field, unit(unit));
     return this;
@@ -421,11 +439,13 @@ public final class PartsForm<T> {
     return this;
   }
 
-  /** A heading above what comes next. */
+  /** A heading above what comes next, wrapped where it is long. */
   public PartsForm<T> heading(String text) {
-    JLabel label = new JLabel(text);
-    label.putClientProperty("FlatLaf.styleClass", "semibold");
-    panel.add(label, "span, gaptop 8, wrap");
+    Remark heading = new Remark(id + "-heading", null);
+    heading.putClientProperty("FlatLaf.styleClass", "semibold");
+    heading.say(text);
+    followers.add(now -> heading.say(text));
+    panel.add(heading, "span, gaptop 8, wrap, " + Remark.LAYOUT);
     return this;
   }
 
