@@ -61,7 +61,8 @@ final class CalledFrame implements DirectFrame {
         .iload(slots.pcVariable)
         .iload(slots.howVariable)
         .invokevirtual(LEFT_FRAMES, "frame", FRAME);
-    for (int i = 0; i < state.length; i++) {
+    // global variables are in the registers
+    for (int i = 0; i < form.function().slotCount(); i++) {
       if (state[i] != 0) {
         code.aload(slots.leftVariable).loadConstant(i);
         slots.pushSlotTag(i, state[i]);

@@ -1,6 +1,9 @@
 package org.pendant.script.vm;
 
-/** Direct entry: {@link DirectCode} of a function for arguments of certain tags. */
+/**
+ * Direct entry: {@link DirectCode} of a function for arguments and global variables of certain
+ * tags.
+ */
 final class DirectEntry {
   /** Functions of more parameters are never called directly. */
   static final int MAX_PARAMETERS = Long.SIZE / TagSet.BITS;
@@ -11,6 +14,7 @@ final class DirectEntry {
   private static final int CALLS_PER_EXIT = 16;
 
   private final long key;
+  private final GlobalTags globals;
   private final DirectCode code;
   private final int slotsLog2;
   private final DirectEntry next;
@@ -22,12 +26,14 @@ final class DirectEntry {
 
   /**
    * @param key the {@link TagSet} of each argument, see {@link #key}
+   * @param globals what the global variables are that it names
    * @param code null while there is none
    * @param slots most slots that a function of it has
    * @param next an older one
    */
-  DirectEntry(long key, DirectCode code, int slots, DirectEntry next) {
+  DirectEntry(long key, GlobalTags globals, DirectCode code, int slots, DirectEntry next) {
     this.key = key;
+    this.globals = globals;
     this.code = code;
     this.next = next;
     slotsLog2 = Integer.SIZE - Integer.numberOfLeadingZeros(slots);
@@ -45,6 +51,10 @@ final class DirectEntry {
       tags[i] = (int) (key >> (i * TagSet.BITS)) & ((1 << TagSet.BITS) - 1);
     }
     return tags;
+  }
+
+  GlobalTags globals() {
+    return globals;
   }
 
   long key() {

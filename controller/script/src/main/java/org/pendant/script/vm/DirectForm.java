@@ -12,7 +12,7 @@ import org.pendant.script.value.Registers;
  * plain values, or a loop the elements of lists and matrices, cannot be done in this form and ends
  * it.
  *
- * <p>Global variables of a loop have slots behind those of its function.
+ * <p>Global variables have slots behind those of the function.
  */
 final class DirectForm {
   private final ScriptFunction function;
@@ -44,7 +44,7 @@ final class DirectForm {
     loop = Optional.empty();
     function = tables.functions().get(number);
     instructions = function.instructions();
-    given = new int[function.slotCount()];
+    given = new int[function.slotCount() + unit.globals().count()];
     Arrays.fill(given, 0, function.variableCount(), TagSet.UNASSIGNED);
     System.arraycopy(parameters, 0, given, 0, parameters.length);
   }
@@ -113,6 +113,7 @@ final class DirectForm {
     states = new int[instructions.length][];
     int before = result;
     Deque<Integer> open = new ArrayDeque<>();
+    settleGlobals(given);
     reach(loop.map(LoopRegion::head).orElse(0), given, open);
     while (!open.isEmpty()) {
       int pc = open.removeLast();
@@ -168,11 +169,12 @@ final class DirectForm {
     int[] known = states[pc];
     if (known == null) {
       states[pc] = incoming.clone();
+      settleGlobals(states[pc]);
       open.add(pc);
       return;
     }
     boolean changed = false;
-    for (int i = 0; i < known.length; i++) {
+    for (int i = 0; i < (loop.isPresent() ? known.length : function.slotCount()); i++) {
       // what only one of the ways has set is a temporary that nobody reads any more
       int both = known[i] == 0 || incoming[i] == 0 ? 0 : known[i] | incoming[i];
       changed |= both != known[i];
@@ -183,13 +185,26 @@ final class DirectForm {
     }
   }
 
+  /** The global variables of a function have any of their tags anywhere. */
+  private void settleGlobals(int[] state) {
+    for (int i = function.slotCount(); loop.isEmpty() && i < state.length; i++) {
+      state[i] = unit.globals().tags(global(i));
+    }
+  }
+
+  /** The number of the global variable that {@code slot} is for; negative for any other. */
+  int global(int slot) {
+    return slot - function.slotCount();
+  }
+
   /** The slot of {@code operand}; -1 if that is a constant or not to be had in this form. */
   int slot(int operand) {
     if (Instruction.isLocal(operand)) {
       return Instruction.index(operand);
     }
-    int global = loop.map(l -> Arrays.binarySearch(l.globals(), operand)).orElse(-1);
-    return global < 0 ? -1 : function.slotCount() + global;
+    int global = unit.globals().index(operand);
+    boolean had = global >= 0 && (loop.isPresent() || unit.globals().shared(global));
+    return !had ? -1 : function.slotCount() + global;
   }
 
   /** The tags that {@code operand} may have; 0 when they are not known. */
@@ -287,6 +302,11 @@ final class DirectForm {
     int[] after = state.clone();
     Arrays.fill(after, Instruction.index(Instruction.c(w)), function.slotCount(), 0);
     after[Instruction.index(Instruction.a(w))] = result;
+    for (int i = function.slotCount(); i < after.length; i++) {
+      if (unit.globals().writtenByFunctions(global(i))) {
+        after[i] = unit.globals().tags(global(i));
+      }
+    }
     return after;
   }
 
@@ -294,6 +314,9 @@ final class DirectForm {
     int slot = slot(target);
     if (tags == 0 || slot < 0) {
       return null;
+    }
+    if (global(slot) >= 0) {
+      unit.globals().write(global(slot), tags, loop.isEmpty());
     }
     int[] after = state.clone();
     after[slot] = tags;

@@ -35,6 +35,7 @@ final class DirectMethod {
   private final DirectSlots slots;
   private final DirectOperations operations;
   private final DirectElements elements;
+  private final DirectRegisters registers;
   private final DirectFrame frame;
   private final List<Runnable> tail = new ArrayList<>();
   private final Map<List<Integer>, Label> exits = new HashMap<>();
@@ -52,15 +53,17 @@ final class DirectMethod {
     slots = new DirectSlots(code, form);
     operations = new DirectOperations(code, form, slots, this::interpreted);
     elements = new DirectElements(code, form, slots, operations, this::interpreted);
+    registers = new DirectRegisters(code, form, slots, unit.globals());
     frame =
         form.loop().isPresent()
-            ? new LoopFrame(code, form, slots, form.loop().get(), labels)
+            ? new LoopFrame(code, form, slots, registers, form.loop().get(), labels)
             : new CalledFrame(code, form, slots, tail);
   }
 
   /** Writes the method of the form. */
   void write() {
     slots.loadMarks();
+    registers.begin();
     frame.begin();
     for (int pc = 0; pc < instructions.length; pc++) {
       if (form.state(pc) != null) {
@@ -162,6 +165,7 @@ final class DirectMethod {
     int c = Instruction.c(w);
     int far = pc + 1 + Instruction.distance(w);
     int near = pc + 1 + c;
+    registers.loadGlobals(w, state);
     switch (operation) {
       case Op.MOVE, Op.COPY -> {
         operations.guard(b, state, Registers.NONE, interpreted(pc));
@@ -209,7 +213,7 @@ final class DirectMethod {
         operations.order(pc, a, b, state, Opcode.IFGT, edge(after, pc + 1));
         turn(pc, near, 0, after);
       }
-      case Op.CALL -> call(pc, w, state);
+      case Op.CALL -> call(pc, w, state, after);
       case Op.RETURN -> giveBack(pc, a, state);
       case Op.RETURN_NONE -> giveBackNone();
       case Op.STRETCH ->
@@ -224,7 +228,10 @@ final class DirectMethod {
           Op.RETURN,
           Op.RETURN_NONE -> {}
       case Op.JUMP_IF_GIVEN -> jumpIfGiven(pc, a, far, state);
-      default -> next(pc, after);
+      default -> {
+        registers.storeGlobal(w, after);
+        next(pc, after);
+      }
     }
   }
 
@@ -267,6 +274,7 @@ final class DirectMethod {
   private void arguments(long w, DirectForm callee, int[] state) {
     int first = Instruction.index(Instruction.c(w));
     slots.writeBudgetBack();
+    registers.storeShared(state);
     code.aload(DirectSlots.THREAD).iload(DirectSlots.ROOM).iconst_1().isub();
     for (int i = 0; i < callee.function().parameterCount(); i++) {
       int slot = first + i;
@@ -280,7 +288,7 @@ final class DirectMethod {
     code.invokestatic(DirectUnit.SELF, unit.method(callee), DirectSlots.type(callee));
   }
 
-  private void call(int pc, long w, int[] state) {
+  private void call(int pc, long w, int[] state, int[] after) {
     DirectForm callee = form.callee(w, state);
     arguments(w, callee, state);
     int slot = Instruction.index(Instruction.a(w));
@@ -313,6 +321,7 @@ final class DirectMethod {
           });
     }
     slots.loadBudget();
+    registers.loadShared(after);
     tail.add(
         () -> {
           code.labelBinding(left);
@@ -322,7 +331,7 @@ final class DirectMethod {
 
   /** Leaves at a call that was not begun, or has been left inside. */
   private void leaveWithCallee(int pc, long w, int[] state) {
-    int[] before = state.clone();
+    int[] before = registers.withoutShared(state);
     before[Instruction.index(Instruction.a(w))] = 0;
     slots.leftFrames();
     code.invokevirtual(LEFT_FRAMES, "entered", MethodTypeDesc.of(INT))

@@ -31,9 +31,9 @@ final class DirectSlots {
   private static final int FIRST_PARAMETER = 2;
 
   // parameters of loops
-  static final int NUMBERS = 2;
-  static final int TAGS = 3;
-  static final int OBJECTS = 4;
+  private static final int NUMBERS = 2;
+  private static final int TAGS = 3;
+  private static final int OBJECTS = 4;
   static final int BASE = 5;
 
   /** How values of some tags are kept. */
@@ -82,6 +82,11 @@ final class DirectSlots {
 
   /** Where coverage is marked. */
   private final int marksVariable;
+
+  // arrays of the registers
+  final int registerNumbers;
+  final int registerTags;
+  final int registerObjects;
 
   DirectSlots(CodeBuilder code, DirectForm form) {
     this.code = code;
@@ -136,6 +141,9 @@ final class DirectSlots {
     indexVariable = next + 7;
     rowVariable = next + 8;
     marksVariable = next + 9;
+    registerNumbers = form.loop().isPresent() ? NUMBERS : next + 10;
+    registerTags = form.loop().isPresent() ? TAGS : next + 11;
+    registerObjects = form.loop().isPresent() ? OBJECTS : next + 12;
     counts = Arrays.stream(form.function().instructions()).anyMatch(JvmCode::isCounted);
   }
 

@@ -7,6 +7,7 @@ import java.lang.constant.ConstantDescs;
 import java.lang.constant.MethodTypeDesc;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /**
@@ -18,7 +19,7 @@ final class DirectUnit {
   /** The JVM does not compile methods of more bytes than this. */
   private static final int LARGEST = 8000;
 
-  private static final int MAX_FORMS = 16;
+  static final int MAX_FORMS = 16;
   private static final int MAX_INSTRUCTIONS = 300;
   private static final int MAX_SLOTS = 40;
   private static final int MAX_LOOP_SLOTS = 120;
@@ -43,20 +44,29 @@ final class DirectUnit {
   static final ClassDesc SELF = ClassDesc.of(DirectCode.class.getPackageName(), "DirectFunctions");
 
   private final Program.Tables tables;
+  private final UnitGlobals globals;
   private final List<DirectForm> forms = new ArrayList<>();
 
-  private DirectUnit(Program.Tables tables) {
+  private DirectUnit(Program.Tables tables, UnitGlobals globals) {
     this.tables = tables;
+    this.globals = globals;
+  }
+
+  /** The global variables of its functions and loop. */
+  UnitGlobals globals() {
+    return globals;
   }
 
   /**
    * Makes code for calls of function {@code number} with arguments that {@code key} tells of, and
    * gives it to the function unless it would never come to its end.
    *
+   * @param before what global variables are when it is entered
    * @return whether there is such code
    */
-  static boolean translate(Program.Tables tables, int number, long key) {
-    DirectUnit unit = new DirectUnit(tables);
+  static boolean translate(Program.Tables tables, int number, long key, GlobalTags before) {
+    Set<Integer> named = GlobalTags.named(tables, List.of(number));
+    DirectUnit unit = new DirectUnit(tables, new UnitGlobals(before, named));
     ScriptFunction function = tables.functions().get(number);
     DirectForm root = unit.form(number, DirectEntry.tags(key, function.parameterCount()));
     if (root == null || !unit.flow() || root.result() == 0) {
@@ -71,7 +81,8 @@ final class DirectUnit {
     if (HiddenClass.largestMethod(bytes) > LARGEST) {
       return false;
     }
-    function.installDirect(key, HiddenClass.make(bytes, DirectCode.class), unit.mostSlots());
+    function.installDirect(
+        key, before, HiddenClass.make(bytes, DirectCode.class), unit.mostSlots());
     return true;
   }
 
@@ -87,7 +98,8 @@ final class DirectUnit {
         || live.hasTemporaries(loop.function(), loop.head())) {
       return;
     }
-    DirectUnit unit = new DirectUnit(tables);
+    UnitGlobals globals = new UnitGlobals(loop.globals(entry.tags()), loop.shared());
+    DirectUnit unit = new DirectUnit(tables, globals);
     DirectForm root = new DirectForm(unit, tables, loop, entry.tags());
     unit.forms.add(root);
     if (!unit.flow()) {
@@ -132,12 +144,14 @@ final class DirectUnit {
   }
 
   private boolean flow() {
+    int most = MAX_ROUNDS + globals.count() * (TagSet.BITS + 1);
     boolean changed = true;
-    for (int round = 0; changed && round < MAX_ROUNDS; round++) {
+    for (int round = 0; changed && round < most; round++) {
       changed = false;
       for (int i = 0; i < forms.size(); i++) {
         changed |= forms.get(i).flow();
       }
+      changed |= globals.takeChanged();
     }
     return !changed;
   }

@@ -1,6 +1,8 @@
 package org.pendant.script.vm;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.SortedSet;
 import java.util.concurrent.atomic.AtomicReference;
 import org.pendant.script.value.Registers;
 import org.pendant.script.vm.Processor.Stop;
@@ -84,34 +86,38 @@ final class HotFunctions {
    * What to call function {@code number} directly with for arguments that {@code key} tells of;
    * null while there is nothing.
    */
-  DirectEntry direct(ScriptFunction function, int number, long key) {
-    DirectEntry entry = function.direct(key);
+  DirectEntry direct(ScriptFunction function, int number, long key, Registers registers) {
+    DirectEntry entry = function.direct(key, registers);
     if (entry == null && number < tables.functions().size()) {
-      entry = makeDirect(function, number, key);
+      entry = makeDirect(function, number, key, registers);
     }
     return entry == null || entry.code() == null ? null : entry;
   }
 
   /** Has code made, once, for arguments that a translated function is called with. */
-  private DirectEntry makeDirect(ScriptFunction function, int number, long key) {
+  private DirectEntry makeDirect(
+      ScriptFunction function, int number, long key, Registers registers) {
+    SortedSet<Integer> named = GlobalTags.named(tables, List.of(number));
+    GlobalTags globals =
+        GlobalTags.in(registers, named.stream().mapToInt(Integer::intValue).toArray());
     // whether it becomes code or not, it is not tried again
-    if (!function.triesDirect(key)) {
+    if (!function.triesDirect(key, globals)) {
       function.wasNotDirect(1);
       return null;
     }
     if (when == Translation.ALWAYS) {
-      translateDirect(function, number, key);
+      translateDirect(function, number, key, globals);
     } else {
       Thread.ofVirtual()
           .name("translate " + function.name())
-          .start(() -> translateDirect(function, number, key));
+          .start(() -> translateDirect(function, number, key, globals));
     }
-    return function.direct(key);
+    return function.direct(key, registers);
   }
 
-  private void translateDirect(ScriptFunction function, int number, long key) {
+  private void translateDirect(ScriptFunction function, int number, long key, GlobalTags globals) {
     try {
-      if (!DirectUnit.translate(tables, number, key)) {
+      if (!DirectUnit.translate(tables, number, key, globals)) {
         function.wasNotDirect(CALLS_WITHOUT_CODE);
       }
     } catch (RuntimeException | LinkageError | StackOverflowError e) {

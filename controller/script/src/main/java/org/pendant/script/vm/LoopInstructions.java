@@ -1,5 +1,6 @@
 package org.pendant.script.vm;
 
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SortedSet;
 import java.util.TreeSet;
@@ -76,6 +77,18 @@ final class LoopInstructions {
       case Op.UNSET, Op.JUMP_IF_GIVEN, Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE, Op.CALL -> new int[] {a};
       default -> new int[0];
     };
+  }
+
+  /** As {@link #operands}, of a function, which may return. */
+  static int[] operandsInFunction(long w) {
+    return Instruction.operation(w) == Op.RETURN ? new int[] {Instruction.a(w)} : operands(w);
+  }
+
+  /** The number of the function that {@code w} calls, if it calls one. */
+  static Optional<Integer> called(long w, Program.Tables tables) {
+    return Instruction.operation(w) == Op.CALL && Instruction.b(w) < tables.functions().size()
+        ? Optional.of(Instruction.b(w))
+        : Optional.empty();
   }
 
   /** The operand that a loop itself writes a number or bool to. */

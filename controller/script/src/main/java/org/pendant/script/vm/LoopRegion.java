@@ -4,10 +4,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.pendant.script.value.MatrixValue;
-import org.pendant.script.value.NumberList;
 import org.pendant.script.value.Registers;
-import org.pendant.script.value.Value;
 
 /**
  * Loop region: the outermost loop of a function around the place where a turn begins, with the
@@ -25,6 +22,9 @@ final class LoopRegion {
   /** The static slots of the global ones. */
   private final int[] globals;
 
+  /** The static slots of global variables that functions name which it calls. */
+  private final SortedSet<Integer> shared;
+
   /** The slots that it changes, those of global variables behind those of the function. */
   private final BitSet written = new BitSet();
 
@@ -37,7 +37,12 @@ final class LoopRegion {
     long[] instructions = function.instructions();
     first = LoopInstructions.outermost(instructions, head);
     last = LoopInstructions.endOfLoop(instructions, first);
-    SortedSet<Integer> named = new TreeSet<>();
+    SortedSet<Integer> called = new TreeSet<>();
+    for (int pc = first; pc <= last; pc++) {
+      LoopInstructions.called(instructions[pc], tables).ifPresent(called::add);
+    }
+    shared = GlobalTags.named(tables, called);
+    SortedSet<Integer> named = new TreeSet<>(shared);
     for (int pc = first; pc <= last; pc++) {
       for (int operand : LoopInstructions.operands(instructions[pc])) {
         if (isVariable(operand, tables)) {
@@ -90,9 +95,20 @@ final class LoopRegion {
     return pc >= first && pc <= last;
   }
 
-  /** The static slots of the global variables that it names. */
+  /** The static slots of the global variables that it and the functions it calls name. */
   int[] globals() {
     return globals;
+  }
+
+  /** Those that functions name which it calls. */
+  SortedSet<Integer> shared() {
+    return shared;
+  }
+
+  /** The tags of the global variables among those of all variables. */
+  GlobalTags globals(int[] tags) {
+    return new GlobalTags(
+        globals, Arrays.copyOfRange(tags, tags.length - globals.length, tags.length));
   }
 
   /** The slot of a variable or temporary, a global one behind those of the function. */
@@ -111,7 +127,7 @@ final class LoopRegion {
   int[] tags(Registers registers, int base) {
     int[] tags = new int[variables.length];
     for (int i = 0; i < tags.length; i++) {
-      tags[i] = tag(registers, Instruction.slot(variables[i], base));
+      tags[i] = TagSet.in(registers, Instruction.slot(variables[i], base));
     }
     return tags;
   }
@@ -119,7 +135,7 @@ final class LoopRegion {
   /** Whether the variables in the registers have {@code tags}. */
   boolean have(int[] tags, Registers registers, int base) {
     for (int i = 0; i < tags.length; i++) {
-      if (tags[i] != tag(registers, Instruction.slot(variables[i], base))) {
+      if (tags[i] != TagSet.in(registers, Instruction.slot(variables[i], base))) {
         return false;
       }
     }
@@ -133,24 +149,5 @@ final class LoopRegion {
       state[slot(variables[i])] = tags[i];
     }
     return state;
-  }
-
-  private static int tag(Registers registers, int slot) {
-    int tag = registers.tags()[slot];
-    return tag == Registers.OBJECT ? tag(registers.objects()[slot]) : TagSet.of(tag);
-  }
-
-  private static int tag(Value object) {
-    if (object instanceof NumberList list) {
-      return switch (list.tag()) {
-        case Registers.INT -> TagSet.INT_LIST;
-        case Registers.FLOAT -> TagSet.FLOAT_LIST;
-        default -> TagSet.OBJECT;
-      };
-    }
-    if (object instanceof MatrixValue matrix) {
-      return matrix.integers() ? TagSet.INT_MATRIX : TagSet.FLOAT_MATRIX;
-    }
-    return TagSet.OBJECT;
   }
 }

@@ -185,7 +185,7 @@ final class Processor {
       }
       key = DirectEntry.key(key, i, tag);
     }
-    DirectEntry entry = hot.direct(callee, number, key);
+    DirectEntry entry = hot.direct(callee, number, key, registers);
     if (entry == null || entry.depth(thread.segmentEnd - first) < 0) {
       return null;
     }
@@ -207,6 +207,7 @@ final class Processor {
   /** Answers as {@link #enter}. */
   private TranslatedCode callDirectly(
       ScriptThread thread, DirectEntry direct, int first, int result) {
+    thread.lend(registers);
     int target = thread.base() + result;
     int room = Math.min(room(thread), direct.depth(thread.segmentEnd - first));
     if (direct.code().call(thread, room, registers.numbers(), registers.tags(), first, target)) {
@@ -246,6 +247,7 @@ final class Processor {
       return pc;
     }
     int budget = thread.budget;
+    thread.lend(registers);
     int room = Math.min(room(thread) + 1, loop.depth(thread.segmentEnd - base));
     loop.code().run(thread, room, registers.numbers(), registers.tags(), registers.objects(), base);
     loop.ran(budget - thread.budget);

@@ -182,27 +182,30 @@ final class ScriptFunction {
     directChances -= calls;
   }
 
-  /** What it is called directly with, for arguments of certain tags; null when there is none. */
-  DirectEntry direct(long key) {
+  /**
+   * What it is called directly with, for arguments of certain tags and such global variables in the
+   * registers; null when there is none.
+   */
+  DirectEntry direct(long key, Registers registers) {
     DirectEntry entry = direct;
-    while (entry != null && entry.key() != key) {
+    while (entry != null && (entry.key() != key || !entry.globals().are(registers))) {
       entry = entry.next();
     }
     return entry;
   }
 
   /** Notes that code for such arguments is being made; false when that must not be tried. */
-  synchronized boolean triesDirect(long key) {
-    if (direct(key) != null || (direct != null && direct.count() == MAX_DIRECT)) {
+  synchronized boolean triesDirect(long key, GlobalTags globals) {
+    if (direct != null && direct.count() >= MAX_DIRECT) {
       return false;
     }
-    direct = new DirectEntry(key, null, 0, direct);
+    direct = new DirectEntry(key, globals, null, 0, direct);
     return true;
   }
 
   /** Takes {@code code} for calls with arguments that {@code key} tells of. */
-  synchronized void installDirect(long key, DirectCode code, int slots) {
-    direct = new DirectEntry(key, code, slots, direct);
+  synchronized void installDirect(long key, GlobalTags globals, DirectCode code, int slots) {
+    direct = new DirectEntry(key, globals, code, slots, direct);
   }
 
   /** Code for a turn at {@code pc} with such variables in the registers; null if not tried. */

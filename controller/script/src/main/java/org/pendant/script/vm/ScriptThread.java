@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.pendant.script.function.Wait;
 import org.pendant.script.value.LongOperation;
+import org.pendant.script.value.Registers;
+import org.pendant.script.value.Value;
 
 /**
  * Script thread: call frames over a segment of the program's registers, and what it waits for. It
@@ -86,6 +88,11 @@ final class ScriptThread {
   /** Frames of direct code that are about to become call frames. */
   final LeftFrames left = new LeftFrames();
 
+  // The registers, while direct code runs.
+  double[] numbers;
+  byte[] tags;
+  Value[] objects;
+
   /** The tag of what direct code has just returned, where it may have several. */
   int resultTag;
 
@@ -117,6 +124,13 @@ final class ScriptThread {
 
   boolean ended() {
     return state == State.ENDED;
+  }
+
+  /** Direct code is about to run. */
+  void lend(Registers registers) {
+    numbers = registers.numbers();
+    tags = registers.tags();
+    objects = registers.objects();
   }
 
   /** The first slot of the innermost frame. */

@@ -3,7 +3,9 @@ package org.pendant.script.vm;
 import org.pendant.script.value.BoolValue;
 import org.pendant.script.value.FloatValue;
 import org.pendant.script.value.IntValue;
+import org.pendant.script.value.MatrixValue;
 import org.pendant.script.value.NoneValue;
+import org.pendant.script.value.NumberList;
 import org.pendant.script.value.Registers;
 import org.pendant.script.value.Value;
 
@@ -50,6 +52,26 @@ final class TagSet {
           case NoneValue n -> Registers.NONE;
           default -> Registers.OBJECT;
         });
+  }
+
+  /** The tag in {@code slot}, of an object what is known of it. */
+  static int in(Registers registers, int slot) {
+    int tag = registers.tags()[slot];
+    return tag == Registers.OBJECT ? object(registers.objects()[slot]) : of(tag);
+  }
+
+  private static int object(Value object) {
+    if (object instanceof NumberList list) {
+      return switch (list.tag()) {
+        case Registers.INT -> INT_LIST;
+        case Registers.FLOAT -> FLOAT_LIST;
+        default -> OBJECT;
+      };
+    }
+    if (object instanceof MatrixValue matrix) {
+      return matrix.integers() ? INT_MATRIX : FLOAT_MATRIX;
+    }
+    return OBJECT;
   }
 
   /** The tag of the elements of a container. */

@@ -224,6 +224,53 @@ class LoopTranslationTest {
         end
         """,
         """
+        def globals_in_functions():
+          global count = 0
+          global scale = 2
+          global table = [1, 2, 3, 4]
+          global grid = [[0.5, 1], [2, 3]]
+          global word = "w"
+          def visit(n):
+            count = count + 1
+            table[n % 4] = table[n % 4] + count
+            if count == 60:
+              scale = 0.5
+            end
+            if n <= 0:
+              return count * scale
+            end
+            local below = visit(n - 2)
+            grid[n % 2, 0] = below
+            return below + grid[n % 2, 0] * scale
+          end
+          def none():
+            count = -count
+          end
+          def other(n):
+            if n > 30:
+              textmsg(word, n)
+              word = word + "x"
+            end
+            return n + table[4 - n % 4]
+          end
+          local i = 0
+          local sum = 0
+          while i < 24:
+            sum = sum + visit(i % 5)
+            none()
+            scale = scale + 1
+            none()
+            i = i + 1
+          end
+          textmsg(sum, count)
+          textmsg(table, grid)
+          while True:
+            count = count + 1
+            sum = sum + other(count)
+          end
+        end
+        """,
+        """
         def returns_from_loops():
           def first(l, x):
             local i = 0

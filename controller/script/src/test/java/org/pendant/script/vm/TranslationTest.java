@@ -896,7 +896,11 @@ class TranslationTest {
     fixture.machine.start(program);
     fixture.advance(1);
     ScriptFunction fib = program.tables().functions().get(1);
-    assertNotNull(fib.direct(DirectEntry.key(0, 0, Registers.INT)).code());
+    assertNotNull(
+        fib.direct(
+                DirectEntry.key(0, 0, Registers.INT),
+                fixture.machine.run().orElseThrow().registers())
+            .code());
     assertFalse(fixture.machine.held());
     debugger.set(Breakpoint.at(4));
     fixture.advance(1);
