@@ -15,6 +15,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
+import javax.swing.tree.TreeModel;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import org.pendant.desktop.editor.text.AnalysedText;
@@ -34,7 +35,7 @@ public final class OutlineView implements View {
   private final Workbench workbench;
   private final ScriptEditor editor;
   private final DefaultTreeModel model = new DefaultTreeModel(new DefaultMutableTreeNode());
-  private final JTree tree = new JTree(model);
+  private final JTree tree = new ItemTree(model);
   private final EmptyState states = new EmptyState(new JScrollPane(tree));
   private final JPanel content = new JPanel(new BorderLayout());
   private List<OutlineItem> shown = List.of();
@@ -194,6 +195,23 @@ public final class OutlineView implements View {
     }
   }
 
+  /** Items by the text that people read: that of all of an item, with what is in it, is long. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class ItemTree extends JTree {
+    ItemTree(TreeModel model) {
+      super(model);
+    }
+
+    @Override
+    public String convertValueToText(
+        Object value, boolean selected, boolean expanded, boolean leaf, int row, boolean focused) {
+      return value instanceof DefaultMutableTreeNode node
+              && node.getUserObject() instanceof OutlineItem item
+          ? ByteText.decoded(item.name() + item.detail())
+          : "";
+    }
+  }
+
   /** Kind, name and parameters. */
   @SuppressWarnings("serial") // never written to a stream
   private static final class ItemCell extends DefaultTreeCellRenderer {
@@ -209,7 +227,6 @@ public final class OutlineView implements View {
       super.getTreeCellRendererComponent(tree, value, selected, expanded, leaf, row, focused);
       if (value instanceof DefaultMutableTreeNode node
           && node.getUserObject() instanceof OutlineItem item) {
-        setText(ByteText.decoded(item.name() + item.detail()));
         setIcon(KindIcon.of(item.kind()));
       }
       return this;
