@@ -434,9 +434,9 @@ final class ProgramEditor extends JPanel implements LookFollower {
   }
 
   private void show(AnalysedText analysed) {
-    if (colours.set(analysed)) {
-      area.repaint();
-    }
+    colours
+        .set(analysed)
+        .ifPresent(lines -> area.repaintLines(lines.first() + 1, lines.last() + 1));
     if (notices.set(analysed.problems())) {
       area.forceReparsing(notices);
     }

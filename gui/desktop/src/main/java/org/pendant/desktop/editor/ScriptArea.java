@@ -22,6 +22,7 @@ import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.fife.ui.rsyntaxtextarea.folding.FoldManager;
 import org.fife.ui.rsyntaxtextarea.folding.FoldParserManager;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AutoIndent;
@@ -215,6 +216,17 @@ final class ScriptArea extends RSyntaxTextArea {
     Element root = getDocument().getDefaultRootElement();
     Element element = root.getElement(Math.clamp(line - 1, 0, root.getElementCount() - 1));
     return new TextSpan(element.getStartOffset(), element.getEndOffset() - 1);
+  }
+
+  /** Has lines painted again; those that a fold hides have no place, all is painted for them. */
+  void repaintLines(int first, int last) {
+    FoldManager folds = getFoldManager();
+    if (folds.isLineHidden(first - 1) || folds.isLineHidden(last - 1)) {
+      repaint();
+      return;
+    }
+    Rectangle lines = place(line(first).start()).union(place(line(last).start()));
+    repaint(0, lines.y, getWidth(), lines.height);
   }
 
   /** The line of {@code offset}. */

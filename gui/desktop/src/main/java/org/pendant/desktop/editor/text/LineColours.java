@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.pendant.language.service.CharacterOffsets;
 import org.pendant.language.service.HighlightToken;
 import org.pendant.language.service.HighlightToken.Style;
@@ -26,12 +27,34 @@ public final class LineColours {
     this.catalogue = catalogue;
   }
 
-  /** Takes over what an analysis found; whether a line has other colours now. */
-  public boolean set(AnalysedText analysed) {
-    boolean other = !lines.equals(analysed.lines());
+  /**
+   * Takes over what an analysis found.
+   *
+   * @return the lines between which all are that have other colours now, from 0; empty for none
+   */
+  public Optional<Changed> set(AnalysedText analysed) {
+    List<StyledLine> before = lines;
     lines = new ArrayList<>(analysed.lines());
     names = analysed.names();
-    return other;
+    return changed(before, lines);
+  }
+
+  /** The first and the last line that have changed, from 0. */
+  public record Changed(int first, int last) {}
+
+  private static Optional<Changed> changed(List<StyledLine> before, List<StyledLine> after) {
+    int both = Math.min(before.size(), after.size());
+    int first = 0;
+    while (first < both && before.get(first).equals(after.get(first))) {
+      first++;
+    }
+    int last = Math.max(before.size(), after.size()) - 1;
+    if (before.size() == after.size()) {
+      while (last > first && before.get(last).equals(after.get(last))) {
+        last--;
+      }
+    }
+    return first > last ? Optional.empty() : Optional.of(new Changed(first, last));
   }
 
   /**

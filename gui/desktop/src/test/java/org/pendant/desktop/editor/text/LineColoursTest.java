@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.service.HighlightToken.Style;
@@ -50,5 +51,17 @@ final class LineColoursTest {
     assertSame(call, colours.line(5, "  grip(width)"));
     colours.moved(0, 2, 0);
     assertSame(call, colours.line(3, "  grip(width)"));
+  }
+
+  @Test
+  void onlyTheLinesBetweenThoseOfOtherColoursArePaintedAgain() {
+    colours.set(AnalysedText.of("test.script", TEXT, catalogue));
+    AnalysedText same = AnalysedText.of("test.script", TEXT, catalogue);
+    assertEquals(Optional.empty(), colours.set(same));
+    AnalysedText other =
+        AnalysedText.of("test.script", TEXT.replace("sync()", "textmsg(1)"), catalogue);
+    assertEquals(Optional.of(new LineColours.Changed(2, 2)), colours.set(other));
+    AnalysedText longer = AnalysedText.of("test.script", TEXT + "grip(1)\n", catalogue);
+    assertEquals(Optional.of(new LineColours.Changed(2, 6)), colours.set(longer));
   }
 }
