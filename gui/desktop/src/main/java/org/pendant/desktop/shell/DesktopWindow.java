@@ -505,7 +505,7 @@ final class DesktopWindow {
     Faults.guard(others::look);
     Faults.guard(views.keeper()::look);
     Faults.guard(() -> session.newTrouble().ifPresent(this::warn));
-    Faults.guard(() -> heap.look(HeapCare.Doing.of(session.robot())));
+    Faults.guard(() -> heap.look(HeapCare.Doing.of(session.robot(), typing.going())));
   }
 
   private void showRobot(String id) {

@@ -22,22 +22,31 @@ final class HeapCare {
   private final Runnable collect;
   private long keptBytes;
 
-  /** What the robot does while the heap might be collected. */
+  /** What goes on while the heap might be collected. */
   enum Doing {
     /** Nothing. */
     STILL,
+    /** Nothing, while the user is typing, and would notice: a pause in it will come. */
+    TYPED_AT,
     MOVING,
     /** Others follow frame by frame, for whom a tenth of a second is too long. */
     FOLLOWED;
 
-    /** What a robot does now. */
-    static Doing of(Robot robot) {
+    /**
+     * What a robot does now.
+     *
+     * @param typing whether the user has just typed
+     */
+    static Doing of(Robot robot, boolean typing) {
       ControllerState state = robot.state();
       if (robot.feed().followed()) {
         return FOLLOWED;
       }
       boolean still = state.program().state() != ProgramState.RUNNING && state.arm().rests();
-      return still ? STILL : MOVING;
+      if (!still) {
+        return MOVING;
+      }
+      return typing ? TYPED_AT : STILL;
     }
   }
 
@@ -71,7 +80,7 @@ final class HeapCare {
     long more =
         switch (doing) {
           case STILL -> WHILE_STILL_BYTES;
-          case MOVING -> WHILE_MOVING_BYTES;
+          case TYPED_AT, MOVING -> WHILE_MOVING_BYTES;
           case FOLLOWED -> Long.MAX_VALUE;
         };
     if (used - keptBytes > Math.max(more, keptBytes / SHARE)) {

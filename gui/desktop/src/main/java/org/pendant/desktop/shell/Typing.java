@@ -41,12 +41,17 @@ final class Typing {
     }
   }
 
+  /** Whether the user is writing somewhere just now. */
+  boolean going() {
+    return System.nanoTime() - lastNs < PAUSE_NS;
+  }
+
   /** Whether the user is writing in a text of {@code view} just now. */
   boolean within(Component view) {
     return !asked()
         && owner() instanceof JTextComponent text
         && SwingUtilities.isDescendingFrom(text, view)
-        && System.nanoTime() - lastNs < PAUSE_NS;
+        && going();
   }
 
   /** Whether keys go to a panel over the window, or to a field that is not in {@code view}. */

@@ -33,6 +33,19 @@ final class HeapCareTest {
   }
 
   @Test
+  void aPauseInTypingIsAwaited() {
+    usedBytes += 50 * MB;
+    care.look(Doing.TYPED_AT);
+    assertEquals(0, collected);
+    care.look(Doing.STILL);
+    assertEquals(1, collected);
+    care.look(Doing.STILL);
+    usedBytes += 97 * MB;
+    care.look(Doing.TYPED_AT);
+    assertEquals(2, collected);
+  }
+
+  @Test
   void itIsNotCollectedAgainForWhatIsAlive() {
     aliveBytes = 240 * MB;
     usedBytes = 240 * MB;
