@@ -29,8 +29,8 @@ final class BoxCommandHandler implements CommandHandler<BoxCommand> {
         box.safety().shutDown();
         yield Reply.done();
       }
-      case BoxCommand.NoteLostTime(double behindS) -> {
-        noteLostTime(behindS);
+      case BoxCommand.NoteLostTime(double behindS, boolean told) -> {
+        noteLostTime(behindS, told);
         yield Reply.done();
       }
       case BoxCommand.SetSpeedFraction(String writer, double fraction) ->
@@ -38,8 +38,8 @@ final class BoxCommandHandler implements CommandHandler<BoxCommand> {
     };
   }
 
-  private void noteLostTime(double behindS) {
-    if (box.clock().fellBehind(behindS)) {
+  private void noteLostTime(double behindS, boolean told) {
+    if (box.clock().fellBehind(behindS) && told) {
       box.log()
           .warning(
               String.format(

@@ -278,6 +278,9 @@ public final class Cell implements Frames {
 
   @Override
   public void noteLostTime(double sinceStartS) {
-    members.forEach(each -> each.controller().noteLostTime(sinceStartS));
+    // time is that of all: the log of the first says so
+    for (int i = 0; i < members.size(); i++) {
+      members.get(i).controller().noteLostTime(sinceStartS, i == 0);
+    }
   }
 }

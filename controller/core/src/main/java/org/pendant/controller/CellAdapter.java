@@ -9,13 +9,13 @@ import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.device.plc.AdapterPort;
 import org.pendant.controller.device.plc.ScannerOutputs;
+import org.pendant.controller.eip.AssemblyData;
 import org.pendant.controller.io.InputOwners;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterLevels;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.rtde.ControlAssembly;
 import org.pendant.controller.rtde.InputUpdate;
-import org.pendant.controller.rtde.RtdeCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.RobotBits;
 
@@ -32,6 +32,9 @@ final class CellAdapter implements AdapterPort {
   private InputUpdate update =
       new InputUpdate(
           ControlAssembly.RECIPE, List.of(), OptionalDouble.empty(), Optional.empty(), List.of());
+
+  /** What {@link #written} is in the assembly. */
+  private AssemblyData bytes = AssemblyData.zero(ControlAssembly.BYTES);
 
   CellAdapter(ControlBox box, InstallationHandler installed, Supplier<ControllerState> state) {
     this.box = box;
@@ -58,6 +61,7 @@ final class CellAdapter implements AdapterPort {
   public void write(String owner, ScannerOutputs outputs) {
     if (!outputs.equals(written)) {
       written = outputs;
+      bytes = ControlAssembly.encode(outputs.bits(), outputs.words(), outputs.speedFraction());
       update =
           new InputUpdate(
               ControlAssembly.RECIPE,
@@ -66,7 +70,9 @@ final class CellAdapter implements AdapterPort {
               Optional.empty(),
               List.of());
     }
-    var _ = inputs.carryOut(new RtdeCommand.WriteInputs(owner, update));
+    if (inputs.write(owner, update).isEmpty()) {
+      box.links().assemblies().writeBuiltIn(bytes);
+    }
   }
 
   /** A scanner writes all registers of the assembly; floats, which have no signals, as zero. */

@@ -195,7 +195,16 @@ public final class Controller implements Robot, Drive {
   /** As a command, so that a run that is repeated hears of it at the same place. */
   @Override
   public void noteLostTime(double sinceStartS) {
-    var _ = submit(new BoxCommand.NoteLostTime(sinceStartS));
+    noteLostTime(sinceStartS, true);
+  }
+
+  /**
+   * As the other one.
+   *
+   * @param told whether the log says so
+   */
+  void noteLostTime(double sinceStartS, boolean told) {
+    var _ = submit(new BoxCommand.NoteLostTime(sinceStartS, told));
   }
 
   /** The control box, for the cell that this controller shares with others. */

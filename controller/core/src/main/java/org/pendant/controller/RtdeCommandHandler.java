@@ -8,6 +8,7 @@ import org.pendant.controller.command.CommandHandler;
 import org.pendant.controller.command.Refusal;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.InputOwners;
+import org.pendant.controller.rtde.ControlAssembly;
 import org.pendant.controller.rtde.InputField;
 import org.pendant.controller.rtde.InputRecipe;
 import org.pendant.controller.rtde.InputUpdate;
@@ -30,7 +31,7 @@ final class RtdeCommandHandler implements CommandHandler<RtdeCommand> {
   public Reply carryOut(RtdeCommand command) {
     return switch (command) {
       case RtdeCommand.WriteInputs(String writer, InputUpdate update) ->
-          Reply.unless(write(writer, update));
+          Reply.unless(writeFromOutside(writer, update));
       case RtdeCommand.ClaimInputs claim -> {
         claim.answer().accept(claim(claim.owner(), claim.recipe()));
         yield Reply.done();
@@ -38,7 +39,16 @@ final class RtdeCommandHandler implements CommandHandler<RtdeCommand> {
     };
   }
 
-  private Optional<Refusal> write(String writer, InputUpdate update) {
+  private Optional<Refusal> writeFromOutside(String writer, InputUpdate update) {
+    Optional<Refusal> refusal = write(writer, update);
+    if (refusal.isEmpty() && update.recipe().equals(ControlAssembly.RECIPE)) {
+      box.links().assemblies().writtenFromOutside();
+    }
+    return refusal;
+  }
+
+  /** Writes what a client asks for, unless another one has some of it. */
+  Optional<Refusal> write(String writer, InputUpdate update) {
     InputOwners owners = box.signals().owners();
     for (String claim : update.recipe().claims()) {
       if (!owners.mayWrite(claim, writer)) {

@@ -439,6 +439,23 @@ final class CellTest {
   }
 
   @Test
+  void robotTimeThatIsBehindIsToldOnce() throws JsonException {
+    Cell cell = cell(FACING + ", \"script\": \"plc.script\"");
+    cell.noteLostTime(0.25);
+    cell.advance();
+    cell.noteLostTime(2);
+    cell.advance();
+    for (String name : List.of("left", "right", "cell")) {
+      long lines =
+          controller(cell, name).logSince(0).stream()
+              .filter(each -> each.text().startsWith("robot time is "))
+              .count();
+      assertEquals(name.equals("left") ? 2 : 0, lines, name);
+      assertEquals(2, state(cell, name).behindS(), name);
+    }
+  }
+
+  @Test
   void idealArmsPassThroughOneAnother() throws JsonException {
     Cell cell =
         cell(

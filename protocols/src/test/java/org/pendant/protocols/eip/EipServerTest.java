@@ -25,6 +25,7 @@ import org.pendant.controller.InstallationCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.CellEquipment;
+import org.pendant.controller.box.WorldCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.device.DeviceSetup;
@@ -45,6 +46,7 @@ import org.pendant.script.vm.ProgramState;
 @Tag("slow")
 class EipServerTest {
   private static final int RPI_US = 20_000;
+  private static final int MOST_READS = 2_000;
   private static final String GET_STATE = "0E 03 2004 2464 3003";
 
   private final RunningBox box =
@@ -348,6 +350,53 @@ class EipServerTest {
     } finally {
       withPlc.close();
     }
+  }
+
+  @Test
+  void anExplicitReadShowsWhatWasWrittenLastByAPlcOfTheCellOrByAScanner() throws Exception {
+    RunningBox withPlc =
+        new RunningBox(
+            ControllerOptions.headless()
+                .withEquipment(
+                    new CellEquipment(
+                        List.of(new DeviceSetup.EthernetIp("plc", 0.002, Map.of())), List.of())),
+            RemoteControl.disabled());
+    try (EipServer beside = EipServer.open(withPlc.serverContext(), PortNumbers.anyFree());
+        EipClient client = EipClient.registered(beside.ports().getFirst().number());
+        Scanner scanner = new Scanner(client, 1)) {
+      set(withPlc, "plc.input_integer_register[0]", 5);
+      assertEquals("8E000000" + Hex.text(ByteBuffer.wrap(control(5))), controlRead(client, 5));
+      set(withPlc, "plc.online", 0);
+      int status = refused(ConnectionFault.OWNERSHIP);
+      while (status == refused(ConnectionFault.OWNERSHIP)) {
+        // until the signals are given back
+        status = scanner.open(builtIn(scanner));
+      }
+      assertEquals(0, status);
+      assertEquals("8E000000" + Hex.text(ByteBuffer.wrap(control(5))), controlRead(client, 5));
+      scanner.run(control(9));
+      assertEquals("8E000000" + Hex.text(ByteBuffer.wrap(control(9))), controlRead(client, 9));
+    } finally {
+      withPlc.close();
+    }
+  }
+
+  private static void set(RunningBox at, String signal, int value) throws Exception {
+    var _ =
+        at.controller()
+            .submit(new WorldCommand.SetSignal(signal, value))
+            .get(RunningBox.GIVE_UP_MS, TimeUnit.MILLISECONDS);
+  }
+
+  /** Instance 112 as an explicit message reads it, as soon as it has a number in register 0. */
+  private static String controlRead(EipClient client, int register0) throws IOException {
+    String has =
+        Hex.text(ByteBuffer.allocate(4).order(ByteOrder.LITTLE_ENDIAN).putInt(0, register0));
+    String read = "";
+    for (int i = 0; i < MOST_READS && !read.startsWith(has, 8 + 2 * 28); i++) {
+      read = client.message("0E 03 2004 2470 3003");
+    }
+    return read;
   }
 
   @Test

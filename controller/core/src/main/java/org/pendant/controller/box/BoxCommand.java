@@ -14,8 +14,14 @@ public sealed interface BoxCommand extends Command {
    * The computer could not keep up: robot time has fallen behind the wall clock.
    *
    * @param behindS by how much since the controller was switched on, s
+   * @param told whether the log says so, at first and when it has grown much
    */
-  record NoteLostTime(double behindS) implements BoxCommand {}
+  record NoteLostTime(double behindS, boolean told) implements BoxCommand {
+    /** One that the log tells. */
+    public NoteLostTime(double behindS) {
+      this(behindS, true);
+    }
+  }
 
   /**
    * Moves the speed slider; refused with the owner's name while another client has taken it.

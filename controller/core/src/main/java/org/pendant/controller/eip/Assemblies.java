@@ -25,6 +25,12 @@ public final class Assemblies {
   private final Map<Integer, AssemblyData> toPlc = new LinkedHashMap<>();
   private final Map<Integer, AssemblyData> fromPlc = new LinkedHashMap<>();
   private final List<AssemblyHandle> handles = new ArrayList<>();
+
+  /**
+   * What a PLC of the cell has written to the built-in assembly, unless another scanner did since.
+   */
+  private Optional<AssemblyData> builtIn = Optional.empty();
+
   private AssemblyImage image = AssemblyImage.EMPTY;
   private boolean changed;
 
@@ -88,6 +94,22 @@ public final class Assemblies {
       }
     }
     return Optional.empty();
+  }
+
+  /** A PLC of the cell has written the built-in assembly. */
+  public void writeBuiltIn(AssemblyData data) {
+    if (builtIn.isEmpty() || !builtIn.get().equals(data)) {
+      builtIn = Optional.of(data);
+      changed = true;
+    }
+  }
+
+  /** A scanner at the port has written the built-in assembly. */
+  public void writtenFromOutside() {
+    if (builtIn.isPresent()) {
+      builtIn = Optional.empty();
+      changed = true;
+    }
   }
 
   /** What the scanner has written. */
@@ -179,7 +201,9 @@ public final class Assemblies {
   public AssemblyImage image() {
     if (changed) {
       changed = false;
-      image = new AssemblyImage(pairs, toPlc, fromPlc);
+      Map<Integer, AssemblyData> written = new LinkedHashMap<>(fromPlc);
+      builtIn.ifPresent(data -> written.put(AssemblyPair.BUILT_IN_FROM_PLC, data));
+      image = new AssemblyImage(pairs, toPlc, written);
     }
     return image;
   }

@@ -49,7 +49,8 @@ public final class AssemblyData {
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof AssemblyData data && Arrays.equals(bytes, data.bytes);
+    return other == this
+        || (other instanceof AssemblyData data && Arrays.equals(bytes, data.bytes));
   }
 
   @Override

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Assembly image: the configured assemblies at the end of a frame, without the two that are built
- * in.
+ * Assembly image: the configured assemblies at the end of a frame. Of the two that are built in
+ * only that from scanner to robot is among them, where a PLC of the cell has written it last.
  *
  * @param pairs in the order in which they were configured
  * @param toPlc what programs have written, by instance

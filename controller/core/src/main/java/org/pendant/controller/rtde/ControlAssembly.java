@@ -4,6 +4,8 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
+import org.pendant.controller.eip.AssemblyData;
 
 /**
  * Control assembly: the built-in one of EtherNet/IP from scanner to robot, instance 112: speed
@@ -16,6 +18,9 @@ public final class ControlAssembly {
 
   /** Registers of each kind in one of the two groups. */
   private static final int GROUP = 12;
+
+  /** Where the registers begin, behind the outputs. */
+  private static final int REGISTERS = 24;
 
   /** What it writes. */
   public static final InputRecipe RECIPE = new InputRecipe(fields());
@@ -51,6 +56,28 @@ public final class ControlAssembly {
     for (int i = first; i < first + GROUP; i++) {
       names.add("input_double_register_" + i);
     }
+  }
+
+  /**
+   * The bytes of a scanner that writes no outputs; floats are 0.
+   *
+   * @param bits boolean input registers 0 to 63, the lowest in bit 0
+   * @param words integer input registers 0 to 23
+   * @param speedFraction where the speed slider goes, 0 to 1; empty for a mask that is not set
+   */
+  public static AssemblyData encode(long bits, List<Integer> words, OptionalDouble speedFraction) {
+    ByteBuffer out = ByteBuffer.allocate(BYTES).order(ByteOrder.LITTLE_ENDIAN);
+    out.putInt(speedFraction.isPresent() ? 1 : 0);
+    out.putFloat((float) speedFraction.orElse(0));
+    out.position(REGISTERS);
+    for (int group = 0; group < 2; group++) {
+      out.putInt((int) (bits >>> (Integer.SIZE * group)));
+      for (int i = 0; i < GROUP; i++) {
+        out.putInt(words.get(GROUP * group + i));
+      }
+      out.position(out.position() + Float.BYTES * GROUP);
+    }
+    return AssemblyData.of(out.flip());
   }
 
   /**
