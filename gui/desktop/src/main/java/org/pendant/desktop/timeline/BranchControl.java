@@ -85,13 +85,13 @@ final class BranchControl {
     }
   }
 
-  /** The question that waits for an answer; empty for none. */
+  /** The question that waits for an answer, short enough for a low dock; empty for none. */
   Optional<String> question() {
     return asking.map(
         state ->
             "Continue from "
                 + LookBack.text(state.timeS())
-                + "? What came after it is given up, and robot time is paused there.");
+                + ", time paused? What came after is given up.");
   }
 
   /** What the branch that is on its way does, 0 to 1; empty while there is none. */

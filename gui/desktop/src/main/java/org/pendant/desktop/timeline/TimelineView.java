@@ -373,6 +373,7 @@ public final class TimelineView implements View {
 
   private void showBranch() {
     question.setText(branch.question().orElse(""));
+    question.setToolTipText(branch.question().orElse(null));
     question.setToolTipText(question.getText());
     question.setForeground(Palette.warning());
     cards.show(

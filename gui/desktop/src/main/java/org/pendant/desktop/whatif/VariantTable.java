@@ -1,5 +1,7 @@
 package org.pendant.desktop.whatif;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Font;
 import java.awt.Graphics;
@@ -118,7 +120,7 @@ final class VariantTable extends JTable {
               .filter(figure -> ResultWords.best(figure, row, results))
               .isPresent();
       setFont(table.getFont().deriveFont(best ? Font.BOLD : Font.PLAIN));
-      setIcon(column == VariantTableModel.NAME ? new Swatch(row) : null);
+      setIcon(column == VariantTableModel.NAME ? new Swatch(Palette.series(row)) : null);
       if (!selected) {
         setForeground(
             best
@@ -132,25 +134,29 @@ final class VariantTable extends JTable {
     }
   }
 
-  /** The colour of a variant's way. */
-  private record Swatch(int number) implements Icon {
-    private static final int WIDTH = 14;
-    private static final int HEIGHT = 4;
+  /** The colour of a variant's way, in a frame that sets it apart from that of a selected row. */
+  record Swatch(Color color) implements Icon {
+    private static final int WIDTH = 16;
+    private static final int HEIGHT = 8;
 
     @Override
     public void paintIcon(Component on, Graphics graphics, int x, int y) {
-      graphics.setColor(Palette.series(number));
-      graphics.fillRect(x, y, WIDTH, HEIGHT);
+      int frame = UIScale.scale(2);
+      graphics.setColor(Palette.card());
+      graphics.fillRect(x, y, getIconWidth(), getIconHeight());
+      graphics.setColor(color);
+      graphics.fillRect(
+          x + frame, y + frame, getIconWidth() - 2 * frame, getIconHeight() - 2 * frame);
     }
 
     @Override
     public int getIconWidth() {
-      return WIDTH;
+      return UIScale.scale(WIDTH);
     }
 
     @Override
     public int getIconHeight() {
-      return HEIGHT;
+      return UIScale.scale(HEIGHT);
     }
   }
 }

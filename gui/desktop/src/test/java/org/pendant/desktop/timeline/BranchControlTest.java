@@ -55,7 +55,12 @@ final class BranchControlTest {
       long frame = lookBack.past().orElseThrow().frame();
 
       branchControl.ask();
-      assertTrue(branchControl.question().orElseThrow().startsWith("Continue from "));
+      assertEquals(
+          Optional.of(
+              "Continue from "
+                  + LookBack.text(lookBack.past().orElseThrow().timeS())
+                  + ", time paused? What came after is given up."),
+          branchControl.question());
       branchControl.confirm();
       assertFalse(branchControl.progress().isEmpty());
       later.poll(30, TimeUnit.SECONDS).run();
