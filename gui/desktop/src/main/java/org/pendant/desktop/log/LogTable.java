@@ -81,12 +81,17 @@ final class LogTable {
   /** Selects a row and brings it in sight; nothing happens for -1. */
   void select(int row) {
     if (row >= 0) {
-      boolean allInSight = table.getPreferredSize().height <= scroll.getViewport().getHeight();
-      presenter.follow(allInSight || row == presenter.rows() - 1);
+      followFrom(row);
       table.getSelectionModel().setSelectionInterval(row, row);
       table.scrollRectToVisible(table.getCellRect(row, 0, true));
       showUnread();
     }
+  }
+
+  /** Who chooses a message wants to read it: newer ones do not move it away. */
+  private void followFrom(int row) {
+    boolean allInSight = table.getPreferredSize().height <= scroll.getViewport().getHeight();
+    presenter.follow(allInSight || row == presenter.rows() - 1);
   }
 
   /** Shows rows that came and went; what is in sight stays there unless the newest is followed. */
@@ -204,6 +209,10 @@ final class LogTable {
       int row = table.rowAtPoint(event.getPoint());
       if (event.isPopupTrigger() && row >= 0 && !table.isRowSelected(row)) {
         table.getSelectionModel().setSelectionInterval(row, row);
+      }
+      if (row >= 0 && presenter.following()) {
+        followFrom(row);
+        showUnread();
       }
     }
 

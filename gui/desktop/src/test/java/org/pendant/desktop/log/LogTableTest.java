@@ -1,0 +1,104 @@
+package org.pendant.desktop.log;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.Rectangle;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JTable;
+import org.junit.jupiter.api.Test;
+import org.pendant.controller.message.LogEntry;
+import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.kit.settings.Settings;
+
+/** The table of messages, in no window. */
+final class LogTableTest {
+  /** Settings that keep nothing. */
+  private record Nothing() implements Settings {
+    @Override
+    public Optional<String> get(String name) {
+      return Optional.empty();
+    }
+
+    @Override
+    public void put(String name, String text) {}
+  }
+
+  private final List<LogLine> written = new ArrayList<>();
+  private final LogPresenter presenter = new LogPresenter(1000);
+
+  private void say(LogTable table, int count) {
+    for (int i = 0; i < count; i++) {
+      long number = written.size() + 1L;
+      LogEntry entry = new LogEntry(number, 0.5, Level.INFO, Origin.SCRIPT, "message " + number);
+      written.add(LogLine.of(number, Instant.EPOCH, LogSource.of(Origin.SCRIPT), entry));
+    }
+    table.changed(
+        presenter.take(
+            written.size(), number -> List.copyOf(written.subList((int) number, written.size()))));
+  }
+
+  @Test
+  void messageThatIsClickedStaysWhereItIsWhileOthersCome() throws Exception {
+    EventQueue.invokeAndWait(
+        () -> {
+          LogTable table =
+              new LogTable(presenter, new LogColumns(new Nothing()), () -> {}, line -> {});
+          table.component().setSize(600, 200);
+          say(table, 100);
+          layOut(table.component());
+          JTable rows = find(table.component()).orElseThrow();
+          assertTrue(presenter.following());
+
+          click(rows, 95);
+          say(table, 20);
+
+          assertEquals(95, table.selectedRow());
+          assertFalse(presenter.following());
+          click(rows, presenter.rows() - 1);
+          assertFalse(presenter.following(), "only people who scroll to the end want to follow");
+        });
+  }
+
+  private static void click(JTable rows, int row) {
+    Rectangle cell = rows.getCellRect(row, 1, false);
+    rows.dispatchEvent(
+        new MouseEvent(
+            rows,
+            MouseEvent.MOUSE_PRESSED,
+            0,
+            InputEvent.BUTTON1_DOWN_MASK,
+            (int) cell.getCenterX(),
+            (int) cell.getCenterY(),
+            1,
+            false,
+            MouseEvent.BUTTON1));
+  }
+
+  private static void layOut(Container in) {
+    in.doLayout();
+    Stream.of(in.getComponents())
+        .filter(Container.class::isInstance)
+        .forEach(each -> layOut((Container) each));
+  }
+
+  private static Optional<JTable> find(Component in) {
+    if (in instanceof JTable table) {
+      return Optional.of(table);
+    }
+    return in instanceof Container inner
+        ? Stream.of(inner.getComponents()).flatMap(each -> find(each).stream()).findFirst()
+        : Optional.empty();
+  }
+}
