@@ -115,7 +115,8 @@ final class WaveformBar extends JPanel {
   private static JPanel together(JComponent... parts) {
     JPanel group = new JPanel(new MigLayout("insets 0, gap 4"));
     for (JComponent each : parts) {
-      group.add(each);
+      // A field without room for its number would look like a line.
+      group.add(each, each instanceof JTextField ? "wmin pref" : "");
     }
     return group;
   }
