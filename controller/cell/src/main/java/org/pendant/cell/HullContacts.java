@@ -34,6 +34,10 @@ final class HullContacts {
   private final int[] near2 = new int[3 * ConvexHull.MAX_POINTS];
   private double[] cut = new double[3 * MAX_CUT];
   private double[] cutNext = new double[3 * MAX_CUT];
+
+  /** How far corners are out of a plane, m. */
+  private final double[] outs = new double[MAX_CUT];
+
   private final double[] place = new double[3];
   private int bestFace;
   private int bestEdge1;
@@ -149,7 +153,10 @@ final class HullContacts {
     if (wide) {
       return true;
     }
-    double byEdges = bestEdges(one, other, Math.max(byFirst, bySecond) + BETTER_M);
+    double depthM = -Math.max(byFirst, bySecond);
+    int count1 = edgesNear(one, other, secondFace, depthM, near1);
+    int count2 = count1 == 0 ? 0 : edgesNear(other, one, firstFace, depthM, near2);
+    double byEdges = bestEdges(one, count1, other, count2, BETTER_M - depthM);
     if (byEdges > Double.NEGATIVE_INFINITY) {
       candidates.clear();
     }
@@ -162,22 +169,23 @@ final class HullContacts {
     return true;
   }
 
-  /** How far the other is out of the face that it is farthest out of, m; below 0 inside. */
+  /**
+   * How far the other is out of the face that it is farthest out of, m; below 0 inside. Begins with
+   * the face that its middle is farthest out of, which mostly is the one.
+   */
   private double bestFace(Polyhedron of, Polyhedron other) {
-    double best = Double.NEGATIVE_INFINITY;
-    double[] middle = other.pose;
+    bestFace = of.facing(other.pose);
     double[] p = of.planes;
-    for (int face = 0; face < of.faces(); face++) {
-      // what is in it reaches at least as far as the ball within it
-      if (of.out(face, middle[9], middle[10], middle[11]) - other.innerM > best + BETTER_M) {
-        int at = 4 * face;
-        double out = other.least(p[at], p[at + 1], p[at + 2]) - p[at + 3];
+    double best = other.least(p, bestFace);
+    double[] middle = other.pose;
+    for (int face = 0; face < of.faces() && best <= 0; face++) {
+      // what is in it reaches at least as far as the ball within it, and as its lowest corner yet
+      if (of.out(face, middle[9], middle[10], middle[11]) - other.innerM > best + BETTER_M
+          && other.lowestOut(p, face) > best + BETTER_M) {
+        double out = other.least(p, face);
         if (out > best + BETTER_M) {
           best = out;
           bestFace = face;
-          if (best > 0) {
-            return best;
-          }
         }
       }
     }
@@ -188,9 +196,7 @@ final class HullContacts {
    * How far both are apart along the best direction across two edges, m; minus infinite where none
    * is better than that.
    */
-  private double bestEdges(Polyhedron one, Polyhedron other, double than) {
-    int count1 = edgesInLens(one, near1);
-    int count2 = edgesInLens(other, near2);
+  private double bestEdges(Polyhedron one, int count1, Polyhedron other, int count2, double than) {
     double best = than;
     boolean any = false;
     for (int i = 0; i < count1; i++) {
@@ -215,23 +221,54 @@ final class HullContacts {
     return any ? best : Double.NEGATIVE_INFINITY;
   }
 
-  /** Edges that reach into the box in which both bodies are. */
-  private int edgesInLens(Polyhedron of, int[] found) {
+  /**
+   * Edges of one solid that may hold the other one: they reach into the box in which both are, and
+   * no face of the other is between. What holds it along some direction is no farther out of it
+   * than it is deep along that direction, and thus than along the best face.
+   *
+   * @param face the one of the other that most edges are out of, as both are farthest apart there
+   * @param found overwritten with them
+   */
+  private int edgesNear(Polyhedron of, Polyhedron other, int face, double depthM, int[] found) {
+    double[] p = of.points;
+    for (int corner = 0; 3 * corner < p.length; corner++) {
+      int at = 3 * corner;
+      outs[corner] = other.out(face, p[at], p[at + 1], p[at + 2]);
+    }
     int count = 0;
-    for (int edge = 0; edge < of.edges.length; edge += 4) {
-      int a = 3 * of.edges[edge];
-      int b = 3 * of.edges[edge + 1];
-      boolean in = true;
-      for (int k = 0; k < 3; k++) {
-        in &=
-            Math.min(of.points[a + k], of.points[b + k]) <= lens6[3 + k]
-                && Math.max(of.points[a + k], of.points[b + k]) >= lens6[k];
-      }
-      if (in) {
+    int[] edges = of.edges;
+    for (int edge = 0; edge < edges.length; edge += 4) {
+      int a = edges[edge];
+      int b = edges[edge + 1];
+      if ((outs[a] <= depthM || outs[b] <= depthM)
+          && inLens(p, 3 * a, 3 * b)
+          && !outOfSome(other, p, 3 * a, 3 * b, depthM)) {
         found[count++] = edge;
       }
     }
     return count;
+  }
+
+  private boolean inLens(double[] p, int from, int to) {
+    for (int k = 0; k < 3; k++) {
+      double a = p[from + k];
+      double b = p[to + k];
+      if (a > lens6[3 + k] && b > lens6[3 + k] || a < lens6[k] && b < lens6[k]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether both ends of an edge are so far out of the same face. */
+  private static boolean outOfSome(Polyhedron of, double[] p, int from, int to, double depthM) {
+    for (int face = 0; face < of.faces(); face++) {
+      if (of.out(face, p[from], p[from + 1], p[from + 2]) > depthM
+          && of.out(face, p[to], p[to + 1], p[to + 2]) > depthM) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**
@@ -326,7 +363,8 @@ final class HullContacts {
   /**
    * Cuts the face of the other that meets a face to what is above it.
    *
-   * @return whether what is left is wider than deep, so that no direction across edges is better
+   * @return whether what of it is inside is wider than deep, so that no direction across edges is
+   *     better by more than a tenth: both have all between it and the face in common
    */
   private boolean faceToFace(Polyhedron of, int face, Polyhedron other, double sign) {
     int at = 4 * face;
@@ -360,16 +398,15 @@ final class HullContacts {
               count);
     }
     double deepest = 0;
-    int all = 0;
     for (int i = 0; i < count; i++) {
-      double depth = -of.out(face, cut[3 * i], cut[3 * i + 1], cut[3 * i + 2]);
-      if (depth > 0) {
-        candidates.put(cut[3 * i], cut[3 * i + 1], cut[3 * i + 2], normal, sign, depth);
-        deepest = Math.max(deepest, depth);
-        all++;
+      outs[i] = of.out(face, cut[3 * i], cut[3 * i + 1], cut[3 * i + 2]);
+      if (outs[i] < 0) {
+        candidates.put(cut[3 * i], cut[3 * i + 1], cut[3 * i + 2], normal, sign, -outs[i]);
+        deepest = Math.max(deepest, -outs[i]);
       }
     }
-    return all == count && all > 2 && widthOfCut(count) > deepest;
+    count = cutAtOuts(count);
+    return count > 2 && widthOfCut(count) > deepest;
   }
 
   /** The area of the face that was cut, over its border: less than half as wide as it is, m. */
@@ -405,12 +442,29 @@ final class HullContacts {
     double y = ez * normal[0] - ex * normal[2];
     double z = ex * normal[1] - ey * normal[0];
     double edge = x * points[from] + y * points[from + 1] + z * points[from + 2];
-    int left = 0;
     for (int i = 0; i < count; i++) {
       int a = 3 * i;
-      int b = 3 * ((i + 1) % count);
-      double outA = x * cut[a] + y * cut[a + 1] + z * cut[a + 2] - edge;
-      double outB = x * cut[b] + y * cut[b + 1] + z * cut[b + 2] - edge;
+      outs[i] = x * cut[a] + y * cut[a + 1] + z * cut[a + 2] - edge;
+    }
+    return cutAtOuts(count);
+  }
+
+  /** Leaves what is on the inner side of a plane that corners are so far out of. */
+  private int cutAtOuts(int count) {
+    boolean whole = true;
+    for (int i = 0; i < count; i++) {
+      whole &= outs[i] <= 0;
+    }
+    if (whole) {
+      return count;
+    }
+    int left = 0;
+    for (int i = 0; i < count; i++) {
+      int next = i + 1 < count ? i + 1 : 0;
+      int a = 3 * i;
+      int b = 3 * next;
+      double outA = outs[i];
+      double outB = outs[next];
       if (outA <= 0) {
         System.arraycopy(cut, a, cutNext, 3 * left++, 3);
       }

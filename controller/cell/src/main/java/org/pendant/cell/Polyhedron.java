@@ -9,6 +9,9 @@ import org.pendant.models.pose.Transforms;
  * allocated once it was made.
  */
 final class Polyhedron {
+  /** Faces are alike that a place is out of by the same, but for so much, m: they stay the same. */
+  private static final double ALIKE_M = 5e-6;
+
   final ConvexHull hull;
 
   /** Its corners in the base frame, m, three numbers each. */
@@ -35,8 +38,13 @@ final class Polyhedron {
   /** Where it is, as {@link Transforms} has it; whoever has the body changes it. */
   final double[] pose;
 
+  /** Corners and planes along its own axes. */
+  private final double[] own;
+
+  private final double[] ownPlanes;
   private final double[] was = new double[Transforms.SIZE];
   private MeshDistance distance;
+  private int lowest;
 
   /**
    * A solid at a pose.
@@ -48,6 +56,14 @@ final class Polyhedron {
     this.pose = pose;
     points = new double[3 * hull.points()];
     planes = new double[4 * hull.faces()];
+    own = new double[points.length];
+    for (int i = 0; i < own.length; i++) {
+      own[i] = hull.coordinate(i / 3, i % 3);
+    }
+    ownPlanes = new double[planes.length];
+    for (int i = 0; i < ownPlanes.length; i++) {
+      ownPlanes[i] = hull.plane(i / 4, i % 4);
+    }
     edges = new int[4 * hull.edges()];
     for (int i = 0; i < edges.length; i++) {
       edges[i] = hull.edge(i / 4, i % 4);
@@ -79,31 +95,34 @@ final class Polyhedron {
     }
     System.arraycopy(pose, 0, was, 0, Transforms.SIZE);
     for (int row = 0; row < 3; row++) {
+      double x = pose[3 * row];
+      double y = pose[3 * row + 1];
+      double z = pose[3 * row + 2];
+      double origin = pose[9 + row];
       double least = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;
-      for (int i = 0; i < points.length; i += 3) {
-        int point = i / 3;
-        double at =
-            pose[9 + row]
-                + pose[3 * row] * hull.coordinate(point, 0)
-                + pose[3 * row + 1] * hull.coordinate(point, 1)
-                + pose[3 * row + 2] * hull.coordinate(point, 2);
+      for (int i = 0; i < own.length; i += 3) {
+        double at = origin + x * own[i] + y * own[i + 1] + z * own[i + 2];
         points[i + row] = at;
-        least = Math.min(least, at);
-        most = Math.max(most, at);
+        if (at < least) {
+          least = at;
+        }
+        if (at > most) {
+          most = at;
+        }
       }
       box6[row] = least;
       box6[3 + row] = most;
     }
-    for (int face = 0; face < hull.faces(); face++) {
-      int at = 4 * face;
-      double out = hull.plane(face, 3);
+    for (int at = 0; at < planes.length; at += 4) {
+      double x = ownPlanes[at];
+      double y = ownPlanes[at + 1];
+      double z = ownPlanes[at + 2];
+      double out = ownPlanes[at + 3];
       for (int row = 0; row < 3; row++) {
-        planes[at + row] =
-            pose[3 * row] * hull.plane(face, 0)
-                + pose[3 * row + 1] * hull.plane(face, 1)
-                + pose[3 * row + 2] * hull.plane(face, 2);
-        out += planes[at + row] * pose[9 + row];
+        double along = pose[3 * row] * x + pose[3 * row + 1] * y + pose[3 * row + 2] * z;
+        planes[at + row] = along;
+        out += along * pose[9 + row];
       }
       planes[at + 3] = out;
     }
@@ -119,13 +138,48 @@ final class Polyhedron {
     return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
   }
 
-  /** The least of its corners along a direction, m. */
-  double least(double x, double y, double z) {
-    double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < points.length; i += 3) {
-      least = Math.min(least, x * points[i] + y * points[i + 1] + z * points[i + 2]);
+  /** The face that the origin of a pose is farthest out of; the first of those that are alike. */
+  int facing(double[] pose12) {
+    double[] p = planes;
+    double x = pose12[9];
+    double y = pose12[10];
+    double z = pose12[11];
+    double most = Double.NEGATIVE_INFINITY;
+    int found = 0;
+    for (int at = 0; at < p.length; at += 4) {
+      double out = p[at] * x + p[at + 1] * y + p[at + 2] * z - p[at + 3];
+      if (out > most + ALIKE_M) {
+        most = out;
+        found = at / 4;
+      }
     }
-    return least;
+    return found;
+  }
+
+  /** How far out of one of some planes its lowest corner is, m. */
+  double least(double[] of, int plane) {
+    double[] p = points;
+    double x = of[4 * plane];
+    double y = of[4 * plane + 1];
+    double z = of[4 * plane + 2];
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < p.length; i += 3) {
+      double along = x * p[i] + y * p[i + 1] + z * p[i + 2];
+      if (along < least) {
+        least = along;
+        lowest = i;
+      }
+    }
+    return least - of[4 * plane + 3];
+  }
+
+  /** How far out of a plane the corner is that was the lowest of the latest plane, m. */
+  double lowestOut(double[] of, int plane) {
+    int at = 4 * plane;
+    return of[at] * points[lowest]
+        + of[at + 1] * points[lowest + 1]
+        + of[at + 2] * points[lowest + 2]
+        - of[at + 3];
   }
 
   /**

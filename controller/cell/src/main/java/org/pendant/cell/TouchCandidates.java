@@ -20,6 +20,10 @@ final class TouchCandidates {
   private final double[] places = new double[3 * MAX_CANDIDATES];
   private final double[] normals = new double[3 * MAX_CANDIDATES];
   private final double[] depths = new double[MAX_CANDIDATES];
+
+  /** How far each is from the nearest that is chosen, squared, m^2. */
+  private final double[] least2 = new double[MAX_CANDIDATES];
+
   private final int[] kept = new int[MAX_CHOSEN];
   private int count;
 
@@ -83,19 +87,21 @@ final class TouchCandidates {
     return deepest;
   }
 
+  /** The one farthest from all that are chosen; the latest of these is looked at first here. */
   private int farthest(int chosen) {
     int farthest = -1;
     double most2 = SAME_M * SAME_M;
+    int latest = 3 * kept[chosen - 1];
     for (int i = 0; i < count; i++) {
-      double least2 = Double.POSITIVE_INFINITY;
-      for (int k = 0; k < chosen; k++) {
-        double x = places[3 * i] - places[3 * kept[k]];
-        double y = places[3 * i + 1] - places[3 * kept[k] + 1];
-        double z = places[3 * i + 2] - places[3 * kept[k] + 2];
-        least2 = Math.min(least2, x * x + y * y + z * z);
+      double x = places[3 * i] - places[latest];
+      double y = places[3 * i + 1] - places[latest + 1];
+      double z = places[3 * i + 2] - places[latest + 2];
+      double square = x * x + y * y + z * z;
+      if (chosen == 1 || square < least2[i]) {
+        least2[i] = square;
       }
-      if (least2 > most2 * (1 + 1e-9)) {
-        most2 = least2;
+      if (least2[i] > most2 * (1 + 1e-9)) {
+        most2 = least2[i];
         farthest = i;
       }
     }
