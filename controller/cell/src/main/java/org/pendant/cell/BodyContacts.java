@@ -1,6 +1,7 @@
 package org.pendant.cell;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.ode4j.ode.DContactGeomBuffer;
 
@@ -15,6 +16,9 @@ final class BodyContacts {
   private static final double SAME_PLACE_M2 = 1e-4;
 
   private static final int MAX_ROUNDS = 30;
+
+  /** Room for places, to begin with. */
+  private static final int MIN_PLACES = 16;
 
   /** Change of speed below which another round is not worth it, m/s. */
   private static final double ACCURACY_M_PER_S = 3e-7;
@@ -33,10 +37,10 @@ final class BodyContacts {
   private final int[] islandOf;
 
   /** Places of this step; those of the step before, whose impulses this one begins with. */
-  private List<ContactPlace> places = new ArrayList<>();
+  private ContactPlace[] places = new ContactPlace[0];
 
   private int placeCount;
-  private List<ContactPlace> before = new ArrayList<>();
+  private ContactPlace[] before = new ContactPlace[0];
   private int beforeCount;
 
   /** For each two bodies: the first of their places in the step before and one, 0 for none. */
@@ -96,7 +100,7 @@ final class BodyContacts {
   /** Finds the impulses, and gives the bodies the speeds that they have after them. */
   void solve(double stepS) {
     for (int i = 0; i < placeCount; i++) {
-      beginWithBefore(places.get(i));
+      beginWithBefore(places[i]);
     }
     for (int i = 0; i < holds.size(); i++) {
       holds.get(i).begin(stepS);
@@ -108,30 +112,52 @@ final class BodyContacts {
         again = true;
       }
     }
+    for (int i = 0; i < awakeCount; i++) {
+      awake[i].stirred = 0;
+    }
     for (int round = 0; round < MAX_ROUNDS && again; round++) {
-      again = false;
-      for (int i = 0; i < placeCount; i++) {
-        ContactPlace place = places.get(round % 2 == 0 ? i : placeCount - 1 - i);
-        again |= place.solve() * place.first.inverseMass > ACCURACY_M_PER_S;
-      }
-      for (int i = 0; i < holds.size(); i++) {
-        BodyHold hold = holds.get(i);
-        again |= hold.solve() * hold.body.inverseMass > ACCURACY_M_PER_S;
-      }
-      for (int i = 0; i < guides.size(); i++) {
-        BodyGuide guide = guides.get(i);
-        again |= guide.active() && guide.solve() * guide.body.inverseMass > ACCURACY_M_PER_S;
-      }
+      again = correct(round);
     }
     for (int i = 0; i < holds.size(); i++) {
       holds.get(i).end(stepS);
     }
     for (int i = 0; i < placeCount; i++) {
-      ContactPlace place = places.get(i);
+      ContactPlace place = places[i];
       if (place.second.kinematic()) {
         place.addWrench(stepS);
       }
     }
+  }
+
+  /** Corrects all impulses where a body was stirred in this round or the one before it. */
+  private boolean correct(int round) {
+    boolean again = false;
+    for (int i = 0; i < placeCount; i++) {
+      ContactPlace place = places[round % 2 == 0 ? i : placeCount - 1 - i];
+      if ((place.first.stirred >= round - 1 || place.second.stirred >= round - 1)
+          && place.solve() * place.first.inverseMass > ACCURACY_M_PER_S) {
+        place.first.stirred = round;
+        if (place.second.free()) {
+          place.second.stirred = round;
+        }
+        again = true;
+      }
+    }
+    for (int i = 0; i < holds.size(); i++) {
+      BodyHold hold = holds.get(i);
+      if (hold.solve() * hold.body.inverseMass > ACCURACY_M_PER_S) {
+        hold.body.stirred = round;
+        again = true;
+      }
+    }
+    for (int i = 0; i < guides.size(); i++) {
+      BodyGuide guide = guides.get(i);
+      if (guide.active() && guide.solve() * guide.body.inverseMass > ACCURACY_M_PER_S) {
+        guide.body.stirred = round;
+        again = true;
+      }
+    }
+    return again;
   }
 
   /** Puts groups of bodies to sleep that hold one another and have all rested for a while. */
@@ -154,7 +180,7 @@ final class BodyContacts {
   List<BodyContact> list(double stepS) {
     List<BodyContact> list = new ArrayList<>();
     for (int i = 0; i < placeCount; i++) {
-      ContactPlace place = places.get(i);
+      ContactPlace place = places[i];
       list.add(
           new BodyContact(
               place.first.description.name(),
@@ -205,26 +231,33 @@ final class BodyContacts {
     BodyPart other = second.parts[otherPart];
     int count = one.apart(other) ? 0 : narrowPhase.find(one, other, buffer);
     for (int i = 0; i < count; i++) {
-      if (placeCount == places.size()) {
-        places.add(new ContactPlace());
+      if (placeCount == places.length) {
+        grow();
       }
-      ContactPlace place = places.get(placeCount++);
+      ContactPlace place = places[placeCount++];
       place.set(first, second, buffer.get(i), count, stepS);
       place.parts = part * BodyShape.Compound.MAX_PARTS + otherPart;
     }
   }
 
+  private void grow() {
+    places = Arrays.copyOf(places, Math.max(MIN_PLACES, 2 * placeCount));
+    for (int i = placeCount; i < places.length; i++) {
+      places[i] = new ContactPlace();
+    }
+  }
+
   private void remember() {
     for (int i = 0; i < beforeCount; i++) {
-      beforeOf[pair(before.get(i))] = 0;
+      beforeOf[pair(before[i])] = 0;
     }
-    List<ContactPlace> old = before;
+    ContactPlace[] old = before;
     before = places;
     beforeCount = placeCount;
     places = old;
     placeCount = 0;
     for (int i = beforeCount - 1; i >= 0; i--) {
-      beforeOf[pair(before.get(i))] = i + 1;
+      beforeOf[pair(before[i])] = i + 1;
     }
   }
 
@@ -233,12 +266,12 @@ final class BodyContacts {
     ContactPlace nearest = null;
     double least = SAME_PLACE_M2;
     for (int i = beforeOf[pair] - 1;
-        i >= 0 && i < beforeCount && pair(before.get(i)) == pair;
+        i >= 0 && i < beforeCount && pair(before[i]) == pair;
         i++) {
-      double square = place.squareTo(before.get(i));
-      if (square < least && place.parts == before.get(i).parts) {
+      double square = place.squareTo(before[i]);
+      if (square < least && place.parts == before[i].parts) {
         least = square;
-        nearest = before.get(i);
+        nearest = before[i];
       }
     }
     if (nearest != null) {

@@ -47,6 +47,9 @@ final class CellBody {
   /** What guides it; null where nothing does. */
   BodyGuide guide;
 
+  /** The latest round of the solver in which its speed was changed. */
+  int stirred;
+
   /** Whether something touched it in the latest step. */
   boolean touched;
 

@@ -139,25 +139,26 @@ final class ContactPlace {
     double t1 = tangentImpulse1 - tangentMass * (along1.speed() - belt1);
     double t2 = tangentImpulse2 - tangentMass * (along2.speed() - belt2);
     double most = friction * normalImpulse;
-    double size = Math.sqrt(t1 * t1 + t2 * t2);
-    if (size > most) {
-      t1 *= most / size;
-      t2 *= most / size;
+    double square = t1 * t1 + t2 * t2;
+    if (square > most * most) {
+      double share = most / Math.sqrt(square);
+      t1 *= share;
+      t2 *= share;
     }
     double d1 = t1 - tangentImpulse1;
     double d2 = t2 - tangentImpulse2;
     tangentImpulse1 = t1;
     tangentImpulse2 = t2;
-    along1.hit(d1);
-    along2.hit(d2);
+    ContactRow.hit(along1, d1, along2, d2);
     double n =
-        Math.max(
-            0,
-            normalImpulse
-                + normalMass * (leavingSpeed - alongNormal.speed() - softness * normalImpulse));
+        normalImpulse
+            + normalMass * (leavingSpeed - alongNormal.speed() - softness * normalImpulse);
+    n = n > 0 ? n : 0;
     double dn = n - normalImpulse;
     normalImpulse = n;
-    alongNormal.hit(dn);
+    if (dn != 0) {
+      alongNormal.hit(dn);
+    }
     return Math.abs(dn) + Math.abs(d1) + Math.abs(d2);
   }
 

@@ -109,6 +109,31 @@ final class ContactRow {
     }
   }
 
+  /** Gives both bodies impulses along two rows of the same place at once, Ns. */
+  static void hit(ContactRow a, double impulseA, ContactRow b, double impulseB) {
+    double x = impulseA * a.x + impulseB * b.x;
+    double y = impulseA * a.y + impulseB * b.y;
+    double z = impulseA * a.z + impulseB * b.z;
+    double[] one = a.twist1;
+    double light = a.inverseMass1;
+    one[0] += light * x;
+    one[1] += light * y;
+    one[2] += light * z;
+    one[3] += impulseA * a.turn1X + impulseB * b.turn1X;
+    one[4] += impulseA * a.turn1Y + impulseB * b.turn1Y;
+    one[5] += impulseA * a.turn1Z + impulseB * b.turn1Z;
+    double heavy = a.inverseMass2;
+    if (heavy > 0) {
+      double[] other = a.twist2;
+      other[0] -= heavy * x;
+      other[1] -= heavy * y;
+      other[2] -= heavy * z;
+      other[3] -= impulseA * a.turn2X + impulseB * b.turn2X;
+      other[4] -= impulseA * a.turn2Y + impulseB * b.turn2Y;
+      other[5] -= impulseA * a.turn2Z + impulseB * b.turn2Z;
+    }
+  }
+
   /** The speed along this direction that an impulse of 1 Ns along another one gives, m/s. */
   double yielding(ContactRow other) {
     double yielding =
