@@ -54,6 +54,11 @@ final class ContactPlace {
   /** Where this is on the first body, along its own axes. */
   private final double[] onFirst = new double[3];
 
+  /** Speed along the normal that an impulse of 1 Ns along a tangent gives, m/s. */
+  private double normalOf1;
+
+  private double normalOf2;
+  private boolean secondMoves;
   private double normalMass;
   private double tangentMass;
   private double softness;
@@ -106,6 +111,9 @@ final class ContactPlace {
       }
     }
     normalMass = 1 / (yielding + softness);
+    normalOf1 = alongNormal.yielding(along1);
+    normalOf2 = alongNormal.yielding(along2);
+    secondMoves = other.description.motion() != BodyMotion.FIXED;
     double k11 = along1.yielding(along1);
     double k22 = along2.yielding(along2);
     double k12 = along1.yielding(along2);
@@ -129,15 +137,25 @@ final class ContactPlace {
     double z = before.tangentImpulse(2);
     tangentImpulse1 = x * tangent1[0] + y * tangent1[1] + z * tangent1[2];
     tangentImpulse2 = x * tangent2[0] + y * tangent2[1] + z * tangent2[2];
-    alongNormal.hit(normalImpulse);
-    along1.hit(tangentImpulse1);
-    along2.hit(tangentImpulse2);
+    ContactRow.hit(alongNormal, normalImpulse, along1, tangentImpulse1, along2, tangentImpulse2);
   }
 
   /** Corrects the impulse; answers by how much, Ns. */
   double solve() {
-    double t1 = tangentImpulse1 - tangentMass * (along1.speed() - belt1);
-    double t2 = tangentImpulse2 - tangentMass * (along2.speed() - belt2);
+    double[] one = first.twist;
+    double[] arm = arm1;
+    double vx = one[0] + one[4] * arm[2] - one[5] * arm[1];
+    double vy = one[1] + one[5] * arm[0] - one[3] * arm[2];
+    double vz = one[2] + one[3] * arm[1] - one[4] * arm[0];
+    if (secondMoves) {
+      double[] other = second.twist;
+      arm = arm2;
+      vx -= other[0] + other[4] * arm[2] - other[5] * arm[1];
+      vy -= other[1] + other[5] * arm[0] - other[3] * arm[2];
+      vz -= other[2] + other[3] * arm[1] - other[4] * arm[0];
+    }
+    double t1 = tangentImpulse1 - tangentMass * (along1.part(vx, vy, vz) - belt1);
+    double t2 = tangentImpulse2 - tangentMass * (along2.part(vx, vy, vz) - belt2);
     double most = friction * normalImpulse;
     double square = t1 * t1 + t2 * t2;
     if (square > most * most) {
@@ -147,18 +165,14 @@ final class ContactPlace {
     }
     double d1 = t1 - tangentImpulse1;
     double d2 = t2 - tangentImpulse2;
-    tangentImpulse1 = t1;
-    tangentImpulse2 = t2;
-    ContactRow.hit(along1, d1, along2, d2);
-    double n =
-        normalImpulse
-            + normalMass * (leavingSpeed - alongNormal.speed() - softness * normalImpulse);
+    double speed = alongNormal.part(vx, vy, vz) + d1 * normalOf1 + d2 * normalOf2;
+    double n = normalImpulse + normalMass * (leavingSpeed - speed - softness * normalImpulse);
     n = n > 0 ? n : 0;
     double dn = n - normalImpulse;
+    tangentImpulse1 = t1;
+    tangentImpulse2 = t2;
     normalImpulse = n;
-    if (dn != 0) {
-      alongNormal.hit(dn);
-    }
+    ContactRow.hit(alongNormal, dn, along1, d1, along2, d2);
     return Math.abs(dn) + Math.abs(d1) + Math.abs(d2);
   }
 

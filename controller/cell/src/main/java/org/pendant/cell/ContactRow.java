@@ -87,50 +87,39 @@ final class ContactRow {
     return speed;
   }
 
-  /** Gives both bodies an impulse, Ns, which pushes them apart. */
-  void hit(double impulse) {
-    double[] one = twist1;
-    double light = impulse * inverseMass1;
-    one[0] += light * x;
-    one[1] += light * y;
-    one[2] += light * z;
-    one[3] += impulse * turn1X;
-    one[4] += impulse * turn1Y;
-    one[5] += impulse * turn1Z;
-    if (inverseMass2 > 0) {
-      double[] other = twist2;
-      double heavy = impulse * inverseMass2;
-      other[0] -= heavy * x;
-      other[1] -= heavy * y;
-      other[2] -= heavy * z;
-      other[3] -= impulse * turn2X;
-      other[4] -= impulse * turn2Y;
-      other[5] -= impulse * turn2Z;
-    }
+  /** The part of a speed along this direction, m/s. */
+  double part(double vx, double vy, double vz) {
+    return x * vx + y * vy + z * vz;
   }
 
-  /** Gives both bodies impulses along two rows of the same place at once, Ns. */
-  static void hit(ContactRow a, double impulseA, ContactRow b, double impulseB) {
-    double x = impulseA * a.x + impulseB * b.x;
-    double y = impulseA * a.y + impulseB * b.y;
-    double z = impulseA * a.z + impulseB * b.z;
+  /** Gives both bodies impulses along the rows of a place, Ns, which push them apart. */
+  static void hit(
+      ContactRow a,
+      double impulseA,
+      ContactRow b,
+      double impulseB,
+      ContactRow c,
+      double impulseC) {
+    double x = impulseA * a.x + impulseB * b.x + impulseC * c.x;
+    double y = impulseA * a.y + impulseB * b.y + impulseC * c.y;
+    double z = impulseA * a.z + impulseB * b.z + impulseC * c.z;
     double[] one = a.twist1;
     double light = a.inverseMass1;
     one[0] += light * x;
     one[1] += light * y;
     one[2] += light * z;
-    one[3] += impulseA * a.turn1X + impulseB * b.turn1X;
-    one[4] += impulseA * a.turn1Y + impulseB * b.turn1Y;
-    one[5] += impulseA * a.turn1Z + impulseB * b.turn1Z;
+    one[3] += impulseA * a.turn1X + impulseB * b.turn1X + impulseC * c.turn1X;
+    one[4] += impulseA * a.turn1Y + impulseB * b.turn1Y + impulseC * c.turn1Y;
+    one[5] += impulseA * a.turn1Z + impulseB * b.turn1Z + impulseC * c.turn1Z;
     double heavy = a.inverseMass2;
     if (heavy > 0) {
       double[] other = a.twist2;
       other[0] -= heavy * x;
       other[1] -= heavy * y;
       other[2] -= heavy * z;
-      other[3] -= impulseA * a.turn2X + impulseB * b.turn2X;
-      other[4] -= impulseA * a.turn2Y + impulseB * b.turn2Y;
-      other[5] -= impulseA * a.turn2Z + impulseB * b.turn2Z;
+      other[3] -= impulseA * a.turn2X + impulseB * b.turn2X + impulseC * c.turn2X;
+      other[4] -= impulseA * a.turn2Y + impulseB * b.turn2Y + impulseC * c.turn2Y;
+      other[5] -= impulseA * a.turn2Z + impulseB * b.turn2Z + impulseC * c.turn2Z;
     }
   }
 
