@@ -265,9 +265,7 @@ final class BodyContacts {
     int pair = pair(place);
     ContactPlace nearest = null;
     double least = SAME_PLACE_M2;
-    for (int i = beforeOf[pair] - 1;
-        i >= 0 && i < beforeCount && pair(before[i]) == pair;
-        i++) {
+    for (int i = beforeOf[pair] - 1; i >= 0 && i < beforeCount && pair(before[i]) == pair; i++) {
       double square = place.squareTo(before[i]);
       if (square < least && place.parts == before[i].parts) {
         least = square;

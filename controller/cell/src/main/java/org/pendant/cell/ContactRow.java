@@ -94,12 +94,7 @@ final class ContactRow {
 
   /** Gives both bodies impulses along the rows of a place, Ns, which push them apart. */
   static void hit(
-      ContactRow a,
-      double impulseA,
-      ContactRow b,
-      double impulseB,
-      ContactRow c,
-      double impulseC) {
+      ContactRow a, double impulseA, ContactRow b, double impulseB, ContactRow c, double impulseC) {
     double x = impulseA * a.x + impulseB * b.x + impulseC * c.x;
     double y = impulseA * a.y + impulseB * b.y + impulseC * c.y;
     double z = impulseA * a.z + impulseB * b.z + impulseC * c.z;

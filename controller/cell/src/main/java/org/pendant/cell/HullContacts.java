@@ -1,5 +1,6 @@
 package org.pendant.cell;
 
+import java.util.Arrays;
 import org.ode4j.ode.DContactGeomBuffer;
 import org.pendant.models.mesh.ConvexHull;
 
@@ -18,6 +19,20 @@ final class HullContacts {
   /** A later direction has to be so much better than an earlier one, m: places stay. */
   private static final double BETTER_M = 5e-6;
 
+  /** A face holds what meets it alone if that is at least so deep, as a share of the overlap. */
+  private static final double DEEP_SHARE = 0.9;
+
+  /** Depths that differ by less are alike, m: a flat face that rests leans by that. */
+  private static final double ALIKE_M = 5e-5;
+
+  /**
+   * Solids that may be apart, though no face tells, are looked at across edges that are so near, m.
+   */
+  private static final double GAP_M = 2e-3;
+
+  /** Corners that are no deeper are where a face was cut at the other, m. */
+  private static final double ON_FACE_M = 1e-9;
+
   /** Edges with less than this between them, as a sine, have no direction across both. */
   private static final double PARALLEL = 1e-4;
 
@@ -35,11 +50,20 @@ final class HullContacts {
   private double[] cut = new double[3 * MAX_CUT];
   private double[] cutNext = new double[3 * MAX_CUT];
 
-  /** How far corners are out of a plane, m. */
+  /** A ball around what is cut, in the base frame, m. */
+  private final double[] ballAt = new double[3];
+
+  private double ballM;
+
+  /** How far corners are out of a plane, or a middle of planes, m. */
   private final double[] outs = new double[MAX_CUT];
 
   private final double[] place = new double[3];
   private int bestFace;
+
+  /** Whether the solids have a place in common for sure. */
+  private boolean overlap;
+
   private int bestEdge1;
   private int bestEdge2;
 
@@ -146,16 +170,18 @@ final class HullContacts {
     if (byFirst > 0) {
       return false;
     }
+    boolean first = byFirst > bySecond + BETTER_M;
     boolean wide =
-        byFirst > bySecond + BETTER_M
-            ? faceToFace(one, firstFace, other, -1)
-            : faceToFace(other, secondFace, one, 1);
+        first
+            ? faceToFace(one, firstFace, other, -byFirst, -1)
+            : faceToFace(other, secondFace, one, -bySecond, 1);
     if (wide) {
       return true;
     }
     double depthM = -Math.max(byFirst, bySecond);
-    int count1 = edgesNear(one, other, secondFace, depthM, near1);
-    int count2 = count1 == 0 ? 0 : edgesNear(other, one, firstFace, depthM, near2);
+    double nearM = overlap ? depthM : Math.max(depthM, GAP_M);
+    int count1 = edgesNear(one, other, secondFace, nearM, near1);
+    int count2 = count1 == 0 ? 0 : edgesNear(other, one, firstFace, nearM, near2);
     double byEdges = bestEdges(one, count1, other, count2, BETTER_M - depthM);
     if (byEdges > Double.NEGATIVE_INFINITY) {
       candidates.clear();
@@ -165,6 +191,26 @@ final class HullContacts {
     }
     if (byEdges > Double.NEGATIVE_INFINITY) {
       cross(one, other, -byEdges);
+    } else if (!overlap) {
+      return first ? lowestIn(one, other, depthM, -1) : lowestIn(other, one, depthM, 1);
+    }
+    return true;
+  }
+
+  /**
+   * Whether two solids touch that may as well be apart across some edges: the corner of the other
+   * that is lowest along {@link #normal} holds it if no place else does.
+   */
+  private boolean lowestIn(Polyhedron of, Polyhedron other, double depthM, double sign) {
+    double[] p = other.points;
+    int at = other.lowest(normal);
+    if (!of.holds(p[at], p[at + 1], p[at + 2])
+        && bestEdges(of, all(of, near1), other, all(other, near2), 0) > 0) {
+      candidates.clear();
+      return false;
+    }
+    if (candidates.empty()) {
+      candidates.put(p[at], p[at + 1], p[at + 2], normal, sign, depthM);
     }
     return true;
   }
@@ -174,14 +220,21 @@ final class HullContacts {
    * the face that its middle is farthest out of, which mostly is the one.
    */
   private double bestFace(Polyhedron of, Polyhedron other) {
-    bestFace = of.facing(other.pose);
     double[] p = of.planes;
-    double best = other.least(p, bestFace);
+    int faces = p.length / 4;
     double[] middle = other.pose;
-    for (int face = 0; face < of.faces() && best <= 0; face++) {
+    of.outs(middle[9], middle[10], middle[11], outs);
+    bestFace = 0;
+    for (int face = 1; face < faces; face++) {
+      if (outs[face] > outs[bestFace] + BETTER_M) {
+        bestFace = face;
+      }
+    }
+    double best = other.least(p, bestFace);
+    double inner = other.innerM;
+    for (int face = 0; face < faces && best <= 0; face++) {
       // what is in it reaches at least as far as the ball within it, and as its lowest corner yet
-      if (of.out(face, middle[9], middle[10], middle[11]) - other.innerM > best + BETTER_M
-          && other.lowestOut(p, face) > best + BETTER_M) {
+      if (outs[face] - inner > best + BETTER_M && other.lowestOut(p, face) > best + BETTER_M) {
         double out = other.least(p, face);
         if (out > best + BETTER_M) {
           best = out;
@@ -222,26 +275,30 @@ final class HullContacts {
   }
 
   /**
-   * Edges of one solid that may hold the other one: they reach into the box in which both are, and
-   * no face of the other is between. What holds it along some direction is no farther out of it
-   * than it is deep along that direction, and thus than along the best face.
+   * Edges of one solid that may hold the other one, or are nearest to it: they reach into the box
+   * in which both are, and no face of the other is between. What holds it along some direction is
+   * no farther out of it than it is deep along that direction, and thus than along the best face.
    *
    * @param face the one of the other that most edges are out of, as both are farthest apart there
    * @param found overwritten with them
    */
   private int edgesNear(Polyhedron of, Polyhedron other, int face, double depthM, int[] found) {
     double[] p = of.points;
-    for (int corner = 0; 3 * corner < p.length; corner++) {
-      int at = 3 * corner;
-      outs[corner] = other.out(face, p[at], p[at + 1], p[at + 2]);
+    double[] planes = other.planes;
+    double x = planes[4 * face];
+    double y = planes[4 * face + 1];
+    double z = planes[4 * face + 2];
+    double most = planes[4 * face + 3] + depthM;
+    for (int corner = 0, at = 0; at < p.length; corner++, at += 3) {
+      outs[corner] = x * p[at] + y * p[at + 1] + z * p[at + 2] - most;
     }
     int count = 0;
     int[] edges = of.edges;
     for (int edge = 0; edge < edges.length; edge += 4) {
       int a = edges[edge];
       int b = edges[edge + 1];
-      if ((outs[a] <= depthM || outs[b] <= depthM)
-          && inLens(p, 3 * a, 3 * b)
+      if ((outs[a] <= 0 || outs[b] <= 0)
+          && inLens(p, 3 * a, 3 * b, depthM)
           && !outOfSome(other, p, 3 * a, 3 * b, depthM)) {
         found[count++] = edge;
       }
@@ -249,11 +306,20 @@ final class HullContacts {
     return count;
   }
 
-  private boolean inLens(double[] p, int from, int to) {
+  private static int all(Polyhedron of, int[] found) {
+    for (int i = 0; 4 * i < of.edges.length; i++) {
+      found[i] = 4 * i;
+    }
+    return of.edges.length / 4;
+  }
+
+  private boolean inLens(double[] p, int from, int to, double nearM) {
     for (int k = 0; k < 3; k++) {
       double a = p[from + k];
       double b = p[to + k];
-      if (a > lens6[3 + k] && b > lens6[3 + k] || a < lens6[k] && b < lens6[k]) {
+      double least = lens6[k] - nearM;
+      double most = lens6[3 + k] + nearM;
+      if (a > most && b > most || a < least && b < least) {
         return false;
       }
     }
@@ -262,7 +328,7 @@ final class HullContacts {
 
   /** Whether both ends of an edge are so far out of the same face. */
   private static boolean outOfSome(Polyhedron of, double[] p, int from, int to, double depthM) {
-    for (int face = 0; face < of.faces(); face++) {
+    for (int face = 0, faces = of.faces(); face < faces; face++) {
       if (of.out(face, p[from], p[from + 1], p[from + 2]) > depthM
           && of.out(face, p[to], p[to + 1], p[to + 2]) > depthM) {
         return true;
@@ -363,30 +429,26 @@ final class HullContacts {
   /**
    * Cuts the face of the other that meets a face to what is above it.
    *
-   * @return whether what of it is inside is wider than deep, so that no direction across edges is
-   *     better by more than a tenth: both have all between it and the face in common
+   * @return whether what of it is inside is so wide that no direction across edges is much better:
+   *     where both do not become narrower behind their faces, all between these is in both
    */
-  private boolean faceToFace(Polyhedron of, int face, Polyhedron other, double sign) {
-    int at = 4 * face;
+  private boolean faceToFace(
+      Polyhedron of, int face, Polyhedron other, double overlapM, double sign) {
     for (int k = 0; k < 3; k++) {
-      normal[k] = of.planes[at + k];
+      normal[k] = of.planes[4 * face + k];
     }
-    int meets = 0;
-    double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < other.faces(); i++) {
-      double dot =
-          normal[0] * other.planes[4 * i]
-              + normal[1] * other.planes[4 * i + 1]
-              + normal[2] * other.planes[4 * i + 2];
-      if (dot < least) {
-        least = dot;
-        meets = i;
-      }
-    }
+    int meets = other.against(normal);
     int count = 0;
     for (int i = other.firstCorner[meets]; i < other.firstCorner[meets + 1]; i++) {
-      System.arraycopy(other.points, 3 * other.corners[i], cut, 3 * count++, 3);
+      int from = 3 * other.corners[i];
+      for (int k = 0; k < 3; k++) {
+        cut[3 * count + k] = other.points[from + k];
+      }
+      outs[count] = of.out(face, cut[3 * count], cut[3 * count + 1], cut[3 * count + 2]);
+      count++;
     }
+    count = cutAtOuts(count);
+    surround(count);
     int first = of.firstCorner[face];
     int corners = of.firstCorner[face + 1] - first;
     for (int i = 0; i < corners && count > 0; i++) {
@@ -394,19 +456,43 @@ final class HullContacts {
           cutAlong(
               of.points,
               3 * of.corners[first + i],
-              3 * of.corners[first + (i + 1) % corners],
+              3 * of.corners[first + (i + 1 < corners ? i + 1 : 0)],
               count);
     }
     double deepest = 0;
-    for (int i = 0; i < count; i++) {
-      outs[i] = of.out(face, cut[3 * i], cut[3 * i + 1], cut[3 * i + 2]);
-      if (outs[i] < 0) {
-        candidates.put(cut[3 * i], cut[3 * i + 1], cut[3 * i + 2], normal, sign, -outs[i]);
-        deepest = Math.max(deepest, -outs[i]);
+    int at = 0;
+    for (int i = 0; i < 3 * count; i += 3) {
+      double depth = -of.out(face, cut[i], cut[i + 1], cut[i + 2]);
+      if (depth > ON_FACE_M) {
+        candidates.put(cut[i], cut[i + 1], cut[i + 2], normal, sign, depth);
+        at = depth > deepest ? i : at;
+        deepest = Math.max(deepest, depth);
       }
     }
-    count = cutAtOuts(count);
-    return count > 2 && widthOfCut(count) > deepest;
+    overlap = deepest > 0 && of.holds(cut[at], cut[at + 1], cut[at + 2]);
+    return overlap
+        && of.upright[face]
+        && other.upright[meets]
+        && deepest > DEEP_SHARE * overlapM - ALIKE_M
+        && widthOfCut(count) > overlapM;
+  }
+
+  /** Finds a ball around what is cut: most edges need to look at no more than that. */
+  private void surround(int count) {
+    Arrays.fill(ballAt, 0);
+    for (int i = 0; i < count; i++) {
+      for (int k = 0; k < 3; k++) {
+        ballAt[k] += cut[3 * i + k] / count;
+      }
+    }
+    double most = 0;
+    for (int i = 0; i < 3 * count; i += 3) {
+      double x = cut[i] - ballAt[0];
+      double y = cut[i + 1] - ballAt[1];
+      double z = cut[i + 2] - ballAt[2];
+      most = Math.max(most, x * x + y * y + z * z);
+    }
+    ballM = Math.sqrt(most);
   }
 
   /** The area of the face that was cut, over its border: less than half as wide as it is, m. */
@@ -442,6 +528,14 @@ final class HullContacts {
     double y = ez * normal[0] - ex * normal[2];
     double z = ex * normal[1] - ey * normal[0];
     double edge = x * points[from] + y * points[from + 1] + z * points[from + 2];
+    double ball = ballM * Math.sqrt(x * x + y * y + z * z);
+    double middle = x * ballAt[0] + y * ballAt[1] + z * ballAt[2] - edge;
+    if (middle + ball <= 0) {
+      return count;
+    }
+    if (middle - ball > 0) {
+      return 0;
+    }
     for (int i = 0; i < count; i++) {
       int a = 3 * i;
       outs[i] = x * cut[a] + y * cut[a + 1] + z * cut[a + 2] - edge;

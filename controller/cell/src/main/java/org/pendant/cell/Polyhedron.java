@@ -1,5 +1,6 @@
 package org.pendant.cell;
 
+import java.util.Arrays;
 import org.pendant.models.mesh.ConvexHull;
 import org.pendant.models.mesh.MeshDistance;
 import org.pendant.models.pose.Transforms;
@@ -9,8 +10,11 @@ import org.pendant.models.pose.Transforms;
  * allocated once it was made.
  */
 final class Polyhedron {
-  /** Faces are alike that a place is out of by the same, but for so much, m: they stay the same. */
-  private static final double ALIKE_M = 5e-6;
+  /** An edge is sharp if its faces lean over each other by more, as a sine. */
+  private static final double SHARP = 1e-3;
+
+  /** What is so near a face is within, m. */
+  private static final double ON_FACE_M = 1e-9;
 
   final ConvexHull hull;
 
@@ -28,6 +32,9 @@ final class Polyhedron {
 
   /** Where the corners of a face begin; one more at the end. */
   final int[] firstCorner;
+
+  /** Whether the solid does not become narrower behind a face: its neighbours are not sharp. */
+  final boolean[] upright;
 
   /** The box around it along the axes of the base: least, then most, m. */
   final double[] box6 = new double[6];
@@ -68,6 +75,7 @@ final class Polyhedron {
     for (int i = 0; i < edges.length; i++) {
       edges[i] = hull.edge(i / 4, i % 4);
     }
+    upright = upright();
     firstCorner = new int[hull.faces() + 1];
     double inner = Double.POSITIVE_INFINITY;
     for (int face = 0; face < hull.faces(); face++) {
@@ -84,6 +92,24 @@ final class Polyhedron {
     was[0] = Double.NaN;
   }
 
+  private boolean[] upright() {
+    boolean[] upright = new boolean[hull.faces()];
+    Arrays.fill(upright, true);
+    for (int i = 0; i < edges.length; i += 4) {
+      int a = 4 * edges[i + 2];
+      int b = 4 * edges[i + 3];
+      double cosine = 0;
+      for (int k = 0; k < 3; k++) {
+        cosine += ownPlanes[a + k] * ownPlanes[b + k];
+      }
+      if (cosine < -SHARP) {
+        upright[a / 4] = false;
+        upright[b / 4] = false;
+      }
+    }
+    return upright;
+  }
+
   /** Brings all places up to the pose. */
   void follow() {
     boolean same = true;
@@ -94,37 +120,49 @@ final class Polyhedron {
       return;
     }
     System.arraycopy(pose, 0, was, 0, Transforms.SIZE);
+    turnPoints();
+    turnPlanes();
+  }
+
+  private void turnPoints() {
+    double[] p = pose;
+    for (int i = 0; i < own.length; i += 3) {
+      double x = own[i];
+      double y = own[i + 1];
+      double z = own[i + 2];
+      points[i] = p[9] + p[0] * x + p[1] * y + p[2] * z;
+      points[i + 1] = p[10] + p[3] * x + p[4] * y + p[5] * z;
+      points[i + 2] = p[11] + p[6] * x + p[7] * y + p[8] * z;
+    }
     for (int row = 0; row < 3; row++) {
-      double x = pose[3 * row];
-      double y = pose[3 * row + 1];
-      double z = pose[3 * row + 2];
-      double origin = pose[9 + row];
-      double least = Double.POSITIVE_INFINITY;
-      double most = Double.NEGATIVE_INFINITY;
-      for (int i = 0; i < own.length; i += 3) {
-        double at = origin + x * own[i] + y * own[i + 1] + z * own[i + 2];
-        points[i + row] = at;
+      double least = points[row];
+      double most = least;
+      for (int i = row; i < points.length; i += 3) {
+        double at = points[i];
         if (at < least) {
           least = at;
-        }
-        if (at > most) {
+        } else if (at > most) {
           most = at;
         }
       }
       box6[row] = least;
       box6[3 + row] = most;
     }
+  }
+
+  private void turnPlanes() {
+    double[] p = pose;
     for (int at = 0; at < planes.length; at += 4) {
       double x = ownPlanes[at];
       double y = ownPlanes[at + 1];
       double z = ownPlanes[at + 2];
-      double out = ownPlanes[at + 3];
-      for (int row = 0; row < 3; row++) {
-        double along = pose[3 * row] * x + pose[3 * row + 1] * y + pose[3 * row + 2] * z;
-        planes[at + row] = along;
-        out += along * pose[9 + row];
-      }
-      planes[at + 3] = out;
+      double alongX = p[0] * x + p[1] * y + p[2] * z;
+      double alongY = p[3] * x + p[4] * y + p[5] * z;
+      double alongZ = p[6] * x + p[7] * y + p[8] * z;
+      planes[at] = alongX;
+      planes[at + 1] = alongY;
+      planes[at + 2] = alongZ;
+      planes[at + 3] = ownPlanes[at + 3] + alongX * p[9] + alongY * p[10] + alongZ * p[11];
     }
   }
 
@@ -138,18 +176,37 @@ final class Polyhedron {
     return planes[at] * x + planes[at + 1] * y + planes[at + 2] * z - planes[at + 3];
   }
 
-  /** The face that the origin of a pose is farthest out of; the first of those that are alike. */
-  int facing(double[] pose12) {
+  /** How far a place is out of each face, m. */
+  void outs(double x, double y, double z, double[] outs) {
     double[] p = planes;
-    double x = pose12[9];
-    double y = pose12[10];
-    double z = pose12[11];
-    double most = Double.NEGATIVE_INFINITY;
+    for (int face = 0, at = 0; at < p.length; face++, at += 4) {
+      outs[face] = p[at] * x + p[at + 1] * y + p[at + 2] * z - p[at + 3];
+    }
+  }
+
+  /** Whether a place of the base is within it, or nearly. */
+  boolean holds(double x, double y, double z) {
+    double[] p = planes;
+    for (int at = 0; at < p.length; at += 4) {
+      if (p[at] * x + p[at + 1] * y + p[at + 2] * z - p[at + 3] > ON_FACE_M) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The face that is most against a direction. */
+  int against(double[] along3) {
+    double[] p = planes;
+    double x = along3[0];
+    double y = along3[1];
+    double z = along3[2];
+    double least = Double.POSITIVE_INFINITY;
     int found = 0;
     for (int at = 0; at < p.length; at += 4) {
-      double out = p[at] * x + p[at + 1] * y + p[at + 2] * z - p[at + 3];
-      if (out > most + ALIKE_M) {
-        most = out;
+      double along = x * p[at] + y * p[at + 1] + z * p[at + 2];
+      if (along < least) {
+        least = along;
         found = at / 4;
       }
     }
@@ -171,6 +228,21 @@ final class Polyhedron {
       }
     }
     return least - of[4 * plane + 3];
+  }
+
+  /** Where in {@link #points} the corner is that is least along a direction. */
+  int lowest(double[] along3) {
+    double[] p = points;
+    int found = 0;
+    for (int i = 3; i < p.length; i += 3) {
+      if (along3[0] * (p[i] - p[found])
+              + along3[1] * (p[i + 1] - p[found + 1])
+              + along3[2] * (p[i + 2] - p[found + 2])
+          < 0) {
+        found = i;
+      }
+    }
+    return found;
   }
 
   /** How far out of a plane the corner is that was the lowest of the latest plane, m. */

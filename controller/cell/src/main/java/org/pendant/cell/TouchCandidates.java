@@ -11,8 +11,11 @@ final class TouchCandidates {
   /** Places to be chosen at most. */
   private static final int MAX_CHOSEN = 4;
 
-  /** An earlier candidate counts as the deepest unless a later one is so much deeper, m. */
-  private static final double DEEPER_M = 1e-5;
+  /**
+   * An earlier candidate counts as the deepest unless a later one is so much deeper, m: that of
+   * bodies at rest, so that they stand on places that stay, whose impulses can be carried on.
+   */
+  private static final double DEEPER_M = 1e-4;
 
   /** Places nearer to each other are one, m. */
   private static final double SAME_M = 2e-3;
@@ -30,6 +33,11 @@ final class TouchCandidates {
   /** Forgets all. */
   void clear() {
     count = 0;
+  }
+
+  /** Whether there is none. */
+  boolean empty() {
+    return count == 0;
   }
 
   /** Takes one; of too many the deepest stay. */

@@ -155,19 +155,20 @@ class HullBodiesTest {
     }
   }
 
-  @Test
-  void aTowerOfEightStands() {
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.3, 0.35, 0.4})
+  void aTowerOfEightStands(double yaw) {
     List<BodyDescription> bodies = new ArrayList<>(List.of(Bodies.floor(0.5, 0)));
     for (int i = 0; i < 8; i++) {
-      Pose pose = new Pose(0.002 * (i % 3), -0.002 * (i % 2), 0.05 + 0.1 * i, 0, 0, 0.3 * i);
+      Pose pose = new Pose(0.002 * (i % 3), -0.002 * (i % 2), 0.05 + 0.1 * i, 0, 0, yaw * i);
       bodies.add(hull("cube " + i, CUBE, pose));
     }
     RigidBodyWorld world = Bodies.upright(bodies);
-    Bodies.run(world, 20);
+    Bodies.run(world, 2);
     for (int i = 1; i <= 8; i++) {
       assertEquals(0.1 * i - 0.05, Bodies.pose(world, i)[11], 0.003, "cube " + i);
-      assertEquals(0.002 * ((i - 1) % 3), Bodies.pose(world, i)[9], 0.003, "cube " + i);
-      assertTrue(world.sleeping(i));
+      assertEquals(0.002 * ((i - 1) % 3), Bodies.pose(world, i)[9], 4e-4, "cube " + i);
+      assertTrue(world.sleeping(i), "cube " + i);
     }
   }
 
