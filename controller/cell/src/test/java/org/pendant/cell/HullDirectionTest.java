@@ -31,8 +31,8 @@ class HullDirectionTest {
     int touching = 0;
     int across = 0;
     for (int pair = 0; pair < PAIRS; pair++) {
-      CellBody one = body(random, 0);
-      CellBody other = body(random, 0.025 + 0.025 * random.nextDouble());
+      BodyPart one = body(random, 0);
+      BodyPart other = body(random, 0.025 + 0.025 * random.nextDouble());
       int count = contacts.find(one, other, 4, found);
       double faces = Math.max(bestOfFaces(one, other), bestOfFaces(other, one));
       double apart = Math.max(faces, bestOfEdges(one, other));
@@ -52,7 +52,7 @@ class HullDirectionTest {
     assertTrue(across > PAIRS / 50, across + " touch across edges");
   }
 
-  private static CellBody body(Random random, double x) throws MeshException {
+  private static BodyPart body(Random random, double x) throws MeshException {
     double[] points = new double[30];
     for (int i = 0; i < 15; i++) {
       points[i] = 0.06 * (random.nextDouble() - 0.5);
@@ -66,21 +66,22 @@ class HullDirectionTest {
             random.nextGaussian(),
             random.nextGaussian(),
             random.nextGaussian());
-    CellBody body =
+    BodyPart body =
         new CellBody(
-            BodyDescription.free(
-                "hull",
-                new BodyShape.Hull(ConvexHull.of(points), 1e-4, 1e-4, 1e-4),
-                pose,
-                1,
-                BodySurface.DEFAULT),
-            0);
+                BodyDescription.free(
+                    "hull",
+                    new BodyShape.Hull(ConvexHull.of(points), 1e-4, 1e-4, 1e-4),
+                    pose,
+                    1,
+                    BodySurface.DEFAULT),
+                0)
+            .parts[0];
     body.solid().follow();
     return body;
   }
 
   /** How far the first is from the second along a direction out of that, of length 1, m. */
-  private static double apart(CellBody one, CellBody other, double x, double y, double z) {
+  private static double apart(BodyPart one, BodyPart other, double x, double y, double z) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < one.solid().points.length; i += 3) {
       double[] p = one.solid().points;
@@ -94,7 +95,7 @@ class HullDirectionTest {
     return least - most;
   }
 
-  private static double bestOfFaces(CellBody of, CellBody other) {
+  private static double bestOfFaces(BodyPart of, BodyPart other) {
     double best = Double.NEGATIVE_INFINITY;
     double[] p = of.solid().planes;
     for (int i = 0; i < p.length; i += 4) {
@@ -103,7 +104,7 @@ class HullDirectionTest {
     return best;
   }
 
-  private static double bestOfEdges(CellBody one, CellBody other) {
+  private static double bestOfEdges(BodyPart one, BodyPart other) {
     double best = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < one.solid().edges.length; i += 4) {
       double[] u = along(one.solid(), i);
