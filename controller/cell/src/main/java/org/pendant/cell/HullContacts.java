@@ -319,7 +319,7 @@ final class HullContacts {
       double b = p[to + k];
       double least = lens6[k] - nearM;
       double most = lens6[3 + k] + nearM;
-      if (a > most && b > most || a < least && b < least) {
+      if ((a > most && b > most) || (a < least && b < least)) {
         return false;
       }
     }
