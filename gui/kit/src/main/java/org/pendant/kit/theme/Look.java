@@ -12,6 +12,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import javax.swing.InputMap;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
@@ -32,6 +34,7 @@ public final class Look {
   private final Settings settings;
   private final List<Runnable> listeners = new ArrayList<>();
   private final LateComponents late = new LateComponents();
+  private Optional<CompletableFuture<Void>> scriptFont = Optional.empty();
   private boolean systemDark;
 
   /** The look that was chosen last. */
@@ -40,17 +43,32 @@ public final class Look {
     systemDark = settings.get(SYSTEM_DARK).map(Boolean::parseBoolean).orElse(false);
   }
 
+  /**
+   * Begins to load the font of scripts on a thread of its own; what {@link #install} does besides
+   * takes as long.
+   */
+  public void loadFonts() {
+    scriptFont =
+        Optional.of(
+            CompletableFuture.runAsync(
+                FlatJetBrainsMonoFont::install,
+                loading -> Thread.ofPlatform().daemon().name("fonts").start(loading)));
+  }
+
   /** Sets fonts and colours up, before any component is made. */
   public void install() {
     FlatInterFont.installLazy();
-    FlatJetBrainsMonoFont.installLazy();
-    // a font of this family made before it is loaded would keep the widths of another one
-    FontUtils.loadFontFamily(FlatJetBrainsMonoFont.FAMILY);
+    if (scriptFont.isEmpty()) {
+      FlatJetBrainsMonoFont.installLazy();
+    }
     FlatLaf.setPreferredFontFamily(FlatInterFont.FAMILY);
     FlatLaf.setPreferredLightFontFamily(FlatInterFont.FAMILY_LIGHT);
     FlatLaf.setPreferredSemiboldFontFamily(FlatInterFont.FAMILY_SEMIBOLD);
     FlatLaf.setPreferredMonospacedFontFamily(FlatJetBrainsMonoFont.FAMILY);
     apply();
+    // a font of this family made before it is loaded would keep the widths of another one
+    scriptFont.ifPresent(CompletableFuture::join);
+    FontUtils.loadFontFamily(FlatJetBrainsMonoFont.FAMILY);
     UIScale.setSupportedZoomFactors(factors());
     UIScale.setZoomFactor(zoomPercent() / 100f);
   }
