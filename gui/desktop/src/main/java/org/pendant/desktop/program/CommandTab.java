@@ -3,6 +3,7 @@ package org.pendant.desktop.program;
 import java.awt.CardLayout;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.function.Supplier;
 import javax.swing.JPanel;
 import org.pendant.desktop.program.form.NodeForms;
 import org.pendant.project.program.ProgramNode;
@@ -18,16 +19,21 @@ final class CommandTab extends JPanel {
   private static final String FOREIGN = "foreign";
 
   private final CardLayout cards = new CardLayout();
-  private final transient NodeForms forms;
+  private final transient Supplier<NodeForms> maker;
+  private transient Optional<NodeForms> forms = Optional.empty();
   private final SeveralPane several;
   private final ForeignPane foreign = new ForeignPane();
   private boolean isForeign;
 
-  CommandTab(NodeForms forms, TreeCommands commands) {
-    this.forms = forms;
+  /**
+   * Shows nothing yet.
+   *
+   * @param maker makes the forms of nodes, when a program of nodes is shown for the first time
+   */
+  CommandTab(Supplier<NodeForms> maker, TreeCommands commands) {
+    this.maker = maker;
     several = new SeveralPane(commands);
     setLayout(cards);
-    add(forms.component(), ONE);
     add(several, SEVERAL);
     add(foreign, FOREIGN);
   }
@@ -49,7 +55,7 @@ final class CommandTab extends JPanel {
       several.show(count);
       cards.show(this, SEVERAL);
     } else {
-      forms.show(one);
+      forms().show(one);
       cards.show(this, ONE);
     }
   }
@@ -59,7 +65,15 @@ final class CommandTab extends JPanel {
     if (isForeign) {
       foreign.focus();
     } else {
-      forms.focus(field);
+      forms().focus(field);
     }
+  }
+
+  private NodeForms forms() {
+    if (forms.isEmpty()) {
+      forms = Optional.of(maker.get());
+      add(forms.get().component(), ONE);
+    }
+    return forms.get();
   }
 }

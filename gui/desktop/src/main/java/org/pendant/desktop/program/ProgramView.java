@@ -95,7 +95,7 @@ public final class ProgramView implements View {
             () -> shownNode().map(ProgramNode::key).orElse(0L));
     tabs =
         new NodeTabs(
-            new CommandTab(new NodeForms(workbench, host), commands),
+            new CommandTab(() -> new NodeForms(workbench, host), commands),
             workbench.session().robot().builtins(),
             this::showScript);
     TreeDrag drag = new TreeDrag(list, commands::drop);
