@@ -374,6 +374,8 @@ final class DesktopWindow {
     refresh();
     typing.start();
     window.frame().setVisible(true);
+    // after the first painting
+    EventQueue.invokeLater(window::drawIcon);
     docks.mainView().ifPresent(docks::show);
     refresh.start();
     keep.start();

@@ -41,7 +41,6 @@ final class WindowFrame {
   WindowFrame(Settings settings, Runnable close) {
     this.settings = settings;
     frame.setName("pendant");
-    frame.setIconImages(icons());
     frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
     frame.addWindowListener(
         new WindowAdapter() {
@@ -59,6 +58,11 @@ final class WindowFrame {
 
   JFrame frame() {
     return frame;
+  }
+
+  /** Gives it its picture, which takes longer to draw than anything in the window. */
+  void drawIcon() {
+    frame.setIconImages(icons());
   }
 
   private Rectangle remembered() {
