@@ -124,6 +124,8 @@ public final class Desktop {
         new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()), shown);
     wishes.measuredNoise().ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
     wishes.startRamp().ifPresent(on -> RobotChange.rememberStartRamp(desktop.settings, on));
+    Look look = new Look(desktop.settings);
+    look.loadFonts();
     // The arm's files are read while the look is set up.
     CompletableFuture<RobotSession> session =
         CompletableFuture.supplyAsync(
@@ -140,7 +142,6 @@ public final class Desktop {
               access.ifPresent(each -> SessionAccess.lead(each, begun));
               return begun;
             });
-    Look look = new Look(desktop.settings);
     Programs programs = desktop.lastTime();
     EventQueue.invokeLater(
         () -> {
