@@ -13,6 +13,7 @@ import javax.swing.UIManager;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.ShownFocus;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
@@ -52,7 +53,7 @@ final class RulesCard {
     help.say(
         "What happens by itself, as docs/devices.md has it, such as [{\"every\": 5, \"set\":"
             + " \"digital_in[0]\", \"for\": 0.1}]; taken with Ctrl+Enter.");
-    JScrollPane scroll = new JScrollPane(area);
+    JScrollPane scroll = InnerScroll.of(new JScrollPane(area));
     ShownFocus.of(area, scroll);
     card.add(scroll, "grow, hmin 80");
     card.add(problem, Remark.LAYOUT);

@@ -17,6 +17,7 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
@@ -123,8 +124,9 @@ final class DeviceCard {
       if (!device.signals().isEmpty()) {
         line.signals.show(device);
         table.add(
-            new JScrollPane(
-                new DeviceSignalTable("device-" + row.name() + "-signals", line.signals)),
+            InnerScroll.of(
+                new JScrollPane(
+                    new DeviceSignalTable("device-" + row.name() + "-signals", line.signals))),
             "span 2, growx, w 0:100:, gapbottom 4");
       }
       lines.add(line);

@@ -1,18 +1,15 @@
 package org.pendant.desktop.io;
 
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Insets;
-import java.awt.event.MouseWheelEvent;
 import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.SwingUtilities;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
 
@@ -50,23 +47,10 @@ final class MemoryCard {
     empty.setEnabled(false);
     problem.setName("io-" + name + "-problem");
     problem.setBorder(BorderFactory.createEmptyBorder(0, 8, 0, 8));
-    scroll.addMouseWheelListener(this::passOn);
+    InnerScroll.of(scroll);
     card.add(scroll, "wmin 0");
     card.add(empty, "w 0:0:");
     showRows();
-  }
-
-  /** Lets the sheet scroll where these rows cannot. */
-  private void passOn(MouseWheelEvent event) {
-    JScrollBar bar = scroll.getVerticalScrollBar();
-    boolean more =
-        event.getWheelRotation() < 0
-            ? bar.getValue() > bar.getMinimum()
-            : bar.getValue() + bar.getVisibleAmount() < bar.getMaximum();
-    Container around = SwingUtilities.getAncestorOfClass(JScrollPane.class, card);
-    if (!more && around != null) {
-      around.dispatchEvent(SwingUtilities.convertMouseEvent(scroll, event, around));
-    }
   }
 
   private void tell(String text) {

@@ -24,6 +24,7 @@ import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.ShownFocus;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
@@ -128,7 +129,7 @@ public final class Items<T> {
     TitledCard.compact(remove, up, down);
     buttons.setOpaque(false);
     panel.setOpaque(false);
-    JScrollPane scroll = new JScrollPane(list);
+    JScrollPane scroll = InnerScroll.of(new JScrollPane(list));
     ShownFocus.of(list, scroll);
     panel.add(scroll, "hmin 60");
     panel.add(buttons, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
