@@ -6,6 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
@@ -29,6 +31,12 @@ public record StopCard(
   private static final List<String> JOINTS =
       List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
   private static final MathContext DIGITS = new MathContext(4);
+
+  /** What sentences of the controller say in its own words; names that people gave are quoted. */
+  private static final Pattern IN_SENTENCE =
+      Pattern.compile(
+          "\"[^\"]*\"|\\bjoint (?<joint>[0-5])\\b"
+              + "|(?<![\\w.])(?<number>-?\\d+(\\.\\d+)?) (?<unit>rad/s|rad|m/s|m)(?![\\w/\u00b2])");
 
   /** Codes of stops because the arm could not come to rest before a limit any more. */
   private static final Set<Integer> TRAVEL = Set.of(150, 151, 152);
@@ -90,7 +98,7 @@ public record StopCard(
         new Fact("Robot time", BigDecimal.valueOf(Math.round(stop.timeS() * 1000), 3) + " s"));
     return new StopCard(
         StateWords.capital(StateWords.of(stop.mode())) + " " + stop.codeText(),
-        StateWords.capital(stop.sentence()),
+        StateWords.capital(words(stop.sentence(), form)),
         facts,
         place.map(StopPlace::line).orElse(0),
         ranInto(touched) + StopAdvice.of(stop.code()));
@@ -107,6 +115,23 @@ public record StopCard(
 
   private static String at(StopPlace place, int joint, PoseForm form) {
     return ", at " + form.angle().reading(place.positionRad().get(joint));
+  }
+
+  /** A sentence of the controller with joints by name and numbers in the units of the screens. */
+  private static String words(String sentence, PoseForm form) {
+    return IN_SENTENCE
+        .matcher(sentence)
+        .replaceAll(
+            found -> {
+              String shown = found.group();
+              if (found.group("joint") != null) {
+                shown = JOINTS.get(Integer.parseInt(found.group("joint")));
+              } else if (found.group("number") != null) {
+                double number = Double.parseDouble(found.group("number"));
+                shown = measured(number, found.group("unit"), form);
+              }
+              return Matcher.quoteReplacement(shown);
+            });
   }
 
   /** As people read it on screens. */

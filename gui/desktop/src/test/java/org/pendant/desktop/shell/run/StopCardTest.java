@@ -21,7 +21,9 @@ import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.safety.StopCategory;
 import org.pendant.controller.state.StopPlace;
 import org.pendant.desktop.session.ArmReadiness;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
@@ -64,6 +66,33 @@ final class StopCardTest {
             .findAny()
             .orElseThrow()
             .value());
+  }
+
+  @Test
+  void sentenceOfAStopNamesJointsAndHasTheUnitsOfTheScreens() {
+    SafetyStop stop =
+        new SafetyStop(
+            SafetyMode.PROTECTIVE_STOP,
+            StopCategory.TWO,
+            154,
+            0,
+            OptionalInt.empty(),
+            1.5,
+            0,
+            0,
+            "",
+            "C154A0 protective stop at 1.500 s: the path to \"bin 2 m\" bends: joint 2 would turn"
+                + " at more than 157.079633 rad/s within 0.25 m; on the way to p[0.95, 0, 1, 2, 3,"
+                + " 0]");
+    assertEquals(
+        "The path to \"bin 2 m\" bends: elbow would turn at more than 9000.00\u00b0/s within"
+            + " 250.00 mm; on the way to p[0.95, 0, 1, 2, 3, 0]",
+        StopCard.of(stop, Optional.empty(), List.of(), PoseForm.STANDARD).message());
+    PoseForm form = new PoseForm(DisplayUnit.METRE, DisplayUnit.RADIAN, RotationForm.VECTOR);
+    String message = StopCard.of(stop, Optional.empty(), List.of(), form).message();
+    assertTrue(
+        message.contains("elbow would turn at more than 157.07963 rad/s within 0.25000 m"),
+        message);
   }
 
   @Test
