@@ -1,5 +1,6 @@
 package org.pendant.desktop.program;
 
+import java.awt.Insets;
 import javax.swing.JTabbedPane;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
@@ -22,6 +23,11 @@ final class NodeTabs extends JTabbedPane {
     this.command = command;
     preview = new ScriptPreview(catalogue);
     setName("program-tabs");
+    // One row in a narrow window, too: rows of tabs would change places when one is chosen.
+    setTabLayoutPolicy(SCROLL_TAB_LAYOUT);
+    putClientProperty("JTabbedPane.tabInsets", new Insets(4, 6, 4, 6));
+    putClientProperty("JTabbedPane.scrollButtonsPolicy", "never");
+    putClientProperty("JTabbedPane.tabsPopupPolicy", "asNeeded");
     getAccessibleContext().setAccessibleName("Node, script and variables");
     addTab("Command", command);
     addTab("Script", preview);

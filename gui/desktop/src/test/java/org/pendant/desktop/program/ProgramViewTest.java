@@ -19,6 +19,7 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -89,6 +90,25 @@ final class ProgramViewTest {
             workbench.session().close();
           });
     }
+  }
+
+  @Test
+  void tabsBesideTheTreeStayInOneRowInANarrowWindow()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          JTabbedPane tabs = find(frame, "program-tabs", JTabbedPane.class);
+          JLabel palette = new JLabel("nodes");
+          tabs.insertTab("Add", null, palette, null, 0);
+          tabs.setSize(258, 400);
+          tabs.doLayout();
+          for (int i = 0; i < tabs.getTabCount(); i++) {
+            Rectangle tab = tabs.getBoundsAt(i);
+            assertEquals(tabs.getBoundsAt(0).y, tab.y, tabs.getTitleAt(i));
+            assertTrue(tab.x + tab.width <= 258, tabs.getTitleAt(i) + " ends at " + tab.getMaxX());
+          }
+          tabs.remove(palette);
+        });
   }
 
   private static <T extends Component> T find(Container in, String name, Class<T> type) {
