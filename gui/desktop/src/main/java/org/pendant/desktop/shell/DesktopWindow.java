@@ -39,6 +39,7 @@ import org.pendant.desktop.shell.prompt.PromptPanel;
 import org.pendant.desktop.shell.start.StartPanel;
 import org.pendant.desktop.sweep.SweepView;
 import org.pendant.desktop.timeline.TimelineView;
+import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.waveform.WaveformView;
 import org.pendant.desktop.workbench.View;
 import org.pendant.kit.action.Action;
@@ -209,7 +210,12 @@ final class DesktopWindow {
     footer = new Footer(session, actions, runner::send);
     prompts = new PromptPanel(docks.component(), actions, runner::send);
     startPanel = new StartPanel(docks.component(), views.start());
-    stopNotice = new StopNotice(notices, () -> views.showing("run"), () -> docks.show("run"));
+    stopNotice =
+        new StopNotice(
+            notices,
+            () -> FormMemory.read(settings),
+            () -> views.showing("run"),
+            () -> docks.show("run"));
     KeyBindings.bind(window.frame().getRootPane(), actions);
     menus = menus();
     refresh = new RefreshTimer(session, this::refresh, () -> docks.seen(WindowFrame::seen));
@@ -377,6 +383,7 @@ final class DesktopWindow {
     // after the first painting
     EventQueue.invokeLater(window::drawIcon);
     docks.mainView().ifPresent(docks::show);
+    docks.raiseWindows();
     refresh.start();
     keep.start();
     views.keeper().notice().ifPresent(this::warn);

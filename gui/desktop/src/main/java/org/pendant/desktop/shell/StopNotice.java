@@ -3,15 +3,18 @@ package org.pendant.desktop.shell;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.shell.Notices.Choice;
 import org.pendant.desktop.shell.run.StopCard;
+import org.pendant.desktop.unit.PoseForm;
 
 /** Stop notice: tells of a stop of the arm while the screen that explains it is not in front. */
 final class StopNotice {
   private static final String NAME = "stop-notice";
 
   private final Notices notices;
+  private final Supplier<PoseForm> form;
   private final BooleanSupplier explained;
   private final Runnable explain;
   private Optional<StopCard> told = Optional.empty();
@@ -19,18 +22,21 @@ final class StopNotice {
   /**
    * No stop yet.
    *
+   * @param form in which units people read numbers
    * @param explained whether people see the screen that explains stops
    * @param explain brings it to the front
    */
-  StopNotice(Notices notices, BooleanSupplier explained, Runnable explain) {
+  StopNotice(
+      Notices notices, Supplier<PoseForm> form, BooleanSupplier explained, Runnable explain) {
     this.notices = notices;
+    this.form = form;
     this.explained = explained;
     this.explain = explain;
   }
 
   /** Tells of each stop once, and takes it back when it is over or explained. */
   void refresh(ControllerState state) {
-    Optional<StopCard> card = StopCard.of(state);
+    Optional<StopCard> card = StopCard.of(state, form.get());
     if (card.isPresent() && explained.getAsBoolean()) {
       notices.close(NAME);
       told = card;

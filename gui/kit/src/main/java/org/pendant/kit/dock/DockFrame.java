@@ -194,6 +194,11 @@ public final class DockFrame {
     return plan.collapsed(side);
   }
 
+  /** Puts the windows of views above the main one: a start opens that last, and would hide them. */
+  public void raiseWindows() {
+    windows.values().forEach(FloatingDock::raise);
+  }
+
   /** Changes between all of a side and only its tabs. */
   public void toggle(Side side) {
     setCollapsed(side, !plan.collapsed(side));

@@ -47,6 +47,15 @@ final class FloatingDock {
     window.setVisible(true);
   }
 
+  /** Puts it above the main window, which keeps the keyboard. */
+  void raise() {
+    if (window.isVisible()) {
+      window.setFocusableWindowState(false);
+      window.toFront();
+      window.setFocusableWindowState(true);
+    }
+  }
+
   /** Closes it and remembers where it was; the view may go elsewhere. */
   void close() {
     if (window.isVisible()) {
