@@ -200,7 +200,7 @@ public final class Desktop {
   /** The programs that were open last time, or an example. */
   private Programs lastTime() {
     List<ProgramDocument> open = new ArrayList<>();
-    Optional<Path> last = ProgramFiles.recent(settings).stream().findFirst();
+    Optional<Path> last = ProgramFiles.inFrontLastTime(settings);
     Optional<ProgramDocument> front = Optional.empty();
     for (Path each : ProgramFiles.openLastTime(settings)) {
       try {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.SavedProgram;
@@ -27,6 +28,7 @@ import org.pendant.project.program.text.ProgramText;
 final class ProgramFiles {
   private static final String RECENT = "file.recent";
   private static final String OPEN = "file.open";
+  private static final String FRONT = "file.front";
   private static final int MAX_RECENT = 10;
 
   private final Programs programs;
@@ -295,6 +297,13 @@ final class ProgramFiles {
                 .flatMap(each -> each.file().stream())
                 .map(file -> file.toAbsolutePath().toString())
                 .toList()));
+    settings.put(
+        FRONT, programs.current().file().map(file -> file.toAbsolutePath().toString()).orElse(""));
+  }
+
+  /** The file of the program that people saw at the end, else the one that was opened last. */
+  static Optional<Path> inFrontLastTime(Settings settings) {
+    return Stream.of(FRONT, RECENT).flatMap(each -> files(settings, each).stream()).findFirst();
   }
 
   /** The files that were open at the end, in the order of their tabs. */
