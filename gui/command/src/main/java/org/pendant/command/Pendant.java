@@ -56,26 +56,7 @@ public final class Pendant {
   public static void main(String[] words) {
     Console console = Console.ofProcess();
     ExitCode code = new Pendant(console).run(List.of(words));
-    // An exit asks the JDK for a logger, which it looks for in every jar; that takes 9 ms.
-    if (code != ExitCode.DONE || othersLive()) {
-      System.exit(code.number());
-    }
-  }
-
-  /** Whether another thread would keep the process alive when this one has returned from main. */
-  private static boolean othersLive() {
-    ThreadGroup all = Thread.currentThread().getThreadGroup();
-    while (all.getParent() != null) {
-      all = all.getParent();
-    }
-    Thread[] threads = new Thread[2 * all.activeCount()];
-    int count = all.enumerate(threads);
-    for (int i = 0; i < count; i++) {
-      if (!threads[i].equals(Thread.currentThread()) && !threads[i].isDaemon()) {
-        return true;
-      }
-    }
-    return count == threads.length;
+    System.exit(code.number());
   }
 
   /** All that there are. */
