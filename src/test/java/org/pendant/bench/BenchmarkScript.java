@@ -53,7 +53,11 @@ final class BenchmarkScript {
 
   /** Loads a program on a new controller. */
   static BenchmarkScript load(Source source) {
-    Controller controller = new Controller(ControllerOptions.headless());
+    return load(source, new Controller(ControllerOptions.headless()));
+  }
+
+  /** Loads a program on a controller. */
+  static BenchmarkScript load(Source source, Controller controller) {
     return of(controller, source, controller.load(source));
   }
 

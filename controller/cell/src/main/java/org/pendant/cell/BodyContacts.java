@@ -34,6 +34,11 @@ final class BodyContacts {
 
   private int awakeCount;
   private final boolean[] seen;
+
+  /** Of each body in this step: the middle and the radius of a ball around it, m; and its kind. */
+  private final double[] balls;
+
+  private final boolean[] free;
   private final int[] islandOf;
 
   /** Places of this step; those of the step before, whose impulses this one begins with. */
@@ -58,6 +63,8 @@ final class BodyContacts {
     int size = bodies.size();
     awake = new CellBody[size];
     seen = new boolean[size];
+    balls = new double[4 * size];
+    free = new boolean[size];
     islandOf = new int[size];
     beforeOf = new int[size * size];
   }
@@ -72,6 +79,9 @@ final class BodyContacts {
       body.kinematicTouched = body.hold != null;
       seen[i] = false;
       islandOf[i] = i;
+      free[i] = body.free();
+      System.arraycopy(body.pose, 9, balls, 4 * i, 3);
+      balls[4 * i + 3] = body.present ? body.reachM : Double.NEGATIVE_INFINITY;
       if (body.awake && body.present) {
         awake[awakeCount++] = body;
       }
@@ -79,10 +89,28 @@ final class BodyContacts {
     for (int i = 0; i < awakeCount; i++) {
       CellBody one = awake[i];
       seen[one.index] = true;
-      for (int other = 0; other < awake.length; other++) {
-        if (!seen[other] && bodies.get(other).present) {
-          meet(one, bodies.get(other), stepS);
-        }
+      meetAll(one, stepS);
+    }
+  }
+
+  /** Looks at all bodies, in one go over plain numbers: most of them are far away. */
+  private void meetAll(CellBody one, double stepS) {
+    int index = 4 * one.index;
+    double x = balls[index];
+    double y = balls[index + 1];
+    double z = balls[index + 2];
+    double reach = balls[index + 3];
+    boolean all = free[one.index];
+    for (int other = 0, at = 0; other < free.length; other++, at += 4) {
+      if (seen[other] || !(all || free[other])) {
+        continue;
+      }
+      double dx = x - balls[at];
+      double dy = y - balls[at + 1];
+      double dz = z - balls[at + 2];
+      double both = reach + balls[at + 3];
+      if (both > 0 && dx * dx + dy * dy + dz * dz <= both * both) {
+        meet(one, bodies.get(other), stepS);
       }
     }
   }
@@ -193,9 +221,6 @@ final class BodyContacts {
   private void meet(CellBody one, CellBody other, double stepS) {
     CellBody first = one.free() ? one : other;
     CellBody second = one.free() ? other : one;
-    if (!first.free() || first.farFrom(second)) {
-      return;
-    }
     if (first.hold != null && first.hold.ignores(second)) {
       return;
     }

@@ -25,7 +25,7 @@ final class CellBody {
   final double[] wrench = new double[6];
 
   /** No point of it is farther from its origin, m. */
-  private final double reachM;
+  final double reachM;
 
   /** 0 unless it is free. */
   final double inverseMass;
