@@ -303,7 +303,7 @@ final class DesktopWindow {
     south.add(status, BorderLayout.NORTH);
     south.add(footer, BorderLayout.CENTER);
     JFrame frame = window.frame();
-    frame.getRootPane().setTransferHandler(new FileDrop(this::open));
+    frame.getRootPane().setTransferHandler(new FileDrop(this::open, this::warn));
     frame.add(header, BorderLayout.NORTH);
     frame.add(rail(), BorderLayout.WEST);
     frame.add(middle, BorderLayout.CENTER);
