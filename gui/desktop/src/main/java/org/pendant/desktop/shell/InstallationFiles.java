@@ -6,9 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.disk.FileTrouble;
@@ -50,6 +52,9 @@ final class InstallationFiles {
   private final Component parent;
   private final UnsavedQuestion unsaved;
 
+  /** Open programs whose people want the installation that there is. */
+  private final Set<ProgramDocument> kept = new HashSet<>();
+
   /**
    * Files of {@code active}.
    *
@@ -81,20 +86,26 @@ final class InstallationFiles {
 
   /** Offers the installation that a program tree names, when it stands beside that. */
   void offerBeside(Programs programs) {
-    programs.addListener(() -> offerBeside(programs.current()));
-    offerBeside(programs.current());
+    programs.addListener(() -> offerFor(programs));
+    offerFor(programs);
   }
 
-  private void offerBeside(ProgramDocument program) {
+  private void offerFor(Programs programs) {
+    ProgramDocument program = programs.current();
     notices.close(BESIDE);
+    kept.retainAll(programs.all());
     Optional<Path> folder = program.file().map(Path::toAbsolutePath).map(Path::getParent);
-    if (!program.isTree() || folder.isEmpty()) {
+    if (!program.isTree() || folder.isEmpty() || kept.contains(program)) {
       return;
     }
     String text = program.text();
     Background.run(
         () -> beside(folder.get(), ProgramText.read(text).tree().installation()),
-        found -> found.filter(file -> !isActive(file)).ifPresent(file -> offer(program, file)),
+        found ->
+            found
+                // It may have been read for long: another program is in front by now.
+                .filter(file -> programs.current() == program && !isActive(file))
+                .ifPresent(file -> offer(program, file)),
         this::notOpened);
   }
 
@@ -124,7 +135,9 @@ final class InstallationFiles {
     notices.ask(
         BESIDE,
         program.name() + " is made for the installation " + file.getFileName() + " beside it.",
-        List.of(new Choice("Open it", () -> open(file)), Choice.nothing("Keep this one")));
+        List.of(
+            new Choice("Open it", () -> open(file)),
+            new Choice("Keep this one", () -> kept.add(program), true)));
   }
 
   /** What can be done with them. */
