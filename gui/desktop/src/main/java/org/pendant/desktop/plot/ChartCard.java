@@ -72,9 +72,8 @@ final class ChartCard extends JPanel {
     return area;
   }
 
-  /** Shows the newest values and lines. */
+  /** Shows the newest values; the lines are painted with those of the other charts. */
   void refresh() {
     items.forEach(each -> each.show(presenter));
-    panel.repaint();
   }
 }

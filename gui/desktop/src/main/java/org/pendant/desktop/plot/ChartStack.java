@@ -71,13 +71,15 @@ final class ChartStack extends JPanel {
     axis.setVisible(!cards.isEmpty());
     sheet.revalidate();
     refresh();
-    repaint();
   }
 
-  /** Shows the newest values and lines. */
+  /**
+   * Shows the newest values and lines: all charts and the axis are one piece of the screen, so that
+   * none of them shows another moment than the others while a busy machine still draws those.
+   */
   void refresh() {
     cards.forEach(ChartCard::refresh);
-    axis.repaint();
+    repaint();
   }
 
   /** As wide and, if the charts fit, as high as what is in sight. */
