@@ -40,10 +40,18 @@ final class LogTableTest {
 
   private void say(LogTable table, int count) {
     for (int i = 0; i < count; i++) {
-      long number = written.size() + 1L;
-      LogEntry entry = new LogEntry(number, 0.5, Level.INFO, Origin.SCRIPT, "message " + number);
-      written.add(LogLine.of(number, Instant.EPOCH, LogSource.of(Origin.SCRIPT), entry));
+      write("message " + (written.size() + 1));
     }
+    take(table);
+  }
+
+  private void write(String text) {
+    long number = written.size() + 1L;
+    LogEntry entry = new LogEntry(number, 0.5, Level.INFO, Origin.SCRIPT, text);
+    written.add(LogLine.of(number, Instant.EPOCH, LogSource.of(Origin.SCRIPT), entry));
+  }
+
+  private void take(LogTable table) {
     table.changed(
         presenter.take(
             written.size(), number -> List.copyOf(written.subList((int) number, written.size()))));
@@ -69,6 +77,34 @@ final class LogTableTest {
           click(rows, presenter.rows() - 1);
           assertFalse(presenter.following(), "only people who scroll to the end want to follow");
         });
+  }
+
+  @Test
+  void messageThatIsCutHasAllItsWordsInItsToolTip() throws Exception {
+    EventQueue.invokeAndWait(
+        () -> {
+          LogTable table =
+              new LogTable(presenter, new LogColumns(new Nothing()), () -> {}, line -> {});
+          table.component().setSize(420, 200);
+          write("Program pick_and_place of the tray at the left has finished after 4.25 s");
+          write("short");
+          write("first line\nsecond line");
+          take(table);
+          layOut(table.component());
+          layOut(table.component());
+          JTable rows = find(table.component()).orElseThrow();
+
+          assertTrue(String.valueOf(toolTip(rows, 0)).contains("after 4.25 s"));
+          assertEquals("null", String.valueOf(toolTip(rows, 1)));
+          assertTrue(String.valueOf(toolTip(rows, 2)).contains("second line"));
+        });
+  }
+
+  private static String toolTip(JTable rows, int row) {
+    Rectangle cell = rows.getCellRect(row, rows.getColumnCount() - 1, false);
+    int x = (int) cell.getCenterX();
+    int y = (int) cell.getCenterY();
+    return rows.getToolTipText(new MouseEvent(rows, MouseEvent.MOUSE_MOVED, 0, 0, x, y, 0, false));
   }
 
   private static void click(JTable rows, int row) {
