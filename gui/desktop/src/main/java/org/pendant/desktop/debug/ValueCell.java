@@ -44,6 +44,15 @@ final class ValueCell extends DefaultTableCellRenderer {
             2, DisclosureIcon.end(row.level()), 4, DisclosureIcon.end(0)));
   }
 
+  /** How wide the cell of a name with so many letters is that is part of nothing. */
+  int nameWidth(int letters, JTable table) {
+    blank(table, false, 0);
+    setFont(UIManager.getFont("monospaced.font"));
+    setIcon(new DisclosureIcon(0, false, false));
+    setText("m".repeat(letters));
+    return getPreferredSize().width + table.getColumnModel().getColumnMargin();
+  }
+
   /** A row that is no value, as wide as the table. */
   Component line(ValueRow row, JTable table, boolean selected) {
     if (row instanceof ValueRow.Problem text) {

@@ -37,6 +37,9 @@ import org.pendant.language.source.ByteText;
 final class ValueTable extends JTable {
   private static final int MARGIN = 6;
 
+  /** Names of so many letters are whole before values and kinds get more. */
+  private static final int NAME_LETTERS = 16;
+
   private final ValueTree tree;
   private final ValueTableModel model;
   private final ValueCell cell = new ValueCell();
@@ -104,6 +107,22 @@ final class ValueTable extends JTable {
 
   private void width(int column, int pixels) {
     getColumnModel().getColumn(column).setPreferredWidth(pixels);
+  }
+
+  @Override
+  public void doLayout() {
+    if (getTableHeader() == null || getTableHeader().getResizingColumn() == null) {
+      fitNames();
+    }
+    super.doLayout();
+  }
+
+  /** Names have at most the half of a table that is narrower still. */
+  private void fitNames() {
+    TableColumn names = getColumnModel().getColumn(ValueTableModel.NAME);
+    int wanted = Math.min(cell.nameWidth(NAME_LETTERS, this), getWidth() / 2);
+    names.setMinWidth(wanted);
+    names.setPreferredWidth(Math.max(names.getPreferredWidth(), wanted));
   }
 
   ValueRow row(int index) {
