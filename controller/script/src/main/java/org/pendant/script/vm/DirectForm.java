@@ -128,37 +128,27 @@ final class DirectForm {
       return;
     }
     long w = instructions[pc];
-    int far = pc + 1 + Instruction.distance(w);
-    int near = pc + 1 + Instruction.c(w);
+    int target = Jumps.target(w, pc);
     switch (Instruction.operation(w)) {
-      case Op.JUMP, Op.LOOP -> reach(far, after, open);
       case Op.JUMP_IF_GIVEN -> {
         int argument = state[slot(Instruction.a(w))];
         if ((argument & ~TagSet.UNASSIGNED) != 0) {
-          reach(far, after, open);
+          reach(target, after, open);
         }
         if ((argument & TagSet.UNASSIGNED) != 0) {
           reach(pc + 1, after, open);
         }
       }
-      case Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE -> {
-        reach(far, after, open);
-        reach(pc + 1, after, open);
-      }
-      case Op.JUMP_IF_LESS,
-          Op.JUMP_IF_LESS_OR_EQUAL,
-          Op.JUMP_IF_NOT_LESS,
-          Op.JUMP_IF_NOT_LESS_OR_EQUAL,
-          Op.JUMP_IF_EQUAL,
-          Op.JUMP_IF_NOT_EQUAL,
-          Op.LOOP_IF_LESS,
-          Op.LOOP_IF_LESS_OR_EQUAL -> {
-        reach(near, after, open);
-        reach(pc + 1, after, open);
-      }
       case Op.RETURN -> result |= tags(Instruction.a(w), state) & TagSet.PLAIN;
       case Op.RETURN_NONE -> result |= TagSet.NONE;
-      default -> reach(pc + 1, after, open);
+      default -> {
+        if (target >= 0) {
+          reach(target, after, open);
+        }
+        if (Jumps.fallsThrough(w)) {
+          reach(pc + 1, after, open);
+        }
+      }
     }
   }
 

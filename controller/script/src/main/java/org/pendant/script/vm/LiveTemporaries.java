@@ -90,33 +90,19 @@ final class LiveTemporaries {
         return true;
       }
       if (!writes(w, slot)) {
-        follow(w, at + 1, open);
+        follow(w, at, open);
       }
     }
     return false;
   }
 
-  /** Where instruction {@code w} leads on to, {@code next} or elsewhere. */
-  private static void follow(long w, int next, Deque<Integer> open) {
-    switch (Instruction.operation(w)) {
-      case Op.JUMP, Op.LOOP -> open.add(next + Instruction.distance(w));
-      case Op.JUMP_IF_GIVEN, Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE -> {
-        open.add(next + Instruction.distance(w));
-        open.add(next);
-      }
-      case Op.JUMP_IF_LESS,
-          Op.JUMP_IF_LESS_OR_EQUAL,
-          Op.JUMP_IF_NOT_LESS,
-          Op.JUMP_IF_NOT_LESS_OR_EQUAL,
-          Op.JUMP_IF_EQUAL,
-          Op.JUMP_IF_NOT_EQUAL,
-          Op.LOOP_IF_LESS,
-          Op.LOOP_IF_LESS_OR_EQUAL -> {
-        open.add(next + Instruction.c(w));
-        open.add(next);
-      }
-      case Op.RETURN, Op.RETURN_NONE, Op.INTERPRETED, Op.MISSING -> {}
-      default -> open.add(next);
+  private static void follow(long w, int pc, Deque<Integer> open) {
+    int target = Jumps.target(w, pc);
+    if (target >= 0) {
+      open.add(target);
+    }
+    if (Jumps.fallsThrough(w)) {
+      open.add(pc + 1);
     }
   }
 

@@ -15,26 +15,7 @@ final class LoopInstructions {
   /** What instruction {@code pc} jumps back to at the end of a loop; -1 for any other. */
   static int backTo(long w, int pc) {
     return switch (Instruction.operation(w)) {
-      case Op.LOOP -> pc + 1 + Instruction.distance(w);
-      case Op.LOOP_IF_LESS, Op.LOOP_IF_LESS_OR_EQUAL -> pc + 1 + Instruction.c(w);
-      default -> -1;
-    };
-  }
-
-  /** What instruction {@code pc} may jump to; -1 for one that never jumps. */
-  private static int jumpTo(long w, int pc) {
-    return switch (Instruction.operation(w)) {
-      case Op.JUMP, Op.LOOP, Op.JUMP_IF_GIVEN, Op.JUMP_IF_FALSE, Op.JUMP_IF_TRUE ->
-          pc + 1 + Instruction.distance(w);
-      case Op.JUMP_IF_LESS,
-          Op.JUMP_IF_LESS_OR_EQUAL,
-          Op.JUMP_IF_NOT_LESS,
-          Op.JUMP_IF_NOT_LESS_OR_EQUAL,
-          Op.JUMP_IF_EQUAL,
-          Op.JUMP_IF_NOT_EQUAL,
-          Op.LOOP_IF_LESS,
-          Op.LOOP_IF_LESS_OR_EQUAL ->
-          pc + 1 + Instruction.c(w);
+      case Op.LOOP, Op.LOOP_IF_LESS, Op.LOOP_IF_LESS_OR_EQUAL -> Jumps.target(w, pc);
       default -> -1;
     };
   }
@@ -140,7 +121,7 @@ final class LoopInstructions {
       if (endsBefore(instructions[pc])) {
         ways.add(pc);
       }
-      int target = jumpTo(instructions[pc], pc);
+      int target = Jumps.target(instructions[pc], pc);
       if (target > end) {
         ways.add(target);
       }
