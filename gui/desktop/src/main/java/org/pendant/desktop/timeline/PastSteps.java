@@ -314,11 +314,12 @@ public final class PastSteps {
       return holds.orElse(false);
     }
 
+    /** What a search that found nothing may have missed; empty if no breakpoint is set. */
     String unknown() {
       return untold
           .map(
               each -> "; it cannot tell whether the condition of line " + each.line() + " was true")
-          .orElse("");
+          .orElse(lines().isEmpty() ? "" : "; those set later on what took no time are not found");
     }
   }
 }

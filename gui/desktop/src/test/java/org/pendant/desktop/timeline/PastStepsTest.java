@@ -93,10 +93,21 @@ final class PastStepsTest {
     steps.breakpointBefore();
     assertEquals(2, lookBack.line());
     steps.breakpointBefore();
-    assertEquals(List.of("The recording has no earlier breakpoint"), told);
+    assertEquals(
+        List.of(
+            "The recording has no earlier breakpoint; those set later on what took no time are not"
+                + " found"),
+        told);
     breakpoints.add(Breakpoint.at(4).when("i == 1"));
     steps.breakpointAfter();
     assertEquals(4, lookBack.line());
+  }
+
+  @Test
+  void withoutBreakpointsNoneIsSaidToBeMissed() {
+    finish();
+    steps.breakpointBefore();
+    assertEquals(List.of("The recording has no earlier breakpoint"), told);
   }
 
   @Test
