@@ -165,6 +165,11 @@ public final class KeyEditor {
     conflict.setToolTipText(text.isEmpty() ? null : text);
   }
 
+  /** The actions and their keys. */
+  JTable table() {
+    return table;
+  }
+
   /** Opens it. */
   public void open() {
     filter.setText("");
