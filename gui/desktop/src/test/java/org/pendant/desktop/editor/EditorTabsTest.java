@@ -1,0 +1,99 @@
+package org.pendant.desktop.editor;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.lang.reflect.InvocationTargetException;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.Box;
+import javax.swing.JComponent;
+import javax.swing.JTabbedPane;
+import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.pendant.desktop.session.ProgramDocument;
+
+/** The tabs of many programs and what stands at their end, such as the debug bar. */
+@Tag("slow")
+@Timeout(value = 60, unit = TimeUnit.SECONDS)
+final class EditorTabsTest {
+  private EditorWindow window;
+  private JTabbedPane tabs;
+
+  @BeforeEach
+  void openWindow() throws InterruptedException, InvocationTargetException {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "a window needs a display");
+    List<ProgramDocument> programs =
+        IntStream.range(0, 8)
+            .mapToObj(i -> ProgramDocument.untitled("program_" + i + ".script", ""))
+            .toList();
+    EventQueue.invokeAndWait(
+        () -> {
+          window = EditorWindow.open(false, programs);
+          tabs =
+              (JTabbedPane)
+                  SwingUtilities.getAncestorOfClass(JTabbedPane.class, window.editor().current());
+        });
+  }
+
+  @AfterEach
+  void closeWindow() throws InterruptedException, InvocationTargetException {
+    if (window != null) {
+      EventQueue.invokeAndWait(window::close);
+    }
+  }
+
+  @Test
+  void theProgramInFrontStaysInSightBesideADebugBarThatComes() throws Exception {
+    int last = tabs.getTabCount() - 1;
+    EventQueue.invokeAndWait(() -> tabs.setSelectedIndex(last));
+    await(last);
+    JComponent end =
+        (JComponent) tabs.getClientProperty(FlatClientProperties.TABBED_PANE_TRAILING_COMPONENT);
+    Container bar = (Container) end.getComponent(0);
+    int[] before = {0};
+    EventQueue.invokeAndWait(
+        () -> {
+          before[0] = row().width;
+          bar.add(Box.createRigidArea(new Dimension(500, 1)));
+          tabs.revalidate();
+        });
+    boolean[] narrower = {false};
+    while (!narrower[0]) {
+      EventQueue.invokeAndWait(() -> narrower[0] = row().width < before[0]);
+    }
+    await(last);
+    EventQueue.invokeAndWait(() -> assertTrue(row().contains(tabs.getBoundsAt(last))));
+  }
+
+  private void await(int index) throws Exception {
+    boolean[] seen = {false};
+    while (!seen[0]) {
+      EventQueue.invokeAndWait(() -> seen[0] = row().contains(tabs.getBoundsAt(index)));
+    }
+  }
+
+  /** Where tabs are in sight. */
+  private Rectangle row() {
+    Component row =
+        Stream.of(tabs.getComponents())
+            .filter(JViewport.class::isInstance)
+            .findFirst()
+            .orElseThrow();
+    return row.getBounds();
+  }
+}
