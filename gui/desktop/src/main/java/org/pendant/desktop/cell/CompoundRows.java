@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -33,6 +34,7 @@ final class CompoundRows {
   private final Items<SceneObject> items;
   private final PartsForm<SceneObject> form;
   private final RotationChoice rotation;
+  private final Supplier<String> frame;
   private final JComboBox<String> choice =
       TitledCard.named(new JComboBox<>(), "cell-object-parts", "The part that is shown below");
   private final JButton remove = button("Remove part", "part-remove", "Remove the chosen part");
@@ -41,9 +43,13 @@ final class CompoundRows {
   private int chosen;
   private boolean showing;
 
-  CompoundRows(Items<SceneObject> items, RotationChoice rotation) {
+  /**
+   * @param frame in words, what places of objects are in
+   */
+  CompoundRows(Items<SceneObject> items, RotationChoice rotation, Supplier<String> frame) {
     this.items = items;
     this.rotation = rotation;
+    this.frame = frame;
     form = items.form();
     choice.addActionListener(event -> choose(choice.getSelectedIndex()));
     remove.addActionListener(event -> change(this::withoutChosen));
@@ -67,7 +73,7 @@ final class CompoundRows {
 
   /** Adds the rows; they are there while the form shows a compound. */
   void add() {
-    form.heading("Frame and orientation, in the base");
+    form.heading(() -> "Frame and orientation, " + frame.get());
     PoseRows.addTo(
         form,
         "pose",
@@ -89,7 +95,11 @@ final class CompoundRows {
         object -> part(object).name(),
         (object, name) -> with(object, ObjectShape.named(part(object), name.strip())));
     new ShapeRows(
-            form, rotation, new ShapeRows.Part(this::part, this::with), "part-", "in its frame")
+            form,
+            rotation,
+            new ShapeRows.Part(this::part, this::with),
+            "part-",
+            () -> "in its frame")
         .add();
     form.check(
         "Parts weigh differently",

@@ -111,10 +111,11 @@ final class ObjectsCard {
     PartsForm<SceneObject> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
     form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
-    new ShapeRows(form, rotation, ShapeRows.Part.WHOLE, "", "in the base").add();
+    new ShapeRows(form, rotation, ShapeRows.Part.WHOLE, "", this::frame).add();
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
     form.section(
-        SceneObject.Compound.class::isInstance, () -> new CompoundRows(items, rotation).add());
+        SceneObject.Compound.class::isInstance,
+        () -> new CompoundRows(items, rotation, this::frame).add());
     form.section(
         ObjectsCard::weighsAsOne,
         () -> {
@@ -173,8 +174,13 @@ final class ObjectsCard {
     return others % MAX_ABREAST * ABREAST_M;
   }
 
-  private static void addPlane(PartsForm<SceneObject> form) {
-    form.heading("A point of it, in the base");
+  /** What places are in: the base of the only arm, or the cell where there are several. */
+  private String frame() {
+    return draft.controllers().isEmpty() ? "in the base" : "in the cell";
+  }
+
+  private void addPlane(PartsForm<SceneObject> form) {
+    form.heading(() -> "A point of it, " + frame());
     Axes.addTo(form, "Point", Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
     form.heading("Direction out of the solid");
     Axes.addTo(

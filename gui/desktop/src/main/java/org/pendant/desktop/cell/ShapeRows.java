@@ -1,6 +1,7 @@
 package org.pendant.desktop.cell;
 
 import java.util.function.BinaryOperator;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
@@ -22,7 +23,7 @@ record ShapeRows(
     RotationChoice rotation,
     ShapeRows.Part part,
     String name,
-    String frame) {
+    Supplier<String> frame) {
   private static final Vector3 UNIT = new Vector3(1, 1, 1);
 
   /**
@@ -53,7 +54,7 @@ record ShapeRows(
   }
 
   private void addPose(String what) {
-    form.heading(what + " and orientation, " + frame);
+    form.heading(() -> what + " and orientation, " + frame.get());
     PoseRows.addTo(
         form,
         name + "pose",
@@ -82,7 +83,7 @@ record ShapeRows(
   }
 
   private void addBall() {
-    form.heading("Centre, " + frame);
+    form.heading(() -> "Centre, " + frame.get());
     Axes.addTo(
         form,
         "Centre",

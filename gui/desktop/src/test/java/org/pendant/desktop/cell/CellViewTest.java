@@ -44,6 +44,7 @@ import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.session.SceneFile;
 import org.pendant.kit.form.EntryField;
 import org.pendant.models.pose.Pose;
 
@@ -282,6 +283,34 @@ final class CellViewTest {
           moves.setSelectedIndex(0);
           door = (DeviceSetup.Door) draft.devices().getFirst().getFirst();
           assertTrue(door.leaf().isEmpty());
+        });
+  }
+
+  private static List<String> headings(CellView view) {
+    return all(view.component()).stream()
+        .filter(each -> "cell-object-heading".equals(each.getName()) && each.isShowing())
+        .map(each -> ((JTextArea) each).getText())
+        .toList();
+  }
+
+  @Test
+  void placesAreInTheBaseOfTheOnlyArmAndInTheCellOfSeveral() throws Exception {
+    show(
+        view -> {
+          press(view, "cell-object-add-box");
+          assertTrue(headings(view).contains("Centre and orientation, in the base"));
+        });
+    draft.open(
+        SceneFile.of(
+            "two.scene.json", "{\"arms\": [{\"name\": \"left\"}, {\"name\": \"right\"}]}"));
+    show(
+        view -> {
+          press(view, "cell-object-add-box");
+          assertTrue(headings(view).contains("Centre and orientation, in the cell"));
+          press(view, "cell-object-add-plane");
+          assertTrue(headings(view).contains("A point of it, in the cell"));
+          press(view, "cell-object-add-compound");
+          assertTrue(headings(view).contains("Frame and orientation, in the cell"));
         });
   }
 

@@ -441,10 +441,15 @@ public final class PartsForm<T> {
 
   /** A heading above what comes next, wrapped where it is long. */
   public PartsForm<T> heading(String text) {
+    return heading(() -> text);
+  }
+
+  /** A heading that may change with what is around the value. */
+  public PartsForm<T> heading(Supplier<String> text) {
     Remark heading = new Remark(id + "-heading", null);
     heading.putClientProperty("FlatLaf.styleClass", "semibold");
-    heading.say(text);
-    followers.add(now -> heading.say(text));
+    heading.say(text.get());
+    followers.add(now -> heading.say(text.get()));
     panel.add(heading, "span, gaptop 8, wrap, " + Remark.LAYOUT);
     return this;
   }
