@@ -90,6 +90,7 @@ final class ScriptArea extends RSyntaxTextArea {
     setMarkOccurrences(false);
     setParserDelay(NEVER_MS);
     setPopupMenu(null);
+    setTransferHandler(new ScriptTransfer());
     setName("script-text");
     getAccessibleContext().setAccessibleName("Script");
     typing = new ScriptTyping(this);
