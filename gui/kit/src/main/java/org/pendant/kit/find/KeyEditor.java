@@ -25,6 +25,9 @@ import org.pendant.kit.theme.Palette;
 
 /** Key editor: shows and changes the keys of the actions. */
 public final class KeyEditor {
+  private static final String WIDE_KEYS = "control alt shift F12";
+  private static final int CELL_MARGINS = 16;
+
   private final ActionTable actions;
   private final Overlay overlay;
   private final JTextField filter = new JTextField();
@@ -124,7 +127,9 @@ public final class KeyEditor {
     table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
     table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     table.getColumnModel().getColumn(0).setPreferredWidth(320);
-    table.getColumnModel().getColumn(1).setPreferredWidth(130);
+    int keys = table.getFontMetrics(table.getFont()).stringWidth(KeyText.shown(WIDE_KEYS));
+    table.getColumnModel().getColumn(1).setPreferredWidth(keys + CELL_MARGINS);
+    table.getColumnModel().getColumn(1).setMinWidth(keys + CELL_MARGINS);
     table.getSelectionModel().addListSelectionListener(event -> selected());
   }
 
