@@ -102,7 +102,7 @@ final class ExamplesTest {
     Result result = Launcher.pendant(Launcher.home(), "test", "--color", "never", "examples");
 
     assertEquals(0, result.exitCode(), result.output() + result.errors());
-    assertTrue(result.output().contains("65 passed in "), result.output());
+    assertTrue(result.output().contains("72 passed in "), result.output());
   }
 
   @Test
