@@ -5,7 +5,8 @@ import org.pendant.models.time.FrameTime;
 
 /**
  * Door drive: takes the leaf of a door from end to end in its time. It speeds up and slows down
- * evenly, and holds where something is in the way that is stronger.
+ * evenly, and holds where something is in the way that is stronger. Travel is in m where the leaf
+ * slides and in rad where it turns; speeds are in the same a second.
  */
 final class DoorDrive {
   /** Share of the time in which it speeds up, and of that in which it slows down. */

@@ -218,6 +218,7 @@ final class DirectOperations {
     code.labelBinding(done);
   }
 
+  /** Jumps to {@code target} when the order of two numbers is as {@code when} says. */
   void order(int pc, int x, int y, int[] state, Opcode when, Label target) {
     Supplier<Label> exit = exits.apply(pc);
     guard(x, state, Registers.FLOAT, exit);
@@ -234,6 +235,9 @@ final class DirectOperations {
     }
   }
 
+  /**
+   * Jumps to {@code target} when two bools or numbers are equal, or are not, as {@code when} says.
+   */
   void equal(int pc, int x, int y, int[] state, Opcode when, Label target) {
     if (form.tags(x, state) == TagSet.BOOL && form.tags(y, state) == TagSet.BOOL) {
       slots.pushLong(x, state);
@@ -255,6 +259,7 @@ final class DirectOperations {
     }
   }
 
+  /** Jumps to {@code target} when a value is true, or is not, as {@code when} says. */
   void jumpIf(int pc, int operand, int[] state, Opcode when, Label target) {
     guard(operand, state, Registers.BOOL, exits.apply(pc));
     slots.pushDouble(operand, state);
