@@ -71,6 +71,7 @@ public final class Look {
     FontUtils.loadFontFamily(FlatJetBrainsMonoFont.FAMILY);
     UIScale.setSupportedZoomFactors(factors());
     UIScale.setZoomFactor(zoomPercent() / 100f);
+    UncoveredEdges.follow();
   }
 
   private static float[] factors() {
