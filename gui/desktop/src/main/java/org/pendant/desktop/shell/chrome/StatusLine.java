@@ -88,7 +88,8 @@ public final class StatusLine extends JPanel {
     earlier.putClientProperty("JButton.buttonType", "toolBarButton");
     earlier.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
     earlier.addActionListener(event -> showEarlier());
-    add(earlier);
+    // It keeps its room while it is hidden: with the first notice nothing else moves.
+    add(earlier, "hidemode 0");
     add(told, "growx, wmin 0");
     add(whole);
     add(punctual, "cell 4 0, wmin pref");

@@ -45,4 +45,11 @@ final class StatusLineTest {
     refresh();
     assertEquals("Saved a", shown());
   }
+
+  @Test
+  void nothingElseMovesWhenTheFirstNoticeComes() {
+    int heightBefore = line.getPreferredSize().height;
+    line.tell("Opened a.pinst");
+    assertEquals(heightBefore, line.getPreferredSize().height);
+  }
 }
