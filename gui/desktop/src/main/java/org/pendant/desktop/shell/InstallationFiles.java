@@ -55,6 +55,9 @@ final class InstallationFiles {
   /** Open programs whose people want the installation that there is. */
   private final Set<ProgramDocument> kept = new HashSet<>();
 
+  /** The installation that was offered last. */
+  private Optional<Path> offered = Optional.empty();
+
   /**
    * Files of {@code active}.
    *
@@ -87,6 +90,7 @@ final class InstallationFiles {
   /** Offers the installation that a program tree names, when it stands beside that. */
   void offerBeside(Programs programs) {
     programs.addListener(() -> offerFor(programs));
+    active.addFileListener(this::withdraw);
     offerFor(programs);
   }
 
@@ -107,6 +111,13 @@ final class InstallationFiles {
                 .filter(file -> programs.current() == program && !isActive(file))
                 .ifPresent(file -> offer(program, file)),
         this::notOpened);
+  }
+
+  /** Takes the offer back once that installation is open, by whatever way. */
+  private void withdraw() {
+    if (offered.filter(this::isActive).isPresent()) {
+      notices.close(BESIDE);
+    }
   }
 
   private static Optional<Path> beside(Path folder, String name) {
@@ -132,6 +143,7 @@ final class InstallationFiles {
   }
 
   private void offer(ProgramDocument program, Path file) {
+    offered = Optional.of(file);
     notices.ask(
         BESIDE,
         program.name() + " is made for the installation " + file.getFileName() + " beside it.",

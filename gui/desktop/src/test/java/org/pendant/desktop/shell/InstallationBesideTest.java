@@ -34,6 +34,7 @@ final class InstallationBesideTest {
   @TempDir Path folder;
 
   private final Notices notices = new Notices();
+  private final ActiveInstallation active = new ActiveInstallation();
   private ProgramDocument weld;
   private ProgramDocument glue;
   private ProgramDocument script;
@@ -49,7 +50,7 @@ final class InstallationBesideTest {
     programs = new Programs(script);
     InstallationFiles files =
         new InstallationFiles(
-            new ActiveInstallation(),
+            active,
             new DocumentSaver(new SaveQueue(), notices, text -> {}, text -> {}),
             new NoSettings(),
             notices,
@@ -115,6 +116,18 @@ final class InstallationBesideTest {
     assertFalse(notices.shows(NOTICE));
     select(glue);
     awaitOffer("glue_cell.pinst");
+  }
+
+  @Test
+  void theOfferGoesWhenThatInstallationIsOpenedByAnotherWay() throws Exception {
+    select(weld);
+    awaitOffer("weld_cell.pinst");
+    SavedProgram other = SavedProgram.read(folder.resolve("glue_cell.pinst"));
+    DispatchThread.run(() -> active.open(ProgramDocument.of(other)));
+    DispatchThread.run(() -> assertTrue(notices.shows(NOTICE)));
+    SavedProgram named = SavedProgram.read(folder.resolve("weld_cell.pinst"));
+    DispatchThread.run(() -> active.open(ProgramDocument.of(named)));
+    DispatchThread.run(() -> assertFalse(notices.shows(NOTICE)));
   }
 
   private static Stream<String> words(Component in) {
