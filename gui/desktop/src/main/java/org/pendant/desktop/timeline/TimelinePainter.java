@@ -292,9 +292,9 @@ final class TimelinePainter {
   }
 
   private static void marks(Sheet sheet, Tracks tracks, double y, double height) {
-    for (double timeS : tracks.warningsS()) {
-      if (sheet.sees(timeS, timeS)) {
-        diamond(sheet, timeS, y, height, Palette.warning());
+    for (Tracks.Warning warning : tracks.warnings()) {
+      if (sheet.sees(warning.timeS(), warning.timeS())) {
+        diamond(sheet, warning.timeS(), y, height, Palette.warning());
       }
     }
     for (RecordingMark mark : tracks.marks()) {

@@ -15,6 +15,7 @@ import org.pendant.recording.Column;
 import org.pendant.recording.ColumnTrace;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingMark;
+import org.pendant.script.function.ScriptPlace;
 
 /**
  * Tracks: what a timeline draws of a stretch of a recording.
@@ -24,7 +25,7 @@ import org.pendant.recording.RecordingMark;
  * @param pauses where a program was paused
  * @param startRamps where the start of a program made its moves slower
  * @param marks of the whole recording, in the order of time
- * @param warningsS when the log had a warning, s
+ * @param warnings of the log
  * @param inputs where a digital input changed
  * @param outputs where a digital output changed
  * @param nearestM how far a link of the arm was from another one or an object; empty where nobody
@@ -38,7 +39,7 @@ record Tracks(
     List<Bar> pauses,
     List<Bar> startRamps,
     List<RecordingMark> marks,
-    List<Double> warningsS,
+    List<Warning> warnings,
     List<Bar> inputs,
     List<Bar> outputs,
     Optional<ColumnTrace> nearestM,
@@ -77,6 +78,9 @@ record Tracks(
    * @param words who has hit what
    */
   record Hit(double timeS, String words) {}
+
+  /** A warning of the log. */
+  record Warning(double timeS, String words) {}
 
   /** A program from its start to its end. */
   record Run(double fromS, double toS, String name, boolean failed) {
@@ -156,6 +160,11 @@ record Tracks(
         return LookBack.text(mark.timeS()) + ": " + words(mark);
       }
     }
+    for (Warning warning : warnings) {
+      if (Math.abs(warning.timeS - timeS) <= nearS) {
+        return LookBack.text(warning.timeS) + ": warning: " + warning.words;
+      }
+    }
     for (Run run : runs) {
       if (run.fromS <= timeS && timeS <= run.toS) {
         about.append(": ").append(run.name).append(" runs");
@@ -225,14 +234,19 @@ record Tracks(
     return bars;
   }
 
-  private static List<Double> warnings(Recording recording, double fromS, double toS) {
-    List<Double> times =
+  private static List<Warning> warnings(Recording recording, double fromS, double toS) {
+    List<Warning> warnings =
         recording.log(Math.max(fromS, recording.firstS()), toS).stream()
-            .filter(entry -> entry.level() == LogEntry.Level.WARNING)
-            .map(LogEntry::timeS)
-            .filter(timeS -> timeS >= fromS)
+            .filter(entry -> entry.level() == LogEntry.Level.WARNING && entry.timeS() >= fromS)
+            .map(entry -> new Warning(entry.timeS(), words(entry)))
             .toList();
-    return times.subList(Math.max(0, times.size() - MAX_WARNINGS), times.size());
+    return warnings.subList(Math.max(0, warnings.size() - MAX_WARNINGS), warnings.size());
+  }
+
+  private static String words(LogEntry warning) {
+    String text = ByteText.decoded(warning.text());
+    int line = warning.place().map(ScriptPlace::line).orElse(0);
+    return line > 0 ? text + " (line " + line + ")" : text;
   }
 
   private static List<Bar> edges(

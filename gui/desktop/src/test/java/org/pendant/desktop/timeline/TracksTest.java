@@ -79,7 +79,21 @@ final class TracksTest {
   }
 
   @Test
-  void findsEdgesPausesWarningsAndSpeed() {
+  void thePointerOnAWarningSaysWhatTheLogWarnedOfAndWhere() {
+    RecordedRun run =
+        new RecordedRun().start("sleep(0.1)\nmotion_version_set(99)\nsleep(0.1)\n").frames(75);
+    Tracks tracks = Tracks.of(run.ring.recording(), new TimeRange(0, 0.15), 50, false, false);
+    Tracks.Warning warning = tracks.warnings().getFirst();
+    assertEquals(
+        LookBack.text(warning.timeS())
+            + ": warning: motion_version_set: ur5e has no motion version 99, it stays at 1 (line"
+            + " 2)",
+        tracks.about(warning.timeS() + 0.001, 0.002));
+    assertFalse(tracks.about(0.05, 0.002).contains("warning"), tracks.about(0.05, 0.002));
+  }
+
+  @Test
+  void findsEdgesPausesAndSpeed() {
     RecordedRun run =
         new RecordedRun()
             .start(
