@@ -62,7 +62,7 @@ final class ForeignProgramWindowTest {
         window.awaitWords("program-menu", "pick.urpx");
       }
     }
-    Path errors = folder.resolve("pendant/errors.txt");
+    Path errors = folder.resolve("state/pendant/desktop/errors.txt");
     assertFalse(Files.exists(errors), () -> "internal errors in " + errors);
   }
 

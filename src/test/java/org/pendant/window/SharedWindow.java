@@ -72,7 +72,7 @@ final class SharedWindow implements BeforeAllCallback, BeforeEachCallback, After
     }
     try {
       assertEquals("", window.complaints(), "outside of the dispatch thread");
-      Path errors = folder.resolve("pendant/errors.txt");
+      Path errors = folder.resolve("state/pendant/desktop/errors.txt");
       assertEquals("", Files.exists(errors) ? Files.readString(errors) : "", "internal errors");
     } finally {
       window.close();

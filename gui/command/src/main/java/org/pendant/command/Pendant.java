@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.command.doctor.Doctor;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.Version;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -49,6 +50,7 @@ public final class Pendant {
             new FunctionsCommand(StandardBuiltins::create, TestBuiltins::create),
             new RobotsCommand(),
             new CalibrateCommand(),
+            new DoctorCommand(Doctor::ofThisComputer),
             new CompletionCommand(this::subcommands));
   }
 

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 final class OptionDocumentationTest {
   /** Those whose options the page has in tables; what one of them has, the next only mentions. */
   private static final List<String> TABLES =
-      List.of("run", "serve", "render", "open", "record", "compare", "test", "sweep");
+      List.of("run", "serve", "render", "open", "record", "compare", "test", "sweep", "doctor");
 
   private static List<Subcommand> subcommands() {
     return new Pendant(new Console(new ByteArrayOutputStream(), new ByteArrayOutputStream()))

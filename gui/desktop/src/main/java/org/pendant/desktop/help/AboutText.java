@@ -18,7 +18,10 @@ final class AboutText {
         "\n",
         "# Pendant",
         "",
-        "Version " + Version.number() + ", URScript as of PolyScope 5.24.1.",
+        "Version "
+            + Version.number()
+            + Version.commit().map(commit -> " (commit " + commit + ")").orElse("")
+            + ", URScript as of PolyScope 5.24.1.",
         "Java "
             + Runtime.version()
             + " on "
@@ -29,8 +32,8 @@ final class AboutText {
             + System.getProperty("os.arch")
             + ".",
         "",
-        "- Logs and reports: [`" + logs + "`](folder:logs)",
-        "- Settings and internal errors: [`" + settings + "`](folder:settings)",
+        "- Logs, reports and internal errors: [`" + logs + "`](folder:logs)",
+        "- Settings: [`" + settings + "`](folder:settings)",
         "",
         "Robots of Universal Robots are simulated from published numbers and recordings. Pendant is"
             + " not made by Universal Robots, and nothing here replaces a risk assessment.",

@@ -9,12 +9,18 @@ import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
+import org.pendant.command.doctor.Doctor;
+import org.pendant.command.doctor.ProblemReport;
+import org.pendant.controller.disk.AtomicFile;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.export.SaveDialog;
+import org.pendant.kit.export.SaveRequest;
 
 /** Help actions: documentation, keys, examples, what this program is and where its logs are. */
 public final class HelpActions {
   private final ActionTable actions;
+  private final JComponent under;
   private final Supplier<Map<String, List<String>>> groups;
   private final Path logs;
   private final Path settings;
@@ -38,6 +44,7 @@ public final class HelpActions {
       Path settings,
       Consumer<String> tell) {
     this.actions = actions;
+    this.under = under;
     this.groups = groups;
     this.logs = logs;
     this.settings = settings;
@@ -71,6 +78,7 @@ public final class HelpActions {
     }
     actions.add(Action.of("help.about", "About Pendant", "", () -> panel.open(HelpPage.ABOUT)));
     actions.add(Action.of("help.logs", "Open the folder of logs", "", () -> openFolder(logs)));
+    actions.add(Action.of("help.report", "Report a problem\u2026", "", this::report));
   }
 
   private String made(HelpPage page) {
@@ -85,6 +93,18 @@ public final class HelpActions {
       case "folder:settings" -> openFolder(settings);
       default -> OtherProgram.open(link, () -> Desktop.getDesktop().browse(URI.create(link)), tell);
     }
+  }
+
+  private void report() {
+    SaveDialog.open(
+        under,
+        new SaveRequest(
+            "Report a problem, without names and programs",
+            Path.of(System.getProperty("user.home"), "pendant-problem.zip"),
+            List.of("zip"),
+            List.of()),
+        file -> AtomicFile.write(file, ProblemReport.of(Doctor.ofThisComputer().findings())::write),
+        tell);
   }
 
   private void openFolder(Path folder) {

@@ -238,7 +238,7 @@ public final class Desktop {
             new OpenFiles(StateFolder.of(System.getenv()).resolve("windows")),
             () -> close(session));
     Faults.keepIn(
-        new FaultFile(folder.resolve("errors.txt")),
+        new FaultFile(StateFolder.faults(System.getenv())),
         text -> EventQueue.invokeLater(() -> window.tell(text)));
     shown.accept(window);
     settings.notice().ifPresent(window::warn);

@@ -421,7 +421,7 @@ final class MenuPlan {
         line(),
         all("help.palette", "help.keys", "help"),
         line(),
-        all("help.logs", "help.about"));
+        all("help.report", "help.logs", "help.about"));
   }
 
   private static List<Entry> all(String... begins) {

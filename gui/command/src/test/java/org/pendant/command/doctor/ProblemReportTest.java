@@ -1,0 +1,69 @@
+package org.pendant.command.doctor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.ZipInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+final class ProblemReportTest {
+  private static final PrivateNames NAMES = new PrivateNames("/home/maria", "maria", "cell-7");
+  private static final List<Finding> FINDINGS =
+      List.of(Finding.ok("Settings", "/home/maria/.config/pendant, 1,000 MB free"));
+
+  @TempDir private Path folder;
+
+  private ProblemReport report() throws IOException {
+    return ProblemReport.of(FINDINGS, folder.resolve("errors.txt"), NAMES);
+  }
+
+  @Test
+  void withoutFaultsThereIsWhatTheDoctorFound() throws IOException {
+    assertEquals("doctor.txt", report().contents());
+  }
+
+  @Test
+  void notedFaultsAreInIt() throws IOException {
+    Files.writeString(folder.resolve("errors.txt"), "newer\n");
+    Files.writeString(folder.resolve("older-errors.txt"), "older\n");
+
+    assertEquals("doctor.txt, older-errors.txt, errors.txt", report().contents());
+    assertEquals("newer\n", report().texts().get("errors.txt"));
+  }
+
+  @Test
+  void namesOfUserFolderAndComputerAreReplaced() throws IOException {
+    Files.writeString(
+        folder.resolve("errors.txt"),
+        "/home/maria/robots/pick.script of maria at cell-7, mariachi, cell-78\n");
+
+    assertEquals(
+        "~/robots/pick.script of USER at HOST, mariachi, cell-78\n",
+        report().texts().get("errors.txt"));
+    assertFalse(report().texts().get("doctor.txt").contains("maria"));
+  }
+
+  @Test
+  void itIsAZipFile() throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    report().write(out);
+
+    List<String> names = new ArrayList<>();
+    try (ZipInputStream zip = new ZipInputStream(new ByteArrayInputStream(out.toByteArray()))) {
+      names.add(zip.getNextEntry().getName());
+      String text = new String(zip.readAllBytes(), StandardCharsets.UTF_8);
+      assertTrue(text.contains("Settings      ~/.config/pendant"), text);
+    }
+    assertEquals(List.of("doctor.txt"), names);
+  }
+}
