@@ -62,4 +62,9 @@ public enum Margin {
     double used = (value - ample) / (tight - ample);
     return used > 0 ? Math.min(1, used) : 0;
   }
+
+  /** The value at which so much of the margin, 0 to 1, is used up; at 0 the one with ample room. */
+  public double valueAt(double used) {
+    return ample + used * (tight - ample);
+  }
 }

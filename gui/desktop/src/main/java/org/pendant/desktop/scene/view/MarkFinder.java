@@ -150,9 +150,7 @@ final class MarkFinder {
     String margin =
         trace
             .colouring()
-            .map(
-                each ->
-                    "\n" + Math.round(100 * trace.used(i)) + " % of the margin: " + each.words())
+            .map(each -> "\n" + TraceScale.margin(each, trace.used(i), form))
             .orElse("");
     String place = form.place(trace.x(i), trace.y(i), trace.z(i));
     String words = traced.what() + line + place + speed + margin + "\nA click explains the speed";

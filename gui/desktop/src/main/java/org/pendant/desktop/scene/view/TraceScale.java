@@ -39,16 +39,45 @@ record TraceScale(String least, String middle, String most) {
   }
 
   private static TraceScale of(Margin margin, PoseForm form) {
+    return new TraceScale(
+        bounded(margin, 0, form),
+        "",
+        switch (margin) {
+          case JOINT_SPEED, TORQUE, TOOL_SPEED -> "100 % " + margin.words();
+          case JOINT_LIMIT -> "at a joint limit";
+          case PLANE -> "at a plane";
+        });
+  }
+
+  /**
+   * How near the arm was to a limit, such as {@code torque 62 %}, {@code safety plane: 12 mm away}.
+   *
+   * @param used how much of the margin, 0 to 1: at both ends it is only known that it is not less,
+   *     or not more
+   */
+  static String margin(Margin margin, double used, PoseForm form) {
+    String value = bounded(margin, used, form);
+    return margin.isShare()
+        ? margin.words() + " " + value
+        : margin.words() + ": " + value + " away";
+  }
+
+  private static String bounded(Margin margin, double used, PoseForm form) {
+    boolean ample = used <= 0;
+    boolean tight = used >= 1;
+    boolean atMost = margin.isShare() ? ample : tight;
+    boolean atLeast = margin.isShare() ? tight : ample;
+    return (atMost ? "\u2264 " : atLeast ? "\u2265 " : "")
+        + value(margin, margin.valueAt(used), form);
+  }
+
+  private static String value(Margin margin, double value, PoseForm form) {
     return switch (margin) {
-      case JOINT_SPEED, TORQUE, TOOL_SPEED ->
-          new TraceScale(
-              "\u2264 " + Math.round(100 * margin.ample()) + " %", "", "100 % " + margin.words());
-      case JOINT_LIMIT ->
-          new TraceScale("\u2265 " + angle(margin.ample(), form), "", "at a joint limit");
+      case JOINT_SPEED, TORQUE, TOOL_SPEED -> Math.round(100 * value) + " %";
+      case JOINT_LIMIT -> angle(value, form);
       case PLANE -> {
         Measure unit = ShownMeasure.of(Measure.MILLIMETRE, form);
-        yield new TraceScale(
-            "\u2265 " + number(unit.shown(margin.ample())) + " " + unit.symbol(), "", "at a plane");
+        yield number(unit.shown(value)) + " " + unit.symbol();
       }
     };
   }
