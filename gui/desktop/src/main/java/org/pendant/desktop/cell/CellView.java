@@ -18,6 +18,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.desktop.workbench.View;
@@ -223,6 +224,8 @@ public final class CellView implements View {
     rotation.look();
     cards().bar().refresh();
     cards().wiring().refresh(state);
-    cards().devices().refresh(state.devices());
+    cards()
+        .devices()
+        .refresh(state.devices(), FormMemory.read(workbench.settings()).length());
   }
 }

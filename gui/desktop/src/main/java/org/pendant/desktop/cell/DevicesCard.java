@@ -15,6 +15,7 @@ import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.io.DeviceRow;
 import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measures;
@@ -82,11 +83,11 @@ final class DevicesCard {
     return device.name() + "  (" + device.title() + ")" + (now.isEmpty() ? "" : "  \u2013 " + now);
   }
 
-  /** Shows what devices are at. */
-  void refresh(List<DeviceState> states) {
+  /** Shows what devices are at, with lengths in this unit. */
+  void refresh(List<DeviceState> states, DisplayUnit length) {
     Map<String, String> now = new HashMap<>();
     for (DeviceState each : states) {
-      now.put(each.name(), DeviceRow.of(each).doing().toLowerCase(Locale.ROOT));
+      now.put(each.name(), DeviceRow.of(each, length).doing().toLowerCase(Locale.ROOT));
     }
     if (!now.equals(doing)) {
       doing = now;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -17,6 +18,7 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
@@ -32,8 +34,10 @@ final class DeviceCard {
       new JPanel(new MigLayout("insets 0, gap 12 2, wrap 2", "[grow, 0:180:][right]"));
   private final Function<Command, CompletableFuture<Reply>> submit;
   private final Consumer<String> tell;
+  private final Supplier<DisplayUnit> length;
   private final List<Line> lines = new ArrayList<>();
   private List<DeviceState> shown = List.of();
+  private DisplayUnit shownIn = DisplayUnit.MILLIMETRE;
 
   /** What is shown of a device. */
   private static final class Line {
@@ -52,10 +56,15 @@ final class DeviceCard {
    *
    * @param submit takes what people want
    * @param tell tells why that was refused
+   * @param length in which people read lengths now
    */
-  DeviceCard(Function<Command, CompletableFuture<Reply>> submit, Consumer<String> tell) {
+  DeviceCard(
+      Function<Command, CompletableFuture<Reply>> submit,
+      Consumer<String> tell,
+      Supplier<DisplayUnit> length) {
     this.submit = submit;
     this.tell = tell;
+    this.length = length;
     table.setOpaque(false);
     card.add(table);
     card.setVisible(false);
@@ -66,14 +75,16 @@ final class DeviceCard {
   }
 
   void refresh(ControllerState state) {
-    if (!state.devices().equals(shown)) {
+    DisplayUnit now = length.get();
+    if (!state.devices().equals(shown) || now != shownIn) {
       boolean others = !names(state.devices()).equals(names(shown));
       shown = state.devices();
+      shownIn = now;
       if (others) {
         rebuild();
       }
       for (int i = 0; i < lines.size(); i++) {
-        show(lines.get(i), DeviceRow.of(shown.get(i)));
+        show(lines.get(i), DeviceRow.of(shown.get(i), now));
         lines.get(i).signals.show(shown.get(i));
       }
     }
@@ -92,7 +103,7 @@ final class DeviceCard {
     table.removeAll();
     for (DeviceState device : shown) {
       Line line = new Line(new DeviceSignals(this::set, tell));
-      DeviceRow row = DeviceRow.of(device);
+      DeviceRow row = DeviceRow.of(device, shownIn);
       line.name.setText(row.name());
       line.name.setToolTipText(row.kind());
       line.name.setName("device-" + row.name());

@@ -1,7 +1,7 @@
 package org.pendant.desktop.io;
 
-import java.util.Locale;
 import org.pendant.controller.device.DeviceState;
+import org.pendant.desktop.unit.DisplayUnit;
 
 /**
  * Device row: a device of the cell as it is shown.
@@ -13,19 +13,22 @@ import org.pendant.controller.device.DeviceState;
  * @param boxOn whether that is so
  */
 public record DeviceRow(String name, String kind, String doing, Box box, boolean boxOn) {
-  private static final double MM = 1e-3;
   private static final String DOOR = "door";
   private static final String RAIL = "rail";
   private static final String LIMIT_SWITCH = "limit switch";
   private static final String BUTTON = "button";
 
-  /** A device as it is now. */
-  public static DeviceRow of(DeviceState device) {
+  /**
+   * A device as it is now.
+   *
+   * @param length in which lengths are shown
+   */
+  public static DeviceRow of(DeviceState device, DisplayUnit length) {
     Box box = box(device);
     return new DeviceRow(
         device.name(),
         device.kind(),
-        doing(device),
+        doing(device, length),
         box,
         box == Box.ONLINE ? device.on() : device.partWidthM() > 0);
   }
@@ -61,7 +64,7 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
         : Box.PART;
   }
 
-  private static String doing(DeviceState device) {
+  private static String doing(DeviceState device, DisplayUnit length) {
     if (box(device) == Box.ONLINE) {
       return device.on() ? "On the network" : "Off the network";
     }
@@ -84,10 +87,9 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
       return share <= 0 ? "Closed" : share >= 1 ? "Open" : Math.round(100 * share) + " % open";
     }
     if (device.kind().equals(RAIL)) {
-      return String.format(
-          Locale.ROOT, "At %.1f of %.1f mm", device.openingM() / MM, device.strokeM() / MM);
+      return "At " + length.text(device.openingM()) + " of " + length.reading(device.strokeM());
     }
-    String opening = String.format(Locale.ROOT, "%.1f mm", device.openingM() / MM);
+    String opening = length.reading(device.openingM());
     return device.on()
         ? opening + ", holds a part with " + Math.round(device.forceN()) + " N"
         : opening + " open";

@@ -20,6 +20,7 @@ import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -74,7 +75,11 @@ public final class IoView implements View {
         new IoPresenter(
             workbench.session()::submit, pulses, EventQueue::invokeLater, workbench::notify);
     safety = new SafetyCard(presenter);
-    devices = new DeviceCard(workbench.session()::submit, workbench::notify);
+    devices =
+        new DeviceCard(
+            workbench.session()::submit,
+            workbench::notify,
+            () -> FormMemory.read(workbench.settings()).length());
     tool = new ToolCard(presenter.forcing());
     content.setName("io-view");
     content.getAccessibleContext().setAccessibleName(title());

@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.world.Scene;
+import org.pendant.desktop.scene.mesh.FloorGrid;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.kinematics.ForwardKinematics;
@@ -31,6 +32,7 @@ import org.pendant.models.pose.Pose;
  * @param compared ways of the tool in variants of a run
  * @param devices what is to be seen of the devices of the cell
  * @param others the other arms of the cell
+ * @param grid the lines on the floor and on planes
  */
 public record SceneModel(
     ArmDescription arm,
@@ -48,7 +50,8 @@ public record SceneModel(
     SafetySight safety,
     ComparedWays compared,
     DeviceSight devices,
-    List<OtherArm> others) {
+    List<OtherArm> others,
+    FloorGrid grid) {
 
   /** Copies the collections. */
   public SceneModel {
@@ -75,7 +78,8 @@ public record SceneModel(
         SafetySight.NONE,
         ComparedWays.NONE,
         DeviceSight.NONE,
-        List.of());
+        List.of(),
+        FloorGrid.METRES);
   }
 
   /** The arm as a snapshot of the controller has it, with its active tool centre point. */
@@ -136,6 +140,10 @@ public record SceneModel(
     return with(parts -> parts.others = arms);
   }
 
+  public SceneModel withGrid(FloorGrid lines) {
+    return with(parts -> parts.grid = lines);
+  }
+
   /** Pose of the tool centre point in the base frame. */
   public Pose tcpInBase() {
     return kinematics.tcpPose(positionRad, tcpInFlange);
@@ -165,6 +173,7 @@ public record SceneModel(
     private ComparedWays compared;
     private DeviceSight devices;
     private List<OtherArm> others;
+    private FloorGrid grid;
 
     Parts(SceneModel of) {
       arm = of.arm;
@@ -183,6 +192,7 @@ public record SceneModel(
       compared = of.compared;
       devices = of.devices;
       others = of.others;
+      grid = of.grid;
     }
 
     SceneModel model() {
@@ -202,7 +212,8 @@ public record SceneModel(
           safety,
           compared,
           devices,
-          others);
+          others,
+          grid);
     }
   }
 }

@@ -52,9 +52,11 @@ import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.scene.Touching;
 import org.pendant.desktop.scene.WaypointMarkers;
+import org.pendant.desktop.scene.mesh.FloorGrid;
 import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.scene.view.SceneView;
 import org.pendant.desktop.session.StillArm;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
@@ -152,7 +154,8 @@ final class ScenePanel implements View, GhostArm {
       Set<String> hit,
       ComparedWays compared,
       DeviceSight devices,
-      List<OtherArm> others) {}
+      List<OtherArm> others,
+      DisplayUnit length) {}
 
   /**
    * The arm.
@@ -382,7 +385,8 @@ final class ScenePanel implements View, GhostArm {
             hit(state, around.scene),
             compared.get(),
             cell.devices(state, back, proposedDevices.get(), chosenDevice.get()),
-            cell.others(state, back));
+            cell.others(state, back),
+            FormMemory.read(workbench.settings()).length());
     if (seen.equals(Optional.of(now))) {
       return;
     }
@@ -448,7 +452,8 @@ final class ScenePanel implements View, GhostArm {
         now.safety,
         now.compared,
         now.devices,
-        now.others);
+        now.others,
+        FloorGrid.of(now.length));
   }
 
   /** What the tool touches, and what it ran into when it was stopped. */

@@ -21,6 +21,7 @@ import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.mesh.BoxEdges;
 import org.pendant.desktop.scene.mesh.Finish;
+import org.pendant.desktop.scene.mesh.FloorGrid;
 import org.pendant.desktop.scene.mesh.FloorScale;
 import org.pendant.desktop.scene.mesh.Lines;
 import org.pendant.models.arm.Joints;
@@ -75,7 +76,8 @@ final class LinePainter implements AutoCloseable {
   private record SafetyOf(
       SafetySight sight, String armId, Joints positionRad, Pose tcpInFlange, SceneTheme theme) {}
 
-  private record ScaleOf(double reachM, double heightM, int quarters, SceneTheme theme) {}
+  private record ScaleOf(
+      FloorGrid grid, double reachM, double heightM, int quarters, SceneTheme theme) {}
 
   LinePainter(Shaders shaders) {
     line = shaders.line();
@@ -189,6 +191,7 @@ final class LinePainter implements AutoCloseable {
     loadBelts(model);
     ScaleOf newScale =
         new ScaleOf(
+            model.grid(),
             Surroundings.FLOOR_REACH * model.arm().reachM(),
             ground.heightM(),
             FloorScale.quarters(camera.azimuthRad()),
@@ -213,6 +216,7 @@ final class LinePainter implements AutoCloseable {
 
   private static Lines scale(ScaleOf of) {
     return FloorScale.of(
+        of.grid(),
         of.reachM(),
         of.heightM(),
         of.quarters(),

@@ -94,7 +94,7 @@ final class Surroundings implements AutoCloseable {
     SceneTheme theme = model.theme();
     float reach = (float) model.arm().reachM();
     int rgb = ground.touched() ? theme.rgb(Finish.TOUCHED) : theme.floorRgb();
-    use(plane, theme, toClip, toMap);
+    use(plane, model, toClip, toMap);
     plane.set("axes", 1);
     plane.set("halfSize", FLOOR_END * reach);
     plane.set("reach", FLOOR_REACH * reach);
@@ -128,7 +128,7 @@ final class Surroundings implements AutoCloseable {
     for (Sheets.Sheet sheet : sheets) {
       boolean square = sheet.halfSizeM() > 0;
       ShaderProgram plane = shaders.plane(square ? Shadows.NONE : shadows);
-      use(plane, model.theme(), toClip, toMap);
+      use(plane, model, toClip, toMap);
       plane.set("axes", 0);
       plane.set("pictureHeight", 0);
       plane.set("around", false);
@@ -158,10 +158,13 @@ final class Surroundings implements AutoCloseable {
   }
 
   private static void use(
-      ShaderProgram plane, SceneTheme theme, Matrix4fc toClip, Matrix4fc toMap) {
+      ShaderProgram plane, SceneModel model, Matrix4fc toClip, Matrix4fc toMap) {
+    SceneTheme theme = model.theme();
     plane.use().set("toClip", toClip);
     plane.set("toLight", toMap);
     plane.setTexture("shadowMap", 0);
+    plane.set("fineStep", (float) model.grid().fineM());
+    plane.set("strongStep", (float) model.grid().strongM());
     plane.set("axisX", Paints.screen(theme.rgb(Finish.AXIS_X)));
     plane.set("axisY", Paints.screen(theme.rgb(Finish.AXIS_Y)));
     plane.set("shade", theme == SceneTheme.LIGHT ? 0.36f : 0.55f);

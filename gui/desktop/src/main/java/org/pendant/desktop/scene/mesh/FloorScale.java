@@ -4,11 +4,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Floor scale: metres written on the floor beside the axes, drawn by strokes: no font is needed,
+ * Floor scale: lengths written on the floor beside the axes, drawn by strokes: no font is needed,
  * and they lie in the plane of the floor.
  */
 public final class FloorScale {
-  private static final double STEP_M = 0.5;
   private static final double HEIGHT_M = 0.048;
 
   /** Widths and distances as shares of the height. */
@@ -36,6 +35,8 @@ public final class FloorScale {
           Map.entry('-', List.of(new double[] {0, 2, 2, 2})),
           Map.entry(
               'm', List.of(new double[] {0, 0, 0, 2, 1, 2, 1, 0}, new double[] {1, 2, 2, 2, 2, 0})),
+          Map.entry('i', List.of(new double[] {1, 0, 1, 2}, new double[] {1, 2.8, 1, 3.1})),
+          Map.entry('n', List.of(new double[] {0, 0, 0, 2, 1.5, 2, 1.5, 0})),
           Map.entry(' ', List.of()));
 
   private FloorScale() {}
@@ -48,28 +49,25 @@ public final class FloorScale {
   /**
    * Labels on both axes of the base frame, to both sides.
    *
+   * @param grid where, and what
    * @param farthestM how far from the middle they go, m
    * @param heightM of the floor, m
    * @param quarters {@link #quarters} of the camera
    * @param xRgb colour on the x axis, 0xRRGGBB
    * @param yRgb colour on the y axis, 0xRRGGBB
    */
-  public static Lines of(double farthestM, double heightM, int quarters, int xRgb, int yRgb) {
+  public static Lines of(
+      FloorGrid grid, double farthestM, double heightM, int quarters, int xRgb, int yRgb) {
     Lines lines = new Lines();
-    for (int step = 1; step * STEP_M <= farthestM; step++) {
-      double atM = step * STEP_M;
-      write(lines, text(atM), atM, 0, heightM, quarters, xRgb);
-      write(lines, text(-atM), -atM, 0, heightM, quarters, xRgb);
-      write(lines, text(atM), 0, atM, heightM, quarters, yRgb);
-      write(lines, text(-atM), 0, -atM, heightM, quarters, yRgb);
+    for (int strong = 1; strong * grid.strongM() <= farthestM; strong++) {
+      double atM = strong * grid.strongM();
+      String text = grid.text(strong);
+      write(lines, text, atM, 0, heightM, quarters, xRgb);
+      write(lines, "-" + text, -atM, 0, heightM, quarters, xRgb);
+      write(lines, text, 0, atM, heightM, quarters, yRgb);
+      write(lines, "-" + text, 0, -atM, heightM, quarters, yRgb);
     }
     return lines;
-  }
-
-  private static String text(double atM) {
-    int tenths = (int) Math.round(10 * Math.abs(atM));
-    String number = tenths % 10 == 0 ? "" + tenths / 10 : tenths / 10 + "." + tenths % 10;
-    return (atM < 0 ? "-" : "") + number + " m";
   }
 
   private static void write(

@@ -1,5 +1,5 @@
 #version 330 core
-// Lines every 0.1 m and stronger ones every 0.5 m, fading out with the distance from the middle.
+// Fine lines and, every few of them, stronger ones, fading out with the distance from the middle.
 in vec2 onPlane;
 in vec3 worldPosition;
 in vec3 lightPosition;
@@ -9,6 +9,8 @@ uniform vec3 line;
 uniform float fillOpacity;
 uniform float lineOpacity; // 1 for lines as strong as on the floor
 uniform float shade; // how dark the shadow is
+uniform float fineStep; // from one line to the next
+uniform float strongStep;
 uniform float reach; // fully there up to this distance from the middle, gone at the edge
 uniform float halfSize;
 uniform vec3 axisX;
@@ -35,8 +37,8 @@ void main() {
     discard;
   }
   vec2 width = fwidth(onPlane);
-  vec2 fine = lines(width, 0.1, 1.2);
-  vec2 coarse = lines(width, 0.5, 1.5);
+  vec2 fine = lines(width, fineStep, 1.2);
+  vec2 coarse = lines(width, strongStep, 1.5);
   float cover = lineOpacity * max(0.30 * max(fine.x, fine.y), 0.62 * max(coarse.x, coarse.y));
   float dark = far < reach ? shade * (1.0 - lit(lightPosition)) : 0.0;
 

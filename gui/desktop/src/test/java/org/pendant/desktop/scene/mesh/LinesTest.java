@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.models.pose.Pose;
 
 final class LinesTest {
@@ -67,9 +68,9 @@ final class LinesTest {
 
   @Test
   void metresAreWrittenOnTheFloorAlongBothAxes() {
-    Lines none = FloorScale.of(0.4, 0, 0, 0, 0);
-    Lines one = FloorScale.of(0.9, -0.2, 0, 0, 0);
-    Lines two = FloorScale.of(1.1, -0.2, 0, 0, 0);
+    Lines none = FloorScale.of(FloorGrid.METRES, 0.4, 0, 0, 0, 0);
+    Lines one = FloorScale.of(FloorGrid.METRES, 0.9, -0.2, 0, 0, 0);
+    Lines two = FloorScale.of(FloorGrid.METRES, 1.1, -0.2, 0, 0, 0);
 
     assertEquals(0, none.size());
     assertTrue(one.size() > 0);
@@ -81,13 +82,31 @@ final class LinesTest {
   }
 
   @Test
+  void peopleWhoReadInchesFindRoundNumbersOfThemOnTheFloor() {
+    assertEquals("0.5 m", FloorGrid.of(DisplayUnit.MILLIMETRE).text(1));
+    assertEquals("1 m", FloorGrid.of(DisplayUnit.METRE).text(2));
+    assertEquals("20 in", FloorGrid.of(DisplayUnit.INCH).text(1));
+    for (FloorGrid each : FloorGrid.values()) {
+      assertEquals(0, FloorScale.of(each, each.strongM() - 1e-3, 0, 0, 0, 0).size());
+      Lines one = FloorScale.of(each, each.strongM(), 0, 0, 0, 0);
+      assertTrue(one.size() > 0);
+      for (int i = 0; i < one.size(); i++) {
+        double farM = Math.hypot(one.number(i, 0), one.number(i, 1));
+        assertEquals(each.strongM(), farM, 0.3, "beside its line");
+      }
+    }
+  }
+
+  @Test
   void theWritingTurnsWithTheEye() {
     assertEquals(0, FloorScale.quarters(Math.toRadians(-90)));
     assertEquals(0, FloorScale.quarters(Math.toRadians(-52)));
     assertEquals(1, FloorScale.quarters(0));
     assertEquals(2, FloorScale.quarters(Math.toRadians(90)));
     assertEquals(3, FloorScale.quarters(Math.toRadians(180)));
-    Optional<Float> first = Optional.of(FloorScale.of(0.6, 0, 0, 0, 0).number(0, 0));
-    assertNotEquals(first, Optional.of(FloorScale.of(0.6, 0, 2, 0, 0).number(0, 0)));
+    Optional<Float> first =
+        Optional.of(FloorScale.of(FloorGrid.METRES, 0.6, 0, 0, 0, 0).number(0, 0));
+    assertNotEquals(
+        first, Optional.of(FloorScale.of(FloorGrid.METRES, 0.6, 0, 2, 0, 0).number(0, 0)));
   }
 }
