@@ -32,7 +32,9 @@ final class EmptyNote {
     pen.setColor(LogColors.quiet());
     FontMetrics metrics = pen.getFontMetrics();
     Rectangle sight = on.getVisibleRect();
-    List<String> lines = LineBreaker.lines(text, metrics::stringWidth, sight.width - 2 * SIDE);
+    List<String> lines =
+        LineBreaker.lines(
+            text, metrics::stringWidth, sight.width - 2 * SIDE, LineBreaker.MAX_LINES);
     int y = sight.y + Math.max(SIDE, (sight.height - lines.size() * metrics.getHeight()) / 2);
     for (String each : lines) {
       y += metrics.getHeight();

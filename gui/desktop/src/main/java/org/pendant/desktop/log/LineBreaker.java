@@ -19,13 +19,14 @@ final class LineBreaker {
    *
    * @param widths how wide a text is drawn
    * @param width that no line exceeds, unless it is a single character
+   * @param most lines; the last says so where there would be more
    */
-  static List<String> lines(String text, ToIntFunction<String> widths, int width) {
+  static List<String> lines(String text, ToIntFunction<String> widths, int width, int most) {
     List<String> lines = new ArrayList<>();
     for (String each : text.split("\n", -1)) {
-      wrap(each.stripTrailing().replace("\t", "  "), widths, width, lines);
-      if (lines.size() >= MAX_LINES) {
-        List<String> first = new ArrayList<>(lines.subList(0, MAX_LINES - 1));
+      wrap(each.stripTrailing().replace("\t", "  "), widths, width, most, lines);
+      if (lines.size() >= most) {
+        List<String> first = new ArrayList<>(lines.subList(0, most - 1));
         first.add("\u2026");
         return first;
       }
@@ -34,9 +35,9 @@ final class LineBreaker {
   }
 
   private static void wrap(
-      String text, ToIntFunction<String> widths, int width, List<String> lines) {
+      String text, ToIntFunction<String> widths, int width, int most, List<String> lines) {
     String rest = text;
-    while (lines.size() < MAX_LINES && tooLong(rest, widths, width)) {
+    while (lines.size() < most && tooLong(rest, widths, width)) {
       int fits = fitting(rest, widths, width);
       int blank = rest.lastIndexOf(' ', fits);
       int end = blank > 0 ? blank : fits;

@@ -16,10 +16,7 @@ import org.pendant.kit.fault.Faults;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 
-/**
- * Log rows: a table whose columns fit its width, and whose rows fit the font and, for errors and
- * warnings, the text.
- */
+/** Log rows: a table whose columns fit its width, and whose rows fit the font and the text. */
 @SuppressWarnings("serial") // never written to a stream
 final class LogRows extends JTable {
   /** Above and below the text of a row. */
@@ -34,7 +31,8 @@ final class LogRows extends JTable {
   private final LogPresenter presenter;
   private final LogColumns columns;
   private final MessageCell message;
-  private final Timer settled = Faults.timer(SETTLED_MS, () -> fitRows(0));
+  private final Timer settled = Faults.timer(SETTLED_MS, this::fitAllRows);
+  private Runnable fitted = () -> {};
   private List<LogColumns.Shown> shown = List.of();
 
   LogRows(LogTableModel model, LogPresenter presenter, LogColumns columns) {
@@ -77,6 +75,16 @@ final class LogRows extends JTable {
       cell.setForeground(Palette.tint(Palette.quiet(), 0.55));
     }
     return cell;
+  }
+
+  /** Has {@code listener} run when rows have other heights, as the width is another one. */
+  void onFitted(Runnable listener) {
+    fitted = listener;
+  }
+
+  private void fitAllRows() {
+    fitRows(0);
+    fitted.run();
   }
 
   private void fitFont() {
@@ -154,22 +162,19 @@ final class LogRows extends JTable {
     message.setCodeBeside(codeBeside);
   }
 
-  /** Gives errors and warnings, from row {@code from} on, the height that their texts need. */
+  /** Gives rows, from {@code from} on, the height that their texts need. */
   void fitRows(int from) {
     int index = messageColumn();
-    if (index < 0) {
-      return;
+    if (index < 0 || getWidth() == 0) {
+      return; // done when there is a width
     }
     int width = getColumnModel().getColumn(index).getWidth();
     FontMetrics metrics = getFontMetrics(getFont());
     for (int row = Math.max(0, from); row < getRowCount(); row++) {
-      LogLine line = presenter.row(row);
-      if (MessageCell.whole(line)) {
-        int lines = message.lines(line, metrics, width).size();
-        int height = lines * metrics.getHeight() + 2 * PADDING;
-        if (getRowHeight(row) != height) {
-          setRowHeight(row, height);
-        }
+      int lines = message.lines(presenter.row(row), metrics, width).size();
+      int height = lines * metrics.getHeight() + 2 * PADDING;
+      if (getRowHeight(row) != height) {
+        setRowHeight(row, height);
       }
     }
   }
@@ -177,7 +182,7 @@ final class LogRows extends JTable {
   private boolean cut(LogLine line, int column) {
     int width = getColumnModel().getColumn(column).getWidth();
     List<String> lines = message.lines(line, getFontMetrics(getFont()), width);
-    return lines.size() == 1 && lines.getFirst().endsWith("\u2026");
+    return lines.getLast().endsWith("\u2026");
   }
 
   private int messageColumn() {

@@ -48,6 +48,7 @@ final class LogTable {
     key("ENTER", "log-show-source", this::showSelectedSource);
     key("control END", "log-newest", this::jumpToNewest);
     table.prepare();
+    table.onFitted(this::stayAtBottom);
   }
 
   JComponent component() {
@@ -162,6 +163,12 @@ final class LogTable {
     chip.show(presenter.following(), presenter.unread());
   }
 
+  private void stayAtBottom() {
+    if (presenter.following()) {
+      toBottom();
+    }
+  }
+
   private void toBottom() {
     int rows = table.getRowCount();
     if (rows > 0) {
@@ -197,9 +204,7 @@ final class LogTable {
   private final class Resizing extends ComponentAdapter {
     @Override
     public void componentResized(ComponentEvent event) {
-      if (presenter.following()) {
-        toBottom();
-      }
+      stayAtBottom();
     }
   }
 

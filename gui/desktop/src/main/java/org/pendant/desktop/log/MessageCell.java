@@ -6,6 +6,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
@@ -16,14 +17,14 @@ import org.pendant.controller.message.LogEntry.Level;
 
 /**
  * Message cell: a message in the table: errors and warnings whole, on as many lines as they need,
- * others on one; what is looked for is marked.
+ * others on a few; what is looked for is marked.
  */
 @SuppressWarnings("serial") // never written to a stream
 final class MessageCell extends DefaultTableCellRenderer {
   private static final int SIDE = 8;
 
-  /** Longer texts do not fit on any screen; to measure them would take long. */
-  private static final int MAX_CHARACTERS = 1000;
+  /** Of a message that is no error or warning; all of it is in its tool tip and below the table. */
+  private static final int MAX_LINES_OF_INFORMATION = 4;
 
   private final Supplier<TextSearch> search;
   private boolean codeBeside;
@@ -41,38 +42,30 @@ final class MessageCell extends DefaultTableCellRenderer {
     codeBeside = beside;
   }
 
-  /** Whether all of a message is shown, however long it is. */
-  static boolean whole(LogLine line) {
-    return line.level() != Level.INFO;
-  }
-
   /** How the message is broken in a column of this width. */
   List<String> lines(LogLine line, FontMetrics metrics, int columnWidth) {
     String text = codeBeside ? line.withoutCode() : line.text();
-    if (whole(line)) {
-      return LineBreaker.lines(text, metrics::stringWidth, columnWidth - 2 * SIDE);
+    int width = columnWidth - 2 * SIDE;
+    if (line.level() != Level.INFO) {
+      return LineBreaker.lines(text, metrics::stringWidth, width, LineBreaker.MAX_LINES);
     }
-    int end = text.indexOf('\n');
-    String first = end < 0 ? text : text.substring(0, end).stripTrailing() + " \u2026";
-    return List.of(cut(first, metrics, columnWidth - 2 * SIDE));
+    int most = MAX_LINES_OF_INFORMATION;
+    List<String> lines = LineBreaker.lines(text, metrics::stringWidth, width, most + 1);
+    if (lines.size() <= most) {
+      return lines;
+    }
+    List<String> first = new ArrayList<>(lines.subList(0, most));
+    first.set(most - 1, cut(first.getLast() + " ", metrics, width));
+    return first;
   }
 
-  private static String cut(String text, FontMetrics metrics, int width) {
-    String shown = text.substring(0, Math.min(text.length(), MAX_CHARACTERS));
-    if (metrics.stringWidth(shown) <= width) {
-      return shown;
+  /** As much of a line as fits before an ellipsis. */
+  private static String cut(String line, FontMetrics metrics, int width) {
+    String kept = line;
+    while (!kept.isEmpty() && metrics.stringWidth(kept + "\u2026") > width) {
+      kept = kept.substring(0, kept.length() - 1);
     }
-    int low = 0;
-    int high = shown.length();
-    while (low < high) {
-      int middle = (low + high + 1) >>> 1;
-      if (metrics.stringWidth(shown.substring(0, middle) + "\u2026") <= width) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return shown.substring(0, low) + "\u2026";
+    return kept + "\u2026";
   }
 
   @Override

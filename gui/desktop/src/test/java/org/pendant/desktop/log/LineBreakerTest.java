@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 final class LineBreakerTest {
 
   private static List<String> lines(String text, int width) {
-    return LineBreaker.lines(text, String::length, width);
+    return LineBreaker.lines(text, String::length, width, LineBreaker.MAX_LINES);
   }
 
   @Test

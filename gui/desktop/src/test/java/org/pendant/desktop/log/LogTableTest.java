@@ -86,17 +86,42 @@ final class LogTableTest {
           LogTable table =
               new LogTable(presenter, new LogColumns(new Nothing()), () -> {}, line -> {});
           table.component().setSize(420, 200);
-          write("Program pick_and_place of the tray at the left has finished after 4.25 s");
+          write("Program pick_and_place of the tray at the left has finished. ".repeat(20) + "End");
           write("short");
-          write("first line\nsecond line");
+          write("first line\nsecond line\nthird line\nfourth line\nfifth line");
           take(table);
           layOut(table.component());
           layOut(table.component());
           JTable rows = find(table.component()).orElseThrow();
 
-          assertTrue(String.valueOf(toolTip(rows, 0)).contains("after 4.25 s"));
+          assertTrue(String.valueOf(toolTip(rows, 0)).contains("End"));
           assertEquals("null", String.valueOf(toolTip(rows, 1)));
-          assertTrue(String.valueOf(toolTip(rows, 2)).contains("second line"));
+          assertTrue(String.valueOf(toolTip(rows, 2)).contains("fifth line"));
+        });
+  }
+
+  @Test
+  void informationHasTheLinesThatItNeedsUpToFour() throws Exception {
+    EventQueue.invokeAndWait(
+        () -> {
+          LogTable table =
+              new LogTable(presenter, new LogColumns(new Nothing()), () -> {}, line -> {});
+          table.component().setSize(420, 200);
+          write("short");
+          write("Program pick_and_place of the tray at the left has finished after 4.25 s");
+          write("first line\nsecond line\nthird line");
+          write("1\n2\n3\n4\n5\n6\n7");
+          layOut(table.component());
+          layOut(table.component());
+          take(table);
+          JTable rows = find(table.component()).orElseThrow();
+
+          int line = rows.getFontMetrics(rows.getFont()).getHeight();
+          int one = rows.getRowHeight(0);
+          assertTrue(rows.getRowHeight(1) >= one + line, "all words in sight");
+          assertEquals("null", String.valueOf(toolTip(rows, 1)));
+          assertEquals(one + 2 * line, rows.getRowHeight(2));
+          assertEquals(one + 3 * line, rows.getRowHeight(3));
         });
   }
 
