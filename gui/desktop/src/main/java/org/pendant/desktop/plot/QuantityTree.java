@@ -3,6 +3,7 @@ package org.pendant.desktop.plot;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -17,7 +18,6 @@ import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
@@ -29,6 +29,7 @@ import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreePath;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.theme.Markup;
 
 /** Quantity tree: the list of what can be drawn, with a search above it. */
 final class QuantityTree {
@@ -39,7 +40,7 @@ final class QuantityTree {
   private final Consumer<List<ChartQuantity>> chosen;
   private final JPanel content = new JPanel(new BorderLayout());
   private final JTextField search = new JTextField();
-  private final JTree tree = new JTree(new DefaultMutableTreeNode());
+  private final JTree tree = new Quantities();
 
   /**
    * The list.
@@ -225,6 +226,47 @@ final class QuantityTree {
     }
   }
 
+  /** The tree: what is cut at its right edge has all its words in the tool tip. */
+  @SuppressWarnings("serial") // never written to a stream
+  private static final class Quantities extends JTree {
+    Quantities() {
+      super(new DefaultMutableTreeNode());
+    }
+
+    @Override
+    public String getToolTipText(MouseEvent event) {
+      String tip = super.getToolTipText(event);
+      TreePath path = getPathForLocation(event.getX(), event.getY());
+      if (path == null || inSight(getPathBounds(path))) {
+        return tip;
+      }
+      String title = title(path.getLastPathComponent());
+      String hint = hint(path.getLastPathComponent());
+      return Markup.toolTip(hint.isEmpty() ? title : title + "\n" + hint);
+    }
+
+    private boolean inSight(Rectangle row) {
+      Rectangle sight = getVisibleRect();
+      return row.x >= sight.x && row.x + row.width <= sight.x + sight.width;
+    }
+  }
+
+  private static String title(Object node) {
+    if (((DefaultMutableTreeNode) node).getUserObject() instanceof ChartQuantity quantity) {
+      boolean plain = quantity.unit().isEmpty() || quantity.digital();
+      String title = quantity.namedTitle();
+      return plain ? title : title + " (" + quantity.unit() + ")";
+    }
+    return String.valueOf(node);
+  }
+
+  /** What more there is to say; empty for nothing. */
+  private static String hint(Object node) {
+    return ((DefaultMutableTreeNode) node).getUserObject() instanceof ChartQuantity quantity
+        ? quantity.hint()
+        : "";
+  }
+
   /** Titles, with the units of quantities. */
   @SuppressWarnings("serial") // never written to a stream
   private static final class Names extends DefaultTreeCellRenderer {
@@ -239,13 +281,9 @@ final class QuantityTree {
         boolean focused) {
       super.getTreeCellRendererComponent(of, value, isSelected, expanded, leaf, row, focused);
       setIcon(null);
-      setToolTipText(null);
-      if (((DefaultMutableTreeNode) value).getUserObject() instanceof ChartQuantity quantity) {
-        boolean plain = quantity.unit().isEmpty() || quantity.digital();
-        String title = quantity.namedTitle();
-        ((JLabel) this).setText(plain ? title : title + " (" + quantity.unit() + ")");
-        setToolTipText(quantity.hint().isEmpty() ? null : quantity.hint());
-      }
+      setText(title(value));
+      String hint = hint(value);
+      setToolTipText(hint.isEmpty() ? null : hint);
       return this;
     }
   }
