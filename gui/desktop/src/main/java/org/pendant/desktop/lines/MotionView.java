@@ -96,12 +96,9 @@ public final class MotionView implements View {
     // Tab leaves the table: nothing in its cells can be changed.
     table.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
     table.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
-    JPanel both =
-        new JPanel(
-            new MigLayout(
-                "insets 0, gap 0, hidemode 3", "[40%!, fill][60%!, fill]", "[grow, fill]"));
-    both.add(words, "wmin 0, hmin 0");
-    both.add(numbers, "wmin 0, hmin 0");
+    JPanel both = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fill"));
+    both.add(words, "w 0:0:, hmin 0, grow, push 40");
+    both.add(numbers, "w 0:0:, hmin 0, grow, push 60");
     content.setName("motion-view");
     content.getAccessibleContext().setAccessibleName(title());
     content.add(both);
