@@ -112,7 +112,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                   new DeviceField.Spot(
                       "at",
                       "At",
-                      "where it is in the base, to be seen",
+                      "where it is, to be seen",
                       "Not seen in 3D",
                       FIRST_LAMP,
                       POSITION,
@@ -236,7 +236,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
             new DeviceField.Spot(
                 "at",
                 "At",
-                "where it is in the base, if it tells poses in its own frame",
+                "where it is, if it tells poses in its own frame",
                 "Poses in the base frame",
                 FIRST_CAMERA,
                 POSITION,
@@ -320,7 +320,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
             new DeviceField.Direction(
                 "along",
                 "Along",
-                "direction in the base from where the object is at first",
+                "direction from where the object is at first",
                 new Range(-10, 10, "")),
             wanted("travel", "Travel", "how far the object goes", DISTANCE),
             amount(
@@ -343,8 +343,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 "slides",
                 List.of(
                     object,
-                    new DeviceField.Direction(
-                        "slides", "Slides", "from open to closed, along the base", POSITION),
+                    new DeviceField.Direction("slides", "Slides", "from open to closed", POSITION),
                     amount(
                         "force",
                         "Force",
@@ -356,7 +355,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
                 "turns",
                 List.of(
                     object,
-                    place("hinge", "Hinge", "a point on its line, in the base"),
+                    place("hinge", "Hinge", "a point on its line"),
                     new DeviceField.Direction(
                         "turns",
                         "Turns",

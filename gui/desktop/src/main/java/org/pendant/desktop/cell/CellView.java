@@ -28,7 +28,6 @@ import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.Measures;
 import org.pendant.kit.layout.CardSheet;
 import org.pendant.kit.layout.SettledScroll;
-import org.pendant.models.pose.Pose;
 
 /** Cell view: the screen on which people put things around the arm. */
 public final class CellView implements View {
@@ -99,11 +98,6 @@ public final class CellView implements View {
         .add(Action.of("cell.wiring", "Wire the devices of the cell", "", this::showWiring));
   }
 
-  private Vector3 tcpInBaseM() {
-    Pose tcp = workbench.session().state().arm().targetTcpInBase();
-    return new Vector3(tcp.x(), tcp.y(), tcp.z());
-  }
-
   /**
    * A hand that moves objects and devices in 3D.
    *
@@ -163,7 +157,12 @@ public final class CellView implements View {
           new Cards(
               new CellBar(workbench, draft),
               new ObjectsCard(draft, rotation, measures, workbench.session()::state),
-              new DevicesCard(draft, measures, rotation, signalName, this::tcpInBaseM),
+              new DevicesCard(
+                  draft,
+                  measures,
+                  rotation,
+                  signalName,
+                  () -> SceneFrame.tcpM(workbench.session())),
               new RulesCard(draft),
               new LoadCard(draft, measures),
               new ToolPointsCard(draft, measures),
@@ -224,8 +223,6 @@ public final class CellView implements View {
     rotation.look();
     cards().bar().refresh();
     cards().wiring().refresh(state);
-    cards()
-        .devices()
-        .refresh(state.devices(), FormMemory.read(workbench.settings()).length());
+    cards().devices().refresh(state.devices(), FormMemory.read(workbench.settings()).length());
   }
 }

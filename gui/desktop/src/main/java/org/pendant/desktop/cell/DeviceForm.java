@@ -58,6 +58,7 @@ final class DeviceForm {
   private final RotationChoice rotation;
   private final UnaryOperator<String> signalName;
   private final Supplier<Scene> scene;
+  private final Supplier<String> frame;
   private final Supplier<List<WireSignal>> others;
   private final Consumer<String> putAtTcp;
   private final Set<String> kinds = new HashSet<>();
@@ -69,6 +70,7 @@ final class DeviceForm {
    * @param rotation how rotations are shown
    * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
    * @param scene whose objects devices work with
+   * @param frame what places are in, for people
    * @param others signals of other controllers and of devices, which wires may lead to as well
    * @param putAtTcp moves the place of a key, or all of the chosen device, to the TCP
    */
@@ -78,9 +80,11 @@ final class DeviceForm {
       RotationChoice rotation,
       UnaryOperator<String> signalName,
       Supplier<Scene> scene,
+      Supplier<String> frame,
       Supplier<List<WireSignal>> others,
       Consumer<String> putAtTcp) {
     this.scene = scene;
+    this.frame = frame;
     this.others = others;
     this.putAtTcp = putAtTcp;
     this.form = form.in(measures).telling(why -> ShownRange.of(why, measures));
@@ -222,7 +226,7 @@ final class DeviceForm {
   }
 
   private void addAxes(String title, String help, String key, Range range, Part part) {
-    form.heading(title + ": " + help);
+    form.heading(() -> title + ": " + help + ", " + frame.get());
     Measure usual = measure(range);
     Axes.addTo(
         form,

@@ -35,14 +35,14 @@ final class DevicesCard {
    * @param measures in which lengths are shown
    * @param rotation how rotations are shown
    * @param signalName the name of a signal such as {@code digital_in[0]}; empty while it has none
-   * @param tcpInBaseM where the TCP is, m
+   * @param tcpM where the TCP is in the frame of the scene, m
    */
   DevicesCard(
       SceneDraft draft,
       Measures measures,
       RotationChoice rotation,
       UnaryOperator<String> signalName,
-      Supplier<Vector3> tcpInBaseM) {
+      Supplier<Vector3> tcpM) {
     this.draft = draft;
     items =
         new Items<>(
@@ -63,11 +63,12 @@ final class DevicesCard {
             rotation,
             signalName,
             draft::scene,
+            () -> SceneFrame.words(draft),
             this::otherSignals,
             key ->
                 items
                     .chosen()
-                    .map(each -> DevicePlaces.of(each).moved(key, tcpInBaseM.get()))
+                    .map(each -> DevicePlaces.of(each).moved(key, tcpM.get()))
                     .ifPresent(items::replace));
     card.add(items.component());
   }

@@ -176,7 +176,7 @@ final class ObjectsCard {
 
   /** What places are in: the base of the only arm, or the cell where there are several. */
   private String frame() {
-    return draft.controllers().isEmpty() ? "in the base" : "in the cell";
+    return SceneFrame.words(draft);
   }
 
   private void addPlane(PartsForm<SceneObject> form) {

@@ -45,6 +45,7 @@ import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneFile;
+import org.pendant.desktop.session.SharedCell;
 import org.pendant.kit.form.EntryField;
 import org.pendant.models.pose.Pose;
 
@@ -287,8 +288,12 @@ final class CellViewTest {
   }
 
   private static List<String> headings(CellView view) {
+    return headings(view, "cell-object-heading");
+  }
+
+  private static List<String> headings(CellView view, String name) {
     return all(view.component()).stream()
-        .filter(each -> "cell-object-heading".equals(each.getName()) && each.isShowing())
+        .filter(each -> name.equals(each.getName()) && each.isShowing())
         .map(each -> ((JTextArea) each).getText())
         .toList();
   }
@@ -311,6 +316,9 @@ final class CellViewTest {
           assertTrue(headings(view).contains("A point of it, in the cell"));
           press(view, "cell-object-add-compound");
           assertTrue(headings(view).contains("Frame and orientation, in the cell"));
+          add(view, "proximity-sensor");
+          assertEquals(
+              List.of("At: where it is, in the cell"), headings(view, "cell-device-heading"));
         });
   }
 
@@ -515,6 +523,21 @@ final class CellViewTest {
           assertEquals("digital_in[2]", device().text("closed"));
           drag(signals, "digital_out[5]", ports, "Close");
           assertEquals("digital_out[5]", device().text("close"));
+        });
+  }
+
+  @Test
+  void aDeviceIsPutAtTheTcpOfTheArmThatIsShownWhereverThatStandsInTheCell() throws Exception {
+    session.restart(SharedCell.setup());
+    session.show("right");
+    draft.open(SceneFile.of("two.scene.json", SharedCell.SCENE));
+    show(
+        view -> {
+          Pose tcp = session.state().arm().targetTcpInBase();
+          add(view, "proximity-sensor");
+          press(view, "cell-device-proximity-here");
+          assertEquals(1 - tcp.x(), device().place("at").x(), 1e-5);
+          assertEquals(-tcp.y(), device().place("at").y(), 1e-5);
         });
   }
 
