@@ -163,6 +163,13 @@ public final class Recording {
     return snapshots.of(cursor.to(segment.entryAt(wanted, count)), wanted);
   }
 
+  /** Whether {@link #at(Moment)} needs nothing of a file. */
+  public boolean inMemory(Moment moment) {
+    long frame = inside(moment.frame());
+    return stretches.get(stretchOf(frame)).inMemory()
+        && (moment.stop() == 0 || stretches.get(stretchOf(inside(frame - 1))).inMemory());
+  }
+
   /**
    * What the controller published at a moment; the end of its frame where the recording does not
    * have that stop of the debugger.

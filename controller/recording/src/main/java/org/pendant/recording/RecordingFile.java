@@ -82,6 +82,13 @@ public final class RecordingFile {
     }
 
     @Override
+    public boolean inMemory() {
+      synchronized (kept) {
+        return kept.containsKey(number);
+      }
+    }
+
+    @Override
     public Segment segment() {
       synchronized (kept) {
         Segment known = kept.get(number);

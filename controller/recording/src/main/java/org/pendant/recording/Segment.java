@@ -185,6 +185,11 @@ final class Segment implements SegmentRef {
   }
 
   @Override
+  public boolean inMemory() {
+    return true;
+  }
+
+  @Override
   public Segment segment() {
     return this;
   }

@@ -5,6 +5,9 @@ interface SegmentRef {
   /** Its first frame. */
   long firstFrame();
 
+  /** Whether it is in memory, so that {@link #segment} is there at once. */
+  boolean inMemory();
+
   /**
    * The segment.
    *

@@ -21,6 +21,10 @@ import org.pendant.script.debug.DebugState;
 /**
  * Look back: which moment people look at: the current one, one of what the controller has just
  * done, or one of a file. The controller continues meanwhile. Only the dispatch thread calls it.
+ *
+ * <p>What is in memory is shown at once. A moment of a file that is not is read outside of that
+ * thread: until it is there, views show the moment before, while the timeline is at the new one
+ * already ({@link #timeS}).
  */
 public final class LookBack {
   /** How much the timeline shows at first, s. */
@@ -28,11 +32,21 @@ public final class LookBack {
 
   private final Supplier<Recording> ring;
   private final Consumer<String> tell;
+  private final MomentReader reader;
+  private final MomentReader.Listener taker = new Taker();
   private final List<Runnable> listeners = new ArrayList<>();
   private Optional<Opened> file = Optional.empty();
   private Recording recording;
   private Optional<Moment> moment = Optional.empty();
   private Optional<ControllerState> past = Optional.empty();
+
+  /** What is being read and people point at; empty where they point at the moment itself. */
+  private Optional<Moment> pending = Optional.empty();
+
+  /** Numbers of the moment that was asked for last, and of the one that is shown. */
+  private long askedNumber;
+
+  private long shownNumber;
   private double liveS;
   private TimeRange range = new TimeRange(0, FIRST_WIDTH_S);
   private boolean following = true;
@@ -47,8 +61,14 @@ public final class LookBack {
    * @param tell hears what went wrong
    */
   public LookBack(Supplier<Recording> ring, Consumer<String> tell) {
+    this(ring, tell, MomentReader.ofWindow());
+  }
+
+  /** As the other one, with a reader of what is not in memory. */
+  LookBack(Supplier<Recording> ring, Consumer<String> tell, MomentReader reader) {
     this.ring = ring;
     this.tell = tell;
+    this.reader = reader;
     recording = ring.get();
   }
 
@@ -88,7 +108,7 @@ public final class LookBack {
     if (file.isEmpty()) {
       recording = ring.get();
     }
-    return moment.orElseGet(() -> Moment.of(live));
+    return pointedAt().orElseGet(() -> Moment.of(live));
   }
 
   /** What the timeline is about. */
@@ -131,11 +151,16 @@ public final class LookBack {
     return past;
   }
 
-  /** When that moment is, robot time in s; empty for now. */
+  /** The moment that people point at, which may still have to be read; empty for now. */
+  Optional<Moment> pointedAt() {
+    return pending.or(() -> moment);
+  }
+
+  /** When the moment is that people point at, robot time in s; empty for now. */
   public OptionalDouble timeS() {
-    return moment.isPresent()
-        ? OptionalDouble.of(seconds(moment.get().frame()))
-        : OptionalDouble.empty();
+    return pointedAt()
+        .map(each -> OptionalDouble.of(seconds(each.frame())))
+        .orElse(OptionalDouble.empty());
   }
 
   /** The line that the program had reached then, from 1; 0 while none ran, and for now. */
@@ -208,16 +233,57 @@ public final class LookBack {
     long frame = Math.clamp(wanted.frame(), recording.firstFrame(), recording.lastFrame());
     Moment inside = frame == wanted.frame() ? wanted : Moment.endOf(frame);
     if (past.isPresent() && moment.equals(Optional.of(inside))) {
+      settle();
+      return true;
+    }
+    if (past.isPresent() && !recording.inMemory(inside)) {
+      pending = Optional.of(inside);
+      reader.read(new MomentReader.Request(recording, inside, ++askedNumber), taker);
       return true;
     }
     try {
       past = Optional.of(recording.at(inside));
       moment = Optional.of(inside);
+      settle();
       return true;
     } catch (UncheckedIOException e) {
-      tell.accept("The recording can no longer be read: " + e.getCause().getMessage());
-      live();
+      unreadable(e.getCause().getMessage());
       return false;
+    }
+  }
+
+  /** What is still being read is not shown any more. */
+  private void settle() {
+    shownNumber = ++askedNumber;
+    pending = Optional.empty();
+    reader.forget();
+  }
+
+  private void unreadable(String why) {
+    tell.accept("The recording can no longer be read: " + why);
+    live();
+  }
+
+  /** Shows what was read, unless something newer is shown already. */
+  private final class Taker implements MomentReader.Listener {
+    @Override
+    public void read(MomentReader.Request request, ControllerState state) {
+      if (request.number() > shownNumber) {
+        shownNumber = request.number();
+        past = Optional.of(state);
+        moment = Optional.of(request.moment());
+        if (shownNumber == askedNumber) {
+          pending = Optional.empty();
+        }
+        changed();
+      }
+    }
+
+    @Override
+    public void failed(MomentReader.Request request, String why) {
+      if (request.number() > shownNumber) {
+        unreadable(why);
+      }
     }
   }
 
@@ -227,7 +293,7 @@ public final class LookBack {
   }
 
   private long frame() {
-    return moment.map(Moment::frame).orElse(recording.lastFrame());
+    return pointedAt().map(Moment::frame).orElse(recording.lastFrame());
   }
 
   private void move(long wanted) {
@@ -265,6 +331,7 @@ public final class LookBack {
   public void live() {
     moment = Optional.empty();
     past = Optional.empty();
+    settle();
     following = true;
     if (file.isPresent()) {
       file = Optional.empty();

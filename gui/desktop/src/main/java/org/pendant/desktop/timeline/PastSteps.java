@@ -223,7 +223,7 @@ public final class PastSteps {
       return;
     }
     busy = true;
-    Optional<Moment> looked = lookBack.moment();
+    Optional<Moment> looked = lookBack.pointedAt();
     Moment from = lookBack.newest(live.get());
     Recording recording = lookBack.recording();
     threads
@@ -252,7 +252,7 @@ public final class PastSteps {
 
   private void done(Optional<Result> result, Optional<Moment> looked) {
     busy = false;
-    if (result.isEmpty() || !lookBack.moment().equals(looked)) {
+    if (result.isEmpty() || !lookBack.pointedAt().equals(looked)) {
       return; // people look at something else meanwhile
     }
     Optional<Found> found = result.get().found();

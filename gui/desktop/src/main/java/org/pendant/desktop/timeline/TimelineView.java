@@ -300,6 +300,8 @@ public final class TimelineView implements View {
                 RecordingFile.Opened opened = RecordingFile.open(file);
                 Recording recording = opened.recording();
                 List<LogEntry> log = recording.log(recording.firstS(), recording.lastS());
+                // its first moment is shown at once, from memory
+                recording.atFrame(recording.firstFrame());
                 EventQueue.invokeLater(
                     () -> {
                       opened.warning().ifPresent(trouble);
