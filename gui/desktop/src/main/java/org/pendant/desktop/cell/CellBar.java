@@ -3,14 +3,15 @@ package org.pendant.desktop.cell;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.form.DocumentName;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.form.Remark;
+import org.pendant.kit.form.RemarkSpace;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Palette;
@@ -21,7 +22,7 @@ final class CellBar {
 
   private final Workbench workbench;
   private final SceneDraft draft;
-  private final JLabel name = new JLabel();
+  private final DocumentName name = new DocumentName("cell-name");
   private final JButton save = new JButton("Save");
   private final JButton apply = new JButton("Apply");
   private final JButton undo = new JButton("Undo");
@@ -33,8 +34,6 @@ final class CellBar {
   CellBar(Workbench workbench, SceneDraft draft) {
     this.workbench = workbench;
     this.draft = draft;
-    name.setName("cell-name");
-    name.putClientProperty("FlatLaf.styleClass", "semibold");
     JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
     row.add(name);
     for (List<String> each :
@@ -63,7 +62,7 @@ final class CellBar {
     row.add(undo);
     row.add(redo);
     panel.add(row, "growx, wmin 0, wrap");
-    panel.add(waiting, Remark.LAYOUT);
+    panel.add(new RemarkSpace(1, waiting), Remark.LAYOUT);
   }
 
   JComponent component() {
@@ -73,7 +72,7 @@ final class CellBar {
   /** Shows what the draft is. */
   void show() {
     ProgramDocument document = draft.document();
-    name.setText((document.modified() ? "\u2022 " : "") + document.name());
+    name.show(document.name(), document.modified());
     name.setToolTipText(
         document.file().map(file -> file.toAbsolutePath().toString()).orElse("Not saved yet"));
     name.getAccessibleContext()

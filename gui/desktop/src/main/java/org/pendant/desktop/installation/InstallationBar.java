@@ -3,13 +3,13 @@ package org.pendant.desktop.installation;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.workbench.Workbench;
+import org.pendant.kit.form.DocumentName;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
@@ -21,7 +21,7 @@ import org.pendant.script.vm.ProgramState;
 final class InstallationBar {
   private final ActiveInstallation active;
   private final Editing editing;
-  private final JLabel name = new JLabel();
+  private final DocumentName name = new DocumentName("installation-name");
   private final JButton save = new JButton("Save");
   private final JButton undo = new JButton("Undo");
   private final JButton redo = new JButton("Redo");
@@ -33,8 +33,6 @@ final class InstallationBar {
   InstallationBar(Workbench workbench, ActiveInstallation active, Editing editing) {
     this.active = active;
     this.editing = editing;
-    name.setName("installation-name");
-    name.putClientProperty("FlatLaf.styleClass", "semibold");
     JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
     row.add(name);
     for (List<String> each :
@@ -74,7 +72,7 @@ final class InstallationBar {
 
   void show() {
     boolean modified = active.document().modified();
-    name.setText((modified ? "\u2022 " : "") + active.document().name());
+    name.show(active.document().name(), modified);
     name.setToolTipText(
         active
             .document()

@@ -123,6 +123,20 @@ final class CellViewTest {
   }
 
   @Test
+  void formsStayWhereTheyAreWhenTheSceneWaitsToBeApplied() throws Exception {
+    show(
+        view -> {
+          Component forms = find(view, "cell-object-list", JList.class);
+          Point before = SwingUtilities.convertPoint(forms, 0, 0, view.component());
+          JTextArea waiting = find(view, "cell-waiting", JTextArea.class);
+          waiting.setVisible(true);
+          waiting.setText("The 3D view shows your changes.");
+          view.component().validate();
+          assertEquals(before, SwingUtilities.convertPoint(forms, 0, 0, view.component()));
+        });
+  }
+
+  @Test
   void aBoxIsAddedAndPlacedByNumbers() throws Exception {
     show(
         view -> {

@@ -1,6 +1,8 @@
 package org.pendant.kit.form;
 
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Insets;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,7 +44,7 @@ public final class Items<T> {
   private final Model<T> model;
   private final Function<T, String> words;
   private final DefaultListModel<T> shown = new DefaultListModel<>();
-  private final JList<T> list = new JList<>(shown);
+  private final JList<T> list = new Rows();
   private final JPanel buttons = new JPanel(new WrappingRow(PartsForm.BETWEEN));
   private final List<JButton> adders = new ArrayList<>();
   private final JButton remove = new JButton("Remove");
@@ -349,6 +351,26 @@ public final class Items<T> {
                 form.show(now);
               }
             });
+  }
+
+  /** Rows for as many things, however many there are: the first one moves nothing below. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class Rows extends JList<T> {
+    Rows() {
+      super(shown);
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+      Dimension size = super.getPreferredScrollableViewportSize();
+      if (shown.isEmpty()) {
+        Component row =
+            new DefaultListCellRenderer().getListCellRendererComponent(this, " ", 0, false, false);
+        Insets around = getInsets();
+        size.height = ROWS * row.getPreferredSize().height + around.top + around.bottom;
+      }
+      return size;
+    }
   }
 
   /** What one is called. */
