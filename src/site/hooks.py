@@ -8,8 +8,10 @@ from __future__ import annotations
 import posixpath
 import re
 import sys
+import textwrap
 from pathlib import Path
 
+import yaml
 from mkdocs.structure.files import File
 from pygments.lexers import _mapping
 
@@ -79,6 +81,9 @@ def on_page_markdown(markdown, page, config, files):
 
     parts, end = [], 0
     for fence in FENCE.finditer(markdown):
+        if fence.group(0).lstrip().startswith("```yaml"):
+            # Nothing else in the project reads YAML for other programs.
+            yaml.safe_load(textwrap.dedent(fence.group(0).partition("\n")[2].rpartition("\n")[0]))
         parts += [LINK.sub(led, markdown[end : fence.start()]), fence.group(0)]
         end = fence.end()
     return "".join([*parts, LINK.sub(led, markdown[end:])])

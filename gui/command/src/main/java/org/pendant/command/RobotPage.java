@@ -57,7 +57,7 @@ final class RobotPage {
       a UR3e, a UR5e and a UR10e: the inertia of the rotor as it is felt behind the gear, the torque of
       an ampere, and the current that friction takes at a speed v under a moment,
 
-      ```
+      ```text
       (coulomb + load |moment|) tanh(v / 0.0079 rad/s) + curved tanh(v / over) + viscous v
       ```
 

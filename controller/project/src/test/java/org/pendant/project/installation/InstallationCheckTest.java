@@ -64,9 +64,9 @@ class InstallationCheckTest {
   @Test
   void theExampleOfTheDocumentationIsGood() throws IOException {
     String page = Files.readString(Path.of("..", "..", "docs", "installations.md"));
-    String fence = "```\n";
+    String fence = "```pinst\n";
     int begin = page.indexOf(fence) + fence.length();
-    String example = page.substring(begin, page.indexOf(fence, begin));
+    String example = page.substring(begin, page.indexOf("```", begin));
     ReadInstallation read = InstallationText.read(example);
     assertEquals(List.of(), read.problems());
     assertEquals(List.of(), InstallationCheck.problems(read.installation(), UR5E));

@@ -14,7 +14,8 @@ import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestStatus;
 
 class TutorialTest {
-  private static final Pattern BLOCK = Pattern.compile("```\n(.*?)```", Pattern.DOTALL);
+  private static final Pattern BLOCK =
+      Pattern.compile("```urscript[^\n]*\n(.*?)```", Pattern.DOTALL);
 
   @Test
   void theTestsOfTheTutorialPass() throws IOException {
@@ -22,9 +23,7 @@ class TutorialTest {
     List<String> scripts = new ArrayList<>();
     Matcher block = BLOCK.matcher(page);
     while (block.find()) {
-      if (!block.group(1).startsWith("$")) {
-        scripts.add(block.group(1));
-      }
+      scripts.add(block.group(1));
     }
 
     SuiteResult result =

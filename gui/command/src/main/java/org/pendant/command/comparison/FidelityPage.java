@@ -19,7 +19,7 @@ public final class FidelityPage {
 
       How far Pendant agrees with recordings of real arms. This page is made by
 
-      ```
+      ```sh
       ./pendant compare --collection docs/recordings/recordings.txt --markdown docs/fidelity.md --force
       ```
 
@@ -98,7 +98,7 @@ public final class FidelityPage {
 
   private void add(Entry entry) {
     ComparedRun run = entry.run();
-    page.append("\n## ").append(entry.heading()).append("\n\n```\npendant compare ");
+    page.append("\n## ").append(entry.heading()).append("\n\n```sh\npendant compare ");
     page.append(entry.line()).append("\n```\n\n").append(run.comparison().recorded().rows());
     page.append(" samples; payload ").append(run.payload()).append(".\n\n");
     run.comparison().notes().forEach(note -> page.append("- ").append(note).append("\n"));

@@ -7,6 +7,7 @@ import org.commonmark.ext.gfm.tables.TableCell;
 import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.ext.heading.anchor.HeadingAnchorExtension;
 import org.commonmark.node.AbstractVisitor;
+import org.commonmark.node.HtmlBlock;
 import org.commonmark.node.Image;
 import org.commonmark.node.Node;
 import org.commonmark.parser.Parser;
@@ -21,6 +22,7 @@ final class Markdown {
     List<Extension> extensions = List.of(TablesExtension.create(), HeadingAnchorExtension.create());
     Node page = Parser.builder().extensions(extensions).build().parse(markdown);
     page.accept(new NoPictures());
+    page.accept(new NoRemarks());
     return HtmlRenderer.builder()
         .extensions(extensions)
         .attributeProviderFactory(context -> Markdown::alignCells)
@@ -45,6 +47,16 @@ final class Markdown {
       image.unlink();
       if (paragraph.getFirstChild() == null) {
         paragraph.unlink();
+      }
+    }
+  }
+
+  /** What a page says to the build, such as why a block is not run. */
+  private static final class NoRemarks extends AbstractVisitor {
+    @Override
+    public void visit(HtmlBlock block) {
+      if (block.getLiteral().startsWith("<!--")) {
+        block.unlink();
       }
     }
   }

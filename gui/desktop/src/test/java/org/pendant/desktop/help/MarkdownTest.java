@@ -38,6 +38,11 @@ final class MarkdownTest {
   }
 
   @Test
+  void remarksToTheBuildAreLeftOut() {
+    assertEquals("<p>one</p><p>two</p>", html("one", "", "<!-- not run: why -->", "", "two"));
+  }
+
+  @Test
   void picturesAreLeftOut() {
     assertEquals("<p>one</p><p>two</p>", html("one", "", "![A picture](a.png)", "", "two"));
   }
