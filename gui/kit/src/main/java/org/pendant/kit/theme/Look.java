@@ -152,6 +152,7 @@ public final class Look {
   }
 
   private void update() {
+    WindowBackgrounds.hold();
     apply();
     updateAll();
     tell();
@@ -163,6 +164,7 @@ public final class Look {
     for (Window each : Window.getWindows()) {
       LookFollower.tell(each);
     }
+    WindowBackgrounds.follow();
   }
 
   /** The scale on top of the system's, in percent. */
@@ -176,6 +178,7 @@ public final class Look {
   /** Makes everything larger or smaller; one of {@link #ZOOMS}. */
   public void setZoomPercent(int percent) {
     settings.put(ZOOM, Integer.toString(percent));
+    WindowBackgrounds.hold();
     UIScale.setZoomFactor(percent / 100f);
     updateAll();
     tell();
