@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.desktop.editor.TextPlace;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 import org.pendant.script.debug.Breakpoint;
 
@@ -23,18 +24,7 @@ final class KeptFilesTest {
               Breakpoint.at(9).disabled().logging("turn {i}")));
 
   private final Map<String, String> values = new HashMap<>();
-  private final Settings settings =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return Optional.ofNullable(values.get(name));
-        }
-
-        @Override
-        public void put(String name, String text) {
-          values.put(name, text);
-        }
-      };
+  private final Settings settings = new MemorySettings(values);
 
   private KeptFiles again() {
     return new KeptFiles(settings);

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
@@ -17,6 +16,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 import org.pendant.project.program.script.GeneratedNames;
 
@@ -34,17 +34,7 @@ final class LiveVariablesTest {
       new VariablesPresenter(tree, favourites, hidden, () -> nowMs);
 
   private Settings settings() {
-    return new Settings() {
-      @Override
-      public Optional<String> get(String name) {
-        return Optional.ofNullable(remembered.get(name));
-      }
-
-      @Override
-      public void put(String name, String text) {
-        remembered.put(name, text);
-      }
-    };
+    return new MemorySettings(remembered);
   }
 
   private CompletableFuture<Reply> submit(Command command) {

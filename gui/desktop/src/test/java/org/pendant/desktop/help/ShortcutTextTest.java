@@ -6,27 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 final class ShortcutTextTest {
   /** Remembers nothing. */
-  private record Nothing() implements Settings {
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.empty();
-    }
-
-    @Override
-    public void put(String name, String text) {}
-  }
-
   @Test
   void sheetHasTheActionsThatHaveKeysUnderTheirMenus() {
-    ActionTable actions = new ActionTable(new Nothing());
+    ActionTable actions = new ActionTable(new MemorySettings());
     actions.add(Action.of("program.run", "Run program", "F5", () -> {}));
     actions.add(Action.of("program.other", "Something else", "", () -> {}));
     String text =
@@ -40,7 +29,7 @@ final class ShortcutTextTest {
 
   @Test
   void aKeyThatDoesTheSameOnTwoScreensHasOneRow() {
-    ActionTable actions = new ActionTable(new Nothing());
+    ActionTable actions = new ActionTable(new MemorySettings());
     actions.add(Action.of("editor.close", "Close program", "control W", () -> {}));
     actions.add(Action.of("tree.close", "Close program", "control W", () -> {}));
     String text = ShortcutText.of(actions, Map.of("File", List.of("editor.close", "tree.close")));
@@ -49,7 +38,7 @@ final class ShortcutTextTest {
 
   @Test
   void signsOfKeysAndTitlesMeanNothingElse() {
-    ActionTable actions = new ActionTable(new Nothing());
+    ActionTable actions = new ActionTable(new MemorySettings());
     actions.add(Action.of("view.bottom", "Show *all* of a|b", "control BACK_SLASH", () -> {}));
     String html = Markdown.html(ShortcutText.of(actions, Map.of("View", List.of("view.bottom"))));
     assertTrue(html.contains("<strong>Ctrl+\\</strong>"), html);

@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
@@ -18,7 +17,7 @@ import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.script.vm.Program;
 
 final class MemoryListTest {
@@ -26,19 +25,7 @@ final class MemoryListTest {
   private final List<String> told = new ArrayList<>();
   private final Forcing forcing = new Forcing(controller::submit, Runnable::run, told::add);
   private final Map<String, String> remembered = new HashMap<>();
-  private final SignalLabels labels =
-      new SignalLabels(
-          new Settings() {
-            @Override
-            public Optional<String> get(String name) {
-              return Optional.ofNullable(remembered.get(name));
-            }
-
-            @Override
-            public void put(String name, String text) {
-              remembered.put(name, text);
-            }
-          });
+  private final SignalLabels labels = new SignalLabels(new MemorySettings(remembered));
   private final MemoryList floats = list(RegisterDirection.INPUT, RegisterKind.FLOAT);
   private final MemoryList integers = list(RegisterDirection.OUTPUT, RegisterKind.INTEGER);
   private final MemoryList flags = new MemoryList(new Memory.Flags(), forcing, labels);

@@ -4,26 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 final class SignalLabelsTest {
   private final Map<String, String> settings = new HashMap<>();
   private final Map<String, String> installed = new HashMap<>();
   private final SignalLabels labels =
       SignalLabels.installed(
-          new Settings() {
-            @Override
-            public Optional<String> get(String name) {
-              return Optional.ofNullable(settings.get(name));
-            }
-
-            @Override
-            public void put(String name, String text) {
-              settings.put(name, text);
-            }
-          },
+          new MemorySettings(settings),
           signal -> installed.getOrDefault(signal, ""),
           installed::put);
 

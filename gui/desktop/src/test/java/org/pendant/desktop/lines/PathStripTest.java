@@ -13,6 +13,7 @@ import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.editor.LineNote;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 import org.pendant.recording.lines.LineStatistics;
 import org.pendant.recording.lines.RunProfile;
@@ -22,18 +23,7 @@ final class PathStripTest {
   private static final String TEXT = "sleep(1)\nsleep(2)\nsleep(3)\n";
 
   private final Map<String, String> kept = new TreeMap<>();
-  private final Settings settings =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return Optional.ofNullable(kept.get(name));
-        }
-
-        @Override
-        public void put(String name, String text) {
-          kept.put(name, text);
-        }
-      };
+  private final Settings settings = new MemorySettings(kept);
   private final ProgramDocument program = ProgramDocument.untitled("a.script", TEXT);
   private final Map<Integer, LineNote> shown = new TreeMap<>();
   private RunProfile profile = RunProfile.NONE;

@@ -7,24 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
 final class LogColumnsTest {
   private final Map<String, String> remembered = new HashMap<>();
-  private final Settings settings =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return Optional.ofNullable(remembered.get(name));
-        }
-
-        @Override
-        public void put(String name, String text) {
-          remembered.put(name, text);
-        }
-      };
+  private final Settings settings = new MemorySettings(remembered);
   private final LogColumns columns = new LogColumns(settings);
 
   private List<LogColumns.Shown> fit(int width) {

@@ -20,22 +20,13 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 /** The table of messages, in no window. */
 final class LogTableTest {
   /** Settings that keep nothing. */
-  private record Nothing() implements Settings {
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.empty();
-    }
-
-    @Override
-    public void put(String name, String text) {}
-  }
-
   private final List<LogLine> written = new ArrayList<>();
+
   private final LogPresenter presenter = new LogPresenter(1000);
 
   private void say(LogTable table, int count) {
@@ -62,7 +53,7 @@ final class LogTableTest {
     EventQueue.invokeAndWait(
         () -> {
           LogTable table =
-              new LogTable(presenter, new LogColumns(new Nothing()), () -> {}, line -> {});
+              new LogTable(presenter, new LogColumns(new MemorySettings()), () -> {}, line -> {});
           table.component().setSize(600, 200);
           say(table, 100);
           layOut(table.component());
@@ -84,7 +75,7 @@ final class LogTableTest {
     EventQueue.invokeAndWait(
         () -> {
           LogTable table =
-              new LogTable(presenter, new LogColumns(new Nothing()), () -> {}, line -> {});
+              new LogTable(presenter, new LogColumns(new MemorySettings()), () -> {}, line -> {});
           table.component().setSize(420, 200);
           write("Program pick_and_place of the tray at the left has finished. ".repeat(20) + "End");
           write("short");
@@ -105,7 +96,7 @@ final class LogTableTest {
     EventQueue.invokeAndWait(
         () -> {
           LogTable table =
-              new LogTable(presenter, new LogColumns(new Nothing()), () -> {}, line -> {});
+              new LogTable(presenter, new LogColumns(new MemorySettings()), () -> {}, line -> {});
           table.component().setSize(420, 200);
           write("short");
           write("Program pick_and_place of the tray at the left has finished after 4.25 s");

@@ -29,6 +29,7 @@ import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.RotationForm;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -41,18 +42,7 @@ final class MovePresenterTest {
   private static final int FRAMES_A_REFRESH = 17;
 
   private final Map<String, String> remembered = new HashMap<>();
-  private final Settings settings =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return Optional.ofNullable(remembered.get(name));
-        }
-
-        @Override
-        public void put(String name, String text) {
-          remembered.put(name, text);
-        }
-      };
+  private final Settings settings = new MemorySettings(remembered);
   private final List<Command> sent = new ArrayList<>();
   private final List<Optional<Joints>> ghosts = new ArrayList<>();
   private Controller controller = new Controller(ControllerOptions.headless());

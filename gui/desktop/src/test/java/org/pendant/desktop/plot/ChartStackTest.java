@@ -6,29 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.RepaintManager;
 import org.junit.jupiter.api.Test;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 /** Charts below each other, in no window. */
 final class ChartStackTest {
   private final RecordedArm arm = new RecordedArm();
-
-  /** Settings in which no chart is drawn. */
-  private record NoCharts() implements Settings {
-    @Override
-    public Optional<String> get(String name) {
-      return name.equals("plot.charts") ? Optional.of("") : Optional.empty();
-    }
-
-    @Override
-    public void put(String name, String text) {}
-  }
 
   /** Keeps what is to be painted. */
   private static final class Asked extends RepaintManager {
@@ -43,7 +32,10 @@ final class ChartStackTest {
   @Test
   void allChartsAreDrawnForTheSameMoment() throws Exception {
     PlotPresenter presenter =
-        new PlotPresenter(ChartQuantities.standard(), new History(arm::recording), new NoCharts());
+        new PlotPresenter(
+            ChartQuantities.standard(),
+            new History(arm::recording),
+            new MemorySettings(new HashMap<>(Map.of("plot.charts", ""))));
     presenter.addChart(RecordedArm.quantity("torque_0"));
     presenter.addChart(RecordedArm.quantity("current_0"));
     arm.frames(100);

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
 final class PlotPresenterTest {
@@ -17,18 +17,7 @@ final class PlotPresenterTest {
   private final RecordedArm arm = new RecordedArm();
 
   private PlotPresenter open() {
-    Settings settings =
-        new Settings() {
-          @Override
-          public Optional<String> get(String name) {
-            return Optional.ofNullable(remembered.get(name));
-          }
-
-          @Override
-          public void put(String name, String text) {
-            remembered.put(name, text);
-          }
-        };
+    Settings settings = new MemorySettings(remembered);
     return new PlotPresenter(ChartQuantities.standard(), new History(arm::recording), settings);
   }
 

@@ -2,38 +2,22 @@ package org.pendant.desktop.preview;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.Actions;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
 /** A workbench around some views, for tests and previews; it remembers what it was told. */
 public class PreviewWorkbench implements Workbench {
   private final Optional<RobotSession> session;
-  private final Memory settings = new Memory();
+  private final Settings settings = new MemorySettings();
   private final ActionTable actions = new ActionTable(settings);
   private final List<String> told = new ArrayList<>();
-
-  /** Settings that are forgotten with the end. */
-  private static final class Memory implements Settings {
-    private final Map<String, String> remembered = new HashMap<>();
-
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.ofNullable(remembered.get(name));
-    }
-
-    @Override
-    public void put(String name, String text) {
-      remembered.put(name, text);
-    }
-  }
 
   /** A workbench that forgets everything with its end. */
   public PreviewWorkbench(RobotSession session) {

@@ -8,12 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
 /** Scenes on disk, and which of them belongs to which installation. */
@@ -26,20 +25,6 @@ final class SceneFileTest {
   @TempDir Path folder;
 
   /** Settings in memory. */
-  private static final class Kept implements Settings {
-    private final Map<String, String> texts = new HashMap<>();
-
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.ofNullable(texts.get(name));
-    }
-
-    @Override
-    public void put(String name, String text) {
-      texts.put(name, text);
-    }
-  }
-
   @Test
   void aSceneIsReadFromItsFile() throws IOException {
     Path file = Files.writeString(folder.resolve("cell.scene.json"), TABLE);
@@ -99,7 +84,7 @@ final class SceneFileTest {
 
   @Test
   void eachInstallationHasTheSceneThatWasThereLast() {
-    Settings settings = new Kept();
+    Settings settings = new MemorySettings();
     Path cell = folder.resolve("cell.pinst");
     SceneMemory memory = new SceneMemory(settings);
     assertEquals(Optional.empty(), memory.of(Optional.of(cell)));
@@ -115,7 +100,7 @@ final class SceneFileTest {
 
   @Test
   void thatASceneWasClosedIsRememberedToo() {
-    Settings settings = new Kept();
+    Settings settings = new MemorySettings();
     new SceneMemory(settings).put(Optional.empty(), Optional.empty());
 
     assertEquals(Optional.of(Path.of("")), new SceneMemory(settings).of(Optional.empty()));
@@ -123,7 +108,7 @@ final class SceneFileTest {
 
   @Test
   void onlySoManyInstallationsAreRemembered() {
-    Settings settings = new Kept();
+    Settings settings = new MemorySettings();
     SceneMemory memory = new SceneMemory(settings);
     for (int i = 0; i < 150; i++) {
       memory.put(Optional.of(folder.resolve(i + ".pinst")), Optional.empty());

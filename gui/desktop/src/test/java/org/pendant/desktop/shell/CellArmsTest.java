@@ -30,6 +30,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.session.SessionMember;
 import org.pendant.desktop.session.SharedCell;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.script.vm.ProgramState;
 
@@ -53,7 +54,7 @@ final class CellArmsTest {
     session = RobotSession.start(ControllerOptions.headless());
     runner = new ProgramRunner(session, programs, told::add, (line, column) -> {});
     arms = new CellArms(session, programs, installation, runner, id -> {});
-    CellStart start = CellStart.of(SceneFile.read(scene), new NoSettings());
+    CellStart start = CellStart.of(SceneFile.read(scene), new MemorySettings());
     arms.expect(start);
     session.restart(start.setup());
     dispatch(() -> {});
@@ -174,7 +175,7 @@ final class CellArmsTest {
   @Test
   void theProgramsOfASceneThatIsNoFileAreThoseOfTheirNamesThatPeopleOpen() throws Exception {
     CellStart start =
-        CellStart.of(SceneFile.of("copy.scene.json", SharedCell.SCENE), new NoSettings());
+        CellStart.of(SceneFile.of("copy.scene.json", SharedCell.SCENE), new MemorySettings());
     dispatch(() -> programs.select(own));
     dispatch(
         () ->

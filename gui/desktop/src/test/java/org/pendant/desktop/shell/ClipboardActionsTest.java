@@ -12,9 +12,10 @@ import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.settings.MemorySettings;
 
 final class ClipboardActionsTest {
-  private final ActionTable actions = new ActionTable(new NoSettings());
+  private final ActionTable actions = new ActionTable(new MemorySettings());
   private final List<String> done = new ArrayList<>();
   private Component focus = new JPanel();
 

@@ -25,6 +25,7 @@ import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneMemory;
+import org.pendant.kit.settings.MemorySettings;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 @Tag("slow")
@@ -152,7 +153,7 @@ final class DocumentSaverTest {
             new ProgramFiles(
                     new Programs(read),
                     saver,
-                    new NoSettings(),
+                    new MemorySettings(),
                     notices,
                     told::add,
                     warned::add,
@@ -211,7 +212,7 @@ final class DocumentSaverTest {
         new ProgramFiles(
             programs,
             saver,
-            new NoSettings(),
+            new MemorySettings(),
             notices,
             told::add,
             warned::add,
@@ -221,7 +222,7 @@ final class DocumentSaverTest {
         new InstallationFiles(
             installation,
             saver,
-            new NoSettings(),
+            new MemorySettings(),
             notices,
             told::add,
             warned::add,
@@ -232,7 +233,7 @@ final class DocumentSaverTest {
             installation,
             scene,
             saver,
-            new SceneMemory(new NoSettings()),
+            new SceneMemory(new MemorySettings()),
             notices,
             told::add,
             new UsedFolder(),

@@ -22,6 +22,7 @@ import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.project.installation.text.InstallationText;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.text.ProgramText;
@@ -52,7 +53,7 @@ final class InstallationBesideTest {
         new InstallationFiles(
             active,
             new DocumentSaver(new SaveQueue(), notices, text -> {}, text -> {}),
-            new NoSettings(),
+            new MemorySettings(),
             notices,
             text -> {},
             text -> {},

@@ -6,33 +6,21 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.SavedProgram;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
 /** Which programs a window remembers for its next start. */
 final class ProgramFilesTest {
   /** Settings in memory. */
-  private record Kept(Map<String, String> texts) implements Settings {
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.ofNullable(texts.get(name));
-    }
+  private final Settings settings = new MemorySettings();
 
-    @Override
-    public void put(String name, String text) {
-      texts.put(name, text);
-    }
-  }
-
-  private final Settings settings = new Kept(new LinkedHashMap<>());
   @TempDir private Path folder;
 
   private ProgramDocument program(String name) throws IOException {

@@ -10,9 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JButton;
@@ -32,6 +30,7 @@ import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneFile;
 import org.pendant.desktop.session.SceneMemory;
 import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.dynamics.Payload;
 
@@ -48,25 +47,11 @@ final class SceneFilesTest {
   private final Notices notices = new Notices();
   private final List<String> told = new ArrayList<>();
   private final List<Scene> surroundings = new ArrayList<>();
-  private final Settings settings = new Kept();
+  private final Settings settings = new MemorySettings();
   private SceneFiles scenes;
   private Path file;
 
   /** Settings in memory. */
-  private static final class Kept implements Settings {
-    private final Map<String, String> texts = new HashMap<>();
-
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.ofNullable(texts.get(name));
-    }
-
-    @Override
-    public void put(String name, String text) {
-      texts.put(name, text);
-    }
-  }
-
   @BeforeEach
   void begin() throws Exception {
     file = scene("a");

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -20,6 +21,7 @@ import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmFile;
@@ -37,15 +39,7 @@ final class StartOptionsTest {
       delta_alpha = [0, 0, 0, 0, 0, 0]
       """;
   private static final Settings UR3E_LAST_TIME =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return name.equals(RobotChange.ROBOT) ? Optional.of("ur3e") : Optional.empty();
-        }
-
-        @Override
-        public void put(String name, String text) {}
-      };
+      new MemorySettings(Map.of(RobotChange.ROBOT, "ur3e"));
 
   @TempDir private Path folder;
 

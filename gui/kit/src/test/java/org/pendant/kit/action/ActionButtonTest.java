@@ -3,28 +3,17 @@ package org.pendant.kit.action;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.MouseEvent;
-import java.util.Optional;
 import javax.swing.JToolTip;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.dispatch.OnDispatchThread;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 @OnDispatchThread
 final class ActionButtonTest {
   /** Remembers nothing. */
-  private record Nothing() implements Settings {
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.empty();
-    }
-
-    @Override
-    public void put(String name, String text) {}
-  }
-
   @Test
   void tipsStandAboveTheButtonAndNotOverItsNeighbours() {
-    ActionTable actions = new ActionTable(new Nothing());
+    ActionTable actions = new ActionTable(new MemorySettings());
     actions.add(Action.of("program.run", "Run program", "F5", () -> {}));
     ActionButton button = new ActionButton(actions, "program.run", "Run", null);
     JToolTip tip = button.createToolTip();

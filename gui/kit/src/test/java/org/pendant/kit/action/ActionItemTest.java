@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.formdev.flatlaf.FlatLightLaf;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenuItem;
@@ -14,23 +13,13 @@ import javax.swing.JRadioButtonMenuItem;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.dispatch.OnDispatchThread;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 @OnDispatchThread
 final class ActionItemTest {
-  private final ActionTable actions = new ActionTable(new Nothing());
+  private final ActionTable actions = new ActionTable(new MemorySettings());
 
   /** Remembers nothing. */
-  private record Nothing() implements Settings {
-    @Override
-    public Optional<String> get(String key) {
-      return Optional.empty();
-    }
-
-    @Override
-    public void put(String key, String value) {}
-  }
-
   @BeforeAll
   static void look() {
     FlatLightLaf.setup();

@@ -12,22 +12,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
 final class DockPlanTest {
   private final Map<String, String> remembered = new HashMap<>();
-  private final Settings settings =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return Optional.ofNullable(remembered.get(name));
-        }
-
-        @Override
-        public void put(String name, String text) {
-          remembered.put(name, text);
-        }
-      };
+  private final Settings settings = new MemorySettings(remembered);
 
   private static Map<String, Side> home() {
     Map<String, Side> home = new LinkedHashMap<>();

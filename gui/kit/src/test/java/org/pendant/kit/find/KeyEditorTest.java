@@ -3,31 +3,20 @@ package org.pendant.kit.find;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
-import java.util.Optional;
 import javax.swing.JPanel;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.dispatch.OnDispatchThread;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 @OnDispatchThread
 final class KeyEditorTest {
   /** Remembers nothing. */
-  private record Nothing() implements Settings {
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.empty();
-    }
-
-    @Override
-    public void put(String name, String text) {}
-  }
-
   @Test
   void keysAreWholeBesideTheirTitles() {
-    ActionTable actions = new ActionTable(new Nothing());
+    ActionTable actions = new ActionTable(new MemorySettings());
     actions.add(Action.of("all", "Save all programs", "control alt shift F12", () -> {}));
     JTable table = new KeyEditor(actions, new JPanel()).table();
     ((KeyTable) table.getModel()).filter("");

@@ -10,7 +10,6 @@ import java.awt.image.BufferedImage;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -19,23 +18,13 @@ import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.dispatch.OnDispatchThread;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
 @OnDispatchThread
 final class LookTest {
   private final Map<String, String> remembered = new HashMap<>();
-  private final Settings settings =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return Optional.ofNullable(remembered.get(name));
-        }
-
-        @Override
-        public void put(String name, String text) {
-          remembered.put(name, text);
-        }
-      };
+  private final Settings settings = new MemorySettings(remembered);
 
   @AfterEach
   void leaveNothing() {

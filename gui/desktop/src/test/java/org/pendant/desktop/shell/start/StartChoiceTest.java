@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -17,7 +15,7 @@ import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.shell.start.StartChoice.Phase;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
@@ -34,7 +32,7 @@ final class StartChoiceTest {
 
   private final List<String> done = new ArrayList<>();
   private final FakeArm arm = new FakeArm();
-  private final StartChoice choice = new StartChoice(arm, new Memory());
+  private final StartChoice choice = new StartChoice(arm, new MemorySettings());
 
   /** Notes what it is asked for. */
   private final class FakeArm implements StartArm {
@@ -63,20 +61,6 @@ final class StartChoiceTest {
     @Override
     public String heldBecause() {
       return reason;
-    }
-  }
-
-  private static final class Memory implements Settings {
-    private final Map<String, String> texts = new HashMap<>();
-
-    @Override
-    public Optional<String> get(String name) {
-      return Optional.ofNullable(texts.get(name));
-    }
-
-    @Override
-    public void put(String name, String text) {
-      texts.put(name, text);
     }
   }
 
