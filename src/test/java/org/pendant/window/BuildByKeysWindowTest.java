@@ -143,5 +143,16 @@ final class BuildByKeysWindowTest {
     window.await("the part is there", () -> window.selected("digital-out-4"));
     window.perform("Show Log");
     window.awaitWords("log-table", "placed it");
+    theWorstMomentIsThatOfANode();
+  }
+
+  /** People who build programs of nodes know no lines of the script. */
+  private void theWorstMomentIsThatOfANode() {
+    window.perform("Show Program");
+    window.perform("Timeline: to the worst moment before");
+    window.perform("Show Motion");
+    window.awaitWords("motion-text", " Waypoint_2: movej(");
+    window.awaitWords("motion-text", "s, node ");
+    window.perform("Timeline: back to now");
   }
 }

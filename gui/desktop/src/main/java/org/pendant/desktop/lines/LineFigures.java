@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.pendant.desktop.editor.LineNote;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.PoseForm;
@@ -77,8 +78,12 @@ final class LineFigures {
     return String.join("\n", rows);
   }
 
-  /** What a worst moment of a run is called. */
-  String moment(RunProfile.Moment moment) {
+  /**
+   * What a worst moment of a run is called.
+   *
+   * @param place what a line is called in a sentence
+   */
+  String moment(RunProfile.Moment moment, IntFunction<String> place) {
     Worst each = moment.worst();
     String what =
         switch (each.margin()) {
@@ -90,7 +95,7 @@ final class LineFigures {
               String.format(
                   Locale.ROOT, "fastest tool, %.0f %% of the safety limit", 100 * each.value());
         };
-    return what + " (line " + moment.line() + ")";
+    return what + " (" + place.apply(moment.line()) + ")";
   }
 
   private static String ofLimit(Worst each) {

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.KeyboardFocusManager;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -37,6 +38,7 @@ public final class MotionView implements View {
 
   private final Workbench workbench;
   private final Supplier<Optional<MotionExplanation>> moment;
+  private final IntFunction<String> place;
   private final Supplier<Optional<String>> line;
   private final JPanel content = new JPanel(new BorderLayout());
   private final JTextArea text = new JTextArea();
@@ -68,14 +70,17 @@ public final class MotionView implements View {
    * The panel.
    *
    * @param moment that people look at, explained; empty for now
+   * @param place what a line at that moment is called in a sentence
    * @param line what the line at the caret, or the selected node, took of the last run
    */
   public MotionView(
       Workbench workbench,
       Supplier<Optional<MotionExplanation>> moment,
+      IntFunction<String> place,
       Supplier<Optional<String>> line) {
     this.workbench = workbench;
     this.moment = moment;
+    this.place = place;
     this.line = line;
     text.setName("motion-text");
     text.getAccessibleContext().setAccessibleName("Why the arm moved so");
@@ -138,11 +143,11 @@ public final class MotionView implements View {
     }
   }
 
-  private static String about(MotionWords words, MotionExplanation moment) {
+  private String about(MotionWords words, MotionExplanation moment) {
     String limits = words.limits(moment);
     return words.cause(moment)
         + "\n"
-        + words.place(moment)
+        + words.place(moment, place)
         + (limits.isEmpty() ? "" : "\n" + limits);
   }
 }

@@ -3,6 +3,7 @@ package org.pendant.desktop.lines;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.IntFunction;
 import org.pendant.controller.safety.SpeedUse;
 import org.pendant.controller.state.ArmState;
 import org.pendant.desktop.unit.DisplayUnit;
@@ -37,11 +38,16 @@ final class MotionWords {
    */
   record Row(String name, String planned, String actual, String difference) {}
 
-  /** When and where in the program. */
-  String place(MotionExplanation moment) {
+  /**
+   * When and where in the program.
+   *
+   * @param place what a line is called in a sentence
+   */
+  String place(MotionExplanation moment, IntFunction<String> place) {
     int line = moment.now().program().line();
     String time = String.format(Locale.ROOT, "%.3f s", moment.now().timeS());
-    return line == 0 ? time + ", no program runs" : time + ", line " + line + ": " + moment.text();
+    return time
+        + (line == 0 ? ", no program runs" : ", " + place.apply(line) + ": " + moment.text());
   }
 
   /** What set the speed. */

@@ -4,11 +4,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.pendant.desktop.debug.RunLines;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.editor.LineNote;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.action.Action;
@@ -166,16 +168,25 @@ public final class PathStrip {
     return profile;
   }
 
-  /** What a line of a program took of the last run, in words; empty if it took nothing. */
-  public Optional<String> about(ProgramDocument program, int line) {
+  /**
+   * What a line of a program took of the last run, in words; empty if it took nothing.
+   *
+   * @param place what the line is called in a sentence
+   */
+  public Optional<String> about(ProgramDocument program, int line, String place) {
     return ran.filter(each -> each.document() == program)
         .flatMap(each -> Optional.ofNullable(lines.get(line)))
-        .map(took -> "Line " + line + " in the last run:\n" + note(took).whole());
+        .map(took -> StateWords.capital(place) + " in the last run:\n" + note(took).whole());
   }
 
-  /** What a worst moment is called, such as {@code nearest to a safety plane: 4 mm to Table}. */
-  public String words(RunProfile.Moment moment) {
-    return new LineFigures(units).moment(moment);
+  /**
+   * What a worst moment is called, such as {@code nearest to a safety plane: 4 mm to Table (line
+   * 12)}.
+   *
+   * @param place what a line is called in a sentence
+   */
+  public String words(RunProfile.Moment moment, IntFunction<String> place) {
+    return new LineFigures(units).moment(moment, place);
   }
 
   /** What stands beside the nodes of a program, by their keys. */

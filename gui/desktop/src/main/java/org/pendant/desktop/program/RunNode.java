@@ -9,4 +9,9 @@ import org.pendant.desktop.session.ProgramDocument;
  * @param number as it stands beside the node in the tree
  * @param label as in the tree
  */
-public record RunNode(ProgramDocument document, long key, int number, String label) {}
+public record RunNode(ProgramDocument document, long key, int number, String label) {
+  /** As people read it in a sentence, such as {@code node 15 Feeder}. */
+  public String words() {
+    return "node " + number + " " + label;
+  }
+}

@@ -285,6 +285,11 @@ final class PastViews {
     return OptionalInt.of(marked.filter(document::equals).isPresent() ? lookBack.line() : 0);
   }
 
+  /** The open program that ran at the moment that people look at; empty for now. */
+  Optional<ProgramDocument> program() {
+    return lookBack.back() ? marked : Optional.empty();
+  }
+
   private void unmark() {
     // The mark of all others comes back with the next snapshot.
     programs.all().forEach(each -> editor.setExecution(each, Execution.NONE));

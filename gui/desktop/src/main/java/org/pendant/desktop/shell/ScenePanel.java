@@ -15,6 +15,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
+import java.util.function.IntFunction;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -276,6 +277,11 @@ final class ScenePanel implements View, GhostArm {
   /** Tells the line of the program at which the tool was where people click. */
   void onLine(IntConsumer listener) {
     picture.onLine(listener);
+  }
+
+  /** What lines of the program are called, such as {@code Line 12}. */
+  void setPlaces(IntFunction<String> names) {
+    picture.setPlaces(names);
   }
 
   /** Where to ask for safety settings that people type and have not applied yet. */

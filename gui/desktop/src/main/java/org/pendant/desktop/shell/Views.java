@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.IntFunction;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.state.ControllerState;
@@ -48,6 +49,7 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
 import org.pendant.desktop.shell.start.StartPlace;
@@ -82,6 +84,7 @@ final class Views {
   private final FileKeeper keeper;
   private final List<DebugBar> debugBars;
   private final BusyNotice busy;
+  private final LineNames names;
   private final HiddenNames hidden;
   private final PortsView ports;
   private final RobotSession session;
@@ -147,9 +150,11 @@ final class Views {
           strip.beforeRun(document, script);
         });
     program = programScreen(workbench, programs, move, scene);
+    names = new LineNames(runs, runner, debug);
     scene.onNode(program::choose);
     scene.onMoment(past::explain);
     scene.onLine(line -> showTraced(workbench, programs, line));
+    scene.setPlaces(line -> StateWords.capital(names.started(line)));
     program.addBelow(treeBar);
     busy =
         new BusyNotice(workbench, debug, line -> runs.node(runner.program(), debug.lineNow(line)));
@@ -261,7 +266,8 @@ final class Views {
                 new MotionView(
                     workbench,
                     past::explanation,
-                    () -> strip.about(programs.current(), lineLookedAt())),
+                    line -> names.of(past.program(), line),
+                    () -> about(programs.current(), lineLookedAt())),
                 Side.BOTTOM));
   }
 
@@ -273,13 +279,19 @@ final class Views {
         .orElseGet(editor::caretLine);
   }
 
+  private Optional<String> about(ProgramDocument document, int line) {
+    return strip.about(document, line, names.of(Optional.of(document), line));
+  }
+
   private List<Pin> pins(RunProfile profile) {
+    IntFunction<String> place =
+        profile.equals(strip.profile()) ? names::started : line -> "line " + line;
     return profile.worst().stream()
         .map(
             each ->
                 new Pin(
                     each.worst().frame() * FrameTime.FRAME_S,
-                    strip.words(each),
+                    strip.words(each, place),
                     each.worst().used()))
         .toList();
   }
@@ -411,7 +423,7 @@ final class Views {
     if (editor.component().isShowing() || program.component().isShowing()) {
       showStarted(workbench, programs, line);
     } else {
-      tell.accept("The tool was there at line " + line + " of the program");
+      tell.accept("The tool was there at " + names.started(line) + " of the program");
     }
   }
 

@@ -9,6 +9,7 @@ import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.recording.lines.LineStatistics;
 import org.pendant.recording.lines.Margin;
+import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.lines.Worst;
 
 /** How it reads what a line took. */
@@ -74,5 +75,15 @@ final class LineFiguresTest {
             new PoseForm(DisplayUnit.METRE, DisplayUnit.RADIAN, PoseForm.STANDARD.rotation()));
     assertEquals("0.9600 m", figures.way(0.96));
     assertEquals("0.72 rad", figures.angle(Math.toRadians(41)));
+  }
+
+  @Test
+  void aWorstMomentNamesThePlaceInTheProgram() {
+    RunProfile.Moment nearest =
+        new RunProfile.Moment(new Worst(Margin.PLANE, 0.0042, "Table", 9), 70);
+    assertEquals(
+        "nearest to a safety plane, 4.2 mm to Table (node 15 Feeder)",
+        new LineFigures(PoseForm.STANDARD)
+            .moment(nearest, line -> line == 70 ? "node 15 Feeder" : "line " + line));
   }
 }

@@ -33,7 +33,8 @@ final class MotionViewTest {
     EventQueue.invokeAndWait(
         () -> {
           MotionView view =
-              new MotionView(new PreviewWorkbench(), () -> moment, () -> Optional.empty());
+              new MotionView(
+                  new PreviewWorkbench(), () -> moment, line -> "line " + line, Optional::empty);
           JComponent content = view.component();
           content.setSize(WIDTH, 200);
 

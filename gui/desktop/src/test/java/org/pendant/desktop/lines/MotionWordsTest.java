@@ -46,7 +46,8 @@ final class MotionWordsTest {
 
   @Test
   void placeAndCauseAreSaid() {
-    assertTrue(words.place(at(1250)).startsWith("2.500 s, line 2: movel("), words.place(at(1250)));
+    String place = words.place(at(1250), line -> "node 7 of line " + line);
+    assertTrue(place.startsWith("2.500 s, node 7 of line 2: movel("), place);
     assertEquals("Full speed of the command: 100 mm/s.", words.cause(at(1250)));
     assertEquals("The arm rests.", words.cause(at(2990)));
   }

@@ -56,6 +56,14 @@ final class PathStripTest {
   }
 
   @Test
+  void whatALineTookBeginsWithWhatTheLineIsCalled() {
+    run(line(2, 1000));
+    String about = strip.about(program, 2, "node 15 Feeder").orElseThrow();
+    assertTrue(about.startsWith("Node 15 Feeder in the last run:\n"), about);
+    assertEquals(Optional.empty(), strip.about(program, 1, "line 1"));
+  }
+
+  @Test
   void linesHaveWhatTheyTookOfTheRun() {
     run(line(1, 500), line(2, 1000));
     assertEquals(List.of(1, 2), List.copyOf(shown.keySet()));

@@ -6,6 +6,7 @@ import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
@@ -29,21 +30,29 @@ final class MarkFinder {
   private final int height;
   private final List<LabelPlaces.Placed> labels;
   private final PoseForm form;
+  private final IntFunction<String> places;
 
   /**
    * What is seen.
    *
    * @param labels names and where they stand
    * @param form in which people read poses and speeds
+   * @param places what a line is called, such as {@code Line 12}
    */
   MarkFinder(
-      PictureRequest shown, int width, int height, List<LabelPlaces.Placed> labels, PoseForm form) {
+      PictureRequest shown,
+      int width,
+      int height,
+      List<LabelPlaces.Placed> labels,
+      PoseForm form,
+      IntFunction<String> places) {
     this.shown = shown;
     markers = shown.model().waypointMarkers();
     this.width = width;
     this.height = height;
     this.labels = labels;
     this.form = form;
+    this.places = places;
   }
 
   /** Where a pose is seen; empty behind the eye. */
@@ -146,7 +155,7 @@ final class MarkFinder {
     String line =
         trace.line(i) == 0
             ? ""
-            : "Line " + trace.line(i) + ", " + Measure.SECOND.words(trace.stretchS(i)) + "\n";
+            : places.apply(trace.line(i)) + ", " + Measure.SECOND.words(trace.stretchS(i)) + "\n";
     String margin =
         trace
             .colouring()

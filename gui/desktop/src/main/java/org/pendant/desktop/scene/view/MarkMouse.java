@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
+import java.util.function.IntFunction;
 import java.util.function.LongConsumer;
 import javax.swing.SwingUtilities;
 import org.pendant.desktop.unit.PoseForm;
@@ -19,6 +20,7 @@ import org.pendant.desktop.unit.PoseForm;
 final class MarkMouse extends MouseAdapter {
   private final SceneView view;
   private PoseForm form = PoseForm.STANDARD;
+  private IntFunction<String> places = line -> "Line " + line;
   private LongConsumer chosen = node -> {};
   private IntConsumer lineChosen = line -> {};
   private DoubleConsumer momentChosen = timeS -> {};
@@ -37,6 +39,11 @@ final class MarkMouse extends MouseAdapter {
 
   void setForm(PoseForm next) {
     form = next;
+  }
+
+  /** What lines of the program are called. */
+  void setPlaces(IntFunction<String> names) {
+    places = names;
   }
 
   void setListener(LongConsumer listener) {
@@ -64,7 +71,9 @@ final class MarkMouse extends MouseAdapter {
   /** What is seen; empty while nothing is. */
   Optional<MarkFinder> finder() {
     return view.drawn()
-        .map(shown -> new MarkFinder(shown, view.getWidth(), view.getHeight(), labels, form));
+        .map(
+            shown ->
+                new MarkFinder(shown, view.getWidth(), view.getHeight(), labels, form, places));
   }
 
   /** Chooses the node of the next stop of the program, or the one before. */

@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
+import java.util.function.IntFunction;
 import java.util.function.LongConsumer;
 import java.util.function.UnaryOperator;
 import javax.swing.JPanel;
@@ -237,6 +238,11 @@ public final class SceneView extends JPanel implements LookFollower {
   /** Tells when the tool was where people click, robot time, s. */
   public void onMoment(DoubleConsumer listener) {
     marks.setMomentListener(listener);
+  }
+
+  /** What lines of the program are called, such as {@code Line 12}. */
+  public void setPlaces(IntFunction<String> names) {
+    marks.setPlaces(names);
   }
 
   /** In which units people read what is written on the picture. */

@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
+import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.StateWords;
@@ -155,9 +156,7 @@ record RunFacts(
   /** A node where there is one: people who build programs of nodes know no lines. */
   private static String place(int line, RunProgram run) {
     int shown = run.shownLine(line);
-    return run.nodeAt(line)
-        .map(node -> "node " + node.number() + " " + node.label())
-        .orElse(shown == 0 ? "" : "line " + shown);
+    return run.nodeAt(line).map(RunNode::words).orElse(shown == 0 ? "" : "line " + shown);
   }
 
   private static String ended(Ending ending, RunProgram run) {

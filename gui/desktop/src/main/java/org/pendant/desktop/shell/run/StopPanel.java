@@ -14,6 +14,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Scene;
+import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.desktop.unit.PoseForm;
@@ -125,9 +126,7 @@ final class StopPanel {
 
   /** The node of a tree, the line of a script. */
   private String place(int line) {
-    return run.nodeAt(line)
-        .map(node -> "node " + node.number() + " " + node.label())
-        .orElseGet(() -> "line " + run.shownLine(line));
+    return run.nodeAt(line).map(RunNode::words).orElseGet(() -> "line " + run.shownLine(line));
   }
 
   private void showSource(StopCard card) {

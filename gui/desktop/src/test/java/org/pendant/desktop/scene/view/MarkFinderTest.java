@@ -8,6 +8,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.pendant.command.service.StandardView;
 import org.pendant.controller.world.Vector3;
@@ -25,6 +26,7 @@ import org.pendant.desktop.unit.RotationForm;
 import org.pendant.models.pose.Pose;
 
 final class MarkFinderTest {
+  private static final IntFunction<String> LINES = line -> "Line " + line;
   private static final int WIDTH = 800;
   private static final int HEIGHT = 600;
   private static final Pose FEEDER = new Pose(0.4, -0.3, 0.1, 0, 0, 0);
@@ -55,7 +57,8 @@ final class MarkFinderTest {
         WIDTH,
         HEIGHT,
         List.of(labels),
-        PoseForm.STANDARD);
+        PoseForm.STANDARD,
+        LINES);
   }
 
   private Point2D pixel(Pose pose) {
@@ -106,12 +109,17 @@ final class MarkFinderTest {
   }
 
   private MarkFinder finder(TcpTrace trace, PoseForm form) {
+    return finder(trace, form, LINES);
+  }
+
+  private MarkFinder finder(TcpTrace trace, PoseForm form, IntFunction<String> places) {
     return new MarkFinder(
         new PictureRequest(model.withTrace(trace), camera, WIDTH, HEIGHT),
         WIDTH,
         HEIGHT,
         List.of(),
-        form);
+        form,
+        places);
   }
 
   private static Pose above(Pose place) {
@@ -126,6 +134,14 @@ final class MarkFinderTest {
     assertEquals(
         "Line 44, 2 s\n400.00, 300.00, 200.00 mm\n100 mm/s\nA click explains the speed",
         found.words());
+  }
+
+  @Test
+  void aPointOfTheWayOfTheToolTellsTheNodeThatItsLineIsGeneratedFrom() {
+    MarkFinder finder =
+        finder(Models.trace(TRAY, 44), PoseForm.STANDARD, line -> "Node 15 from line " + line);
+    MarkTarget found = finder.at(near(pixel(above(TRAY)))).orElseThrow();
+    assertTrue(found.words().startsWith("Node 15 from line 44, 2 s\n"), found.words());
   }
 
   @Test
