@@ -10,7 +10,10 @@ import java.util.Map;
 import java.util.Optional;
 import javax.swing.JPanel;
 
-/** Heat bar: beside the numbers of the lines, the more time a line took the warmer. */
+/**
+ * Heat bar: beside the numbers of the lines, the more time a line took the warmer. It is there also
+ * before the first run, so that the text does not move then.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class HeatBar extends JPanel {
   private static final int WIDTH = 6;
@@ -24,13 +27,6 @@ final class HeatBar extends JPanel {
     setName("heat-bar");
     getAccessibleContext().setAccessibleName("Share of the time of the last run");
     setToolTipText("");
-    setVisible(false);
-  }
-
-  /** Other notes are shown. */
-  void refresh() {
-    setVisible(!notes.all().isEmpty());
-    repaint();
   }
 
   @Override

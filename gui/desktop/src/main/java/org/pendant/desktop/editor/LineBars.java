@@ -27,7 +27,7 @@ final class LineBars extends JPanel {
   /** Shows what stands behind lines. */
   void showNotes(Map<Integer, LineNote> notes) {
     area.notes().set(notes);
-    heat.refresh();
+    heat.repaint();
   }
 
   /** What tests have reached. */

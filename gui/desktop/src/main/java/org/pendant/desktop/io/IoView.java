@@ -49,9 +49,8 @@ public final class IoView implements View {
   private final List<MemoryCard> memories = new ArrayList<>();
   private final JTextField search = new JTextField(12);
   private final JCheckBox onlyUsed = new JCheckBox("Only registers in use");
-  private final JLabel forced = new JLabel("", ForcedMark.of(true), SwingConstants.LEADING);
+  private final JLabel forced = new JLabel("", ForcedMark.of(false), SwingConstants.LEADING);
   private final JButton release = new JButton("Release all");
-  private final JPanel forcedGroup = group();
   private final ModbusCard modbus = new ModbusCard();
   private final DeviceCard devices;
   private final ReadingsCard readings = new ReadingsCard();
@@ -115,9 +114,8 @@ public final class IoView implements View {
         release, "io-release-all", "Bring all forced inputs to rest: low, 0 V, 4 mA or 0");
     release.addActionListener(event -> presenter.releaseAll());
     forced.setName("io-forced");
-    forcedGroup.add(forced);
-    forcedGroup.add(release);
-    bar.add(forcedGroup);
+    // There also while nothing is forced: the inputs stay under the pointer that forces them.
+    bar.add(group(forced, release));
     return bar;
   }
 
@@ -232,10 +230,16 @@ public final class IoView implements View {
 
   private void showForced() {
     int count = presenter.forcing().count();
-    String text = count == 1 ? "1 input forced" : count + " inputs forced";
+    String text =
+        switch (count) {
+          case 0 -> "No input forced";
+          case 1 -> "1 input forced";
+          default -> count + " inputs forced";
+        };
     if (!forced.getText().equals(text)) {
       forced.setText(text);
-      forcedGroup.setVisible(count > 0);
+      ForcedMark.show(forced, count > 0);
+      release.setEnabled(count > 0);
     }
   }
 

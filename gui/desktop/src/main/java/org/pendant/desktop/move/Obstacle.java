@@ -41,7 +41,7 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
   }
 
   private static Obstacle program(ControllerState state) {
-    boolean paused = state.program().state() == ProgramState.PAUSED;
+    boolean paused = state.debug().held() || state.program().state() == ProgramState.PAUSED;
     return new Obstacle(
         "Program "
             + state.program().name()

@@ -11,6 +11,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.Point;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Optional;
 import javax.swing.AbstractButton;
@@ -19,6 +20,7 @@ import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTable;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -122,16 +124,22 @@ final class IoViewTest {
     show(
         view -> {
           JLabel forced = find(view.component(), "io-forced", JLabel.class);
-          assertFalse(forced.getParent().isVisible());
-          find(view.component(), "digital-in-3", AbstractButton.class).doClick(0);
+          AbstractButton release = find(view.component(), "io-release-all", AbstractButton.class);
+          assertEquals("No input forced", forced.getText());
+          assertFalse(release.isEnabled());
+          AbstractButton input = find(view.component(), "digital-in-3", AbstractButton.class);
+          Point place = SwingUtilities.convertPoint(input, 0, 0, view.component());
+          input.doClick(0);
           find(view.component(), "tool-analog-in-0", JSlider.class).setValue(1000);
           settle(view);
           assertEquals("2 inputs forced", forced.getText());
-          assertTrue(forced.getParent().isVisible());
+          assertTrue(release.isEnabled());
+          view.component().validate();
+          assertEquals(place, SwingUtilities.convertPoint(input, 0, 0, view.component()));
           workbench.actions().run("io.release-all");
           settle(view);
           assertEquals(0, session.state().io().standardIn());
-          assertFalse(forced.getParent().isVisible());
+          assertFalse(release.isEnabled());
         });
   }
 

@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
@@ -36,6 +37,7 @@ import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
+import org.pendant.script.debug.Debugger;
 
 /** The screen that moves the arm, with a controller but without a window. */
 final class MovePresenterTest {
@@ -144,6 +146,18 @@ final class MovePresenterTest {
     presenter.removeObstacle();
     refresh(1);
     assertEquals("", obstacle());
+  }
+
+  @Test
+  void aProgramThatADebuggerHoldsIsPaused() {
+    var _ =
+        controller.submit(
+            new ProgramCommand.StartProgram(
+                TestController.program(controller, "def p():\n sleep(9)\nend\n")));
+    refresh(1);
+    var _ = controller.submit(new DebugCommand.Debug(Debugger::pause));
+    refresh(1);
+    assertEquals("Program p is paused. Stop it to move the arm by hand.", obstacle());
   }
 
   @Test
