@@ -174,6 +174,9 @@ final class PageCommands {
   private void read(String place, List<String> words) {
     Pendant pendant =
         new Pendant(new Console(new ByteArrayOutputStream(), new ByteArrayOutputStream()));
+    if (List.of("--version", "--help").contains(words.getFirst())) {
+      return;
+    }
     if (words.getFirst().startsWith("-") || Files.exists(folder.resolve(words.getFirst()))) {
       read(place, optionsOf(pendant, "open"), words);
       return;

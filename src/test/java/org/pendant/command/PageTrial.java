@@ -77,9 +77,10 @@ final class PageTrial {
   }
 
   private static boolean wantsExamples(PageBlock block) {
-    return List.of("json", "pendant").contains(block.language())
-        || block.text().contains("examples/")
-        || block.text().contains("@scene");
+    boolean hasFiles = block.language().equals("json") || block.text().contains("@scene");
+    return block.text().contains("examples/")
+        || block.text().contains("stack_boxes")
+        || block.title().isEmpty() && hasFiles;
   }
 
   void take(PageBlock block) throws IOException {

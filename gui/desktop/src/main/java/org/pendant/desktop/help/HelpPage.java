@@ -39,6 +39,11 @@ record HelpPage(String name, String title) {
     return List.of(
         FIRST,
         KEYS,
+        new HelpPage("docs/learn/first-program.md", "Your first program"),
+        new HelpPage("docs/learn/debug.md", "Debug it"),
+        new HelpPage("docs/learn/first-tree.md", "Your first tree"),
+        new HelpPage("docs/testing-tutorial.md", "Your first test"),
+        new HelpPage("docs/learn/cell.md", "Your first cell"),
         new HelpPage("docs/language.md", "Writing programs"),
         new HelpPage("docs/functions.md", "Functions"),
         new HelpPage("docs/debugging.md", "Debugging"),
@@ -60,6 +65,7 @@ record HelpPage(String name, String title) {
         new HelpPage("docs/external-control.md", "External Control"),
         new HelpPage("docs/protocols/README.md", "Ports"),
         new HelpPage("docs/command-line.md", "Command line"),
+        new HelpPage("docs/faq.md", "Questions"),
         ABOUT);
   }
 
