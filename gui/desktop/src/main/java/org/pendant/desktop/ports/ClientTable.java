@@ -47,7 +47,9 @@ final class ClientTable extends RowsModel<ClientRow> {
       case 2 -> "For how long it has been connected";
       case 3 -> shown.in().isEmpty() ? "Nothing comes from it" : shown.in() + " come from it";
       case 4 -> shown.out().isEmpty() ? "Nothing goes to it" : shown.out() + " go to it";
-      case 7 -> "What it has not read yet, and packages that were left out for that";
+      case 7 ->
+          (shown.waiting().isEmpty() ? "Nothing" : shown.waiting())
+              + ": what it has not read yet, and packages that were left out for that";
       default -> getValueAt(row, column).toString();
     };
   }

@@ -2,6 +2,7 @@ package org.pendant.desktop.ports;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -26,8 +27,11 @@ import org.pendant.desktop.ports.PortsState.Trouble;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
+import org.pendant.kit.layout.InnerScroll;
+import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.layout.WideContent;
 import org.pendant.kit.theme.Palette;
 
 /** Ports view: the panel that opens the ports, and shows who is connected. */
@@ -51,8 +55,12 @@ public final class PortsView implements View {
     presenter = new PortsPresenter(ports, workbench.settings(), Path.of("").toAbsolutePath());
     content.setName("ports-view");
     content.getAccessibleContext().setAccessibleName(title());
-    content.add(top(workbench), BorderLayout.NORTH);
-    content.add(table(), BorderLayout.CENTER);
+    JPanel sheet = new WideContent(new BorderLayout());
+    sheet.add(top(workbench), BorderLayout.NORTH);
+    sheet.add(table(), BorderLayout.CENTER);
+    JScrollPane scroll = new SettledScroll(sheet);
+    scroll.setBorder(BorderFactory.createEmptyBorder());
+    content.add(scroll);
     workbench
         .actions()
         .add(
@@ -148,6 +156,12 @@ public final class PortsView implements View {
             String who = row < 0 ? "" : rows.who(row);
             return who.isEmpty() ? null : who;
           }
+
+          /** Room for all rows: a low panel scrolls as a whole, rather than half a row in it. */
+          @Override
+          public Dimension getPreferredScrollableViewportSize() {
+            return new Dimension(getMinimumSize().width, getPreferredSize().height);
+          }
         };
     table.setName("ports-table");
     table.getAccessibleContext().setAccessibleName("Open ports");
@@ -156,7 +170,7 @@ public final class PortsView implements View {
     table.getColumnModel().getColumn(0).setPreferredWidth(170);
     table.getColumnModel().getColumn(1).setPreferredWidth(150);
     table.getColumnModel().getColumn(2).setPreferredWidth(60);
-    JScrollPane scroll = new JScrollPane(table);
+    JScrollPane scroll = InnerScroll.of(new JScrollPane(table));
     scroll.setBorder(BorderFactory.createEmptyBorder(0, GAP, GAP, GAP));
     return scroll;
   }

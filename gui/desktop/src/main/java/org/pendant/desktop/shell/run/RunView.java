@@ -32,6 +32,7 @@ import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.FlushRow;
 import org.pendant.kit.layout.SettledScroll;
+import org.pendant.kit.layout.WideContent;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.variables.VariableSamples;

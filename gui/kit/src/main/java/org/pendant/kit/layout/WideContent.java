@@ -1,4 +1,4 @@
-package org.pendant.desktop.shell.run;
+package org.pendant.kit.layout;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
@@ -12,10 +12,11 @@ import javax.swing.Scrollable;
  * then.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class WideContent extends JPanel implements Scrollable {
+public final class WideContent extends JPanel implements Scrollable {
   private static final int STEP = 24;
 
-  WideContent(LayoutManager layout) {
+  /** Without anything in it yet. */
+  public WideContent(LayoutManager layout) {
     super(layout);
   }
 
