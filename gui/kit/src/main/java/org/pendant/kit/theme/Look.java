@@ -164,7 +164,6 @@ public final class Look {
     for (Window each : Window.getWindows()) {
       LookFollower.tell(each);
     }
-    WindowBackgrounds.follow();
   }
 
   /** The scale on top of the system's, in percent. */
