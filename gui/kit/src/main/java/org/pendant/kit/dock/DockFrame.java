@@ -274,7 +274,8 @@ public final class DockFrame {
 
   private void resize(Side side, int pixels) {
     int moved = side == Side.LEFT ? pixels : -pixels;
-    DockPane pane = panes.get(side);
+    boolean lowerAlone = side == Side.RIGHT && plan.views(Side.RIGHT).isEmpty();
+    DockPane pane = panes.get(lowerAlone ? Side.LOWER : side);
     boolean upright = side == Side.LEFT || side == Side.RIGHT;
     double size = upright ? pane.getWidth() : pane.getHeight();
     double whole = upright ? area.getWidth() : area.getHeight();

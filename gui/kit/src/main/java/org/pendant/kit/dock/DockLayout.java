@@ -49,18 +49,40 @@ final class DockLayout implements LayoutManager {
     int gap = UIScale.scale(DIVIDER);
 
     place(Side.LEFT, left, r -> r.setBounds(0, 0, left, height), gap, height);
-    int upper = plan.views(Side.RIGHT).isEmpty() ? 0 : right;
+    if (plan.views(Side.RIGHT).isEmpty() && lower > 0 && !plan.collapsed(Side.RIGHT)) {
+      placeLowerAlone(new Rectangle(width - right, 0, right, height), gap);
+    } else {
+      placeAtRight(new Rectangle(width - right, 0, right, height), lower, gap);
+    }
+    place(Side.BOTTOM, bottom, r -> r.setBounds(left, height - bottom, inner, bottom), gap, height);
+    main.setBounds(left, 0, inner, height - bottom);
+  }
+
+  private void placeAtRight(Rectangle column, int lower, int gap) {
+    int upper = plan.views(Side.RIGHT).isEmpty() ? 0 : column.width;
     place(
-        Side.RIGHT, upper, r -> r.setBounds(width - right, 0, right, height - lower), gap, height);
+        Side.RIGHT,
+        upper,
+        r -> r.setBounds(column.x, 0, column.width, column.height - lower),
+        gap,
+        column.height);
     int inset = plan.collapsed(Side.RIGHT) || upper == 0 ? 0 : gap;
     place(
         Side.LOWER,
         lower,
-        r -> r.setBounds(width - right + inset, height - lower, right - inset, lower),
+        r -> r.setBounds(column.x + inset, column.height - lower, column.width - inset, lower),
         gap,
-        height);
-    place(Side.BOTTOM, bottom, r -> r.setBounds(left, height - bottom, inner, bottom), gap, height);
-    main.setBounds(left, 0, inner, height - bottom);
+        column.height);
+  }
+
+  /** Beside a lower dock that has the whole column is the line by which the column gets wider. */
+  private void placeLowerAlone(Rectangle column, int gap) {
+    panes.get(Side.RIGHT).setVisible(false);
+    dividers.get(Side.LOWER).setVisible(false);
+    dividers.get(Side.RIGHT).setVisible(true);
+    dividers.get(Side.RIGHT).setBounds(column.x, 0, gap, column.height);
+    panes.get(Side.LOWER).setVisible(true);
+    panes.get(Side.LOWER).setBounds(column.x + gap, 0, column.width - gap, column.height);
   }
 
   /** The width of the column at the right where only its lower dock has views. */

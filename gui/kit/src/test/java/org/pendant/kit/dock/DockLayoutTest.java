@@ -1,6 +1,8 @@
 package org.pendant.kit.dock;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -9,11 +11,13 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JLayer;
 import javax.swing.JPanel;
@@ -21,17 +25,20 @@ import org.junit.jupiter.api.Test;
 import org.pendant.kit.settings.Settings;
 
 final class DockLayoutTest {
-  /** Remembers nothing. */
-  private static final Settings NO_SETTINGS =
-      new Settings() {
-        @Override
-        public Optional<String> get(String name) {
-          return Optional.empty();
-        }
+  private static Settings settings() {
+    Map<String, String> remembered = new HashMap<>();
+    return new Settings() {
+      @Override
+      public Optional<String> get(String name) {
+        return Optional.ofNullable(remembered.get(name));
+      }
 
-        @Override
-        public void put(String name, String text) {}
-      };
+      @Override
+      public void put(String name, String text) {
+        remembered.put(name, text);
+      }
+    };
+  }
 
   /** A view of its name. */
   private record Named(String id, JComponent component) implements Dockable {
@@ -49,7 +56,7 @@ final class DockLayoutTest {
     home.put("problems", Side.BOTTOM);
     List<Named> views = home.keySet().stream().map(id -> new Named(id, new JPanel())).toList();
     DockFrame frame =
-        new DockFrame(new DockPlan(NO_SETTINGS, home, Set.of()), views, home, window -> {});
+        new DockFrame(new DockPlan(settings(), home, Set.of()), views, home, window -> {});
     frame.setCollapsed(Side.BOTTOM, false);
     return frame;
   }
@@ -103,5 +110,33 @@ final class DockLayoutTest {
     // what the layout told of itself comes before this
     EventQueue.invokeAndWait(() -> {});
     assertEquals(List.of(), moves);
+  }
+
+  private static Component named(DockFrame frame, String name) {
+    return Stream.of(area(frame).getComponents())
+        .filter(each -> name.equals(each.getName()))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /** As when 3D has a window of its own. */
+  @Test
+  void aLowerDockThatIsAloneGetsWiderByTheLineBesideIt()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          DockFrame frame = frame();
+          frame.component().setSize(1000, 700);
+          frame.move("scene", Side.MAIN);
+          layOut(frame.component());
+          Component line = named(frame, "dock-divider-right");
+          assertTrue(line.isVisible());
+          assertFalse(named(frame, "dock-divider-lower").isVisible());
+          int before = line.getX();
+          JComponent divider = (JComponent) line;
+          divider.getActionMap().get("LEFT").actionPerformed(null);
+          layOut(frame.component());
+          assertEquals(before - 16, line.getX());
+        });
   }
 }
