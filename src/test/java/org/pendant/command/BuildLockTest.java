@@ -95,25 +95,39 @@ final class BuildLockTest {
 
   @Test
   @DisabledOnOs({OS.WINDOWS, OS.MAC})
-  void windowsWhereThereIsADisplayAndEditorsHaveAotCachesOfTheirOwn() throws Exception {
+  void windowsWhereThereIsADisplayEditorsAndSweepsHaveAotCachesOfTheirOwn() throws Exception {
     // what a JVM is started for is the class behind the class path
     program(
         "jdk/bin/java",
         "for word; do case $word in -XX:AOTCacheOutput=*) echo cache >\"${word#*=}\";;"
             + " org.pendant.*) echo ${word##*.} >>trained;; esac; done; echo ran");
     for (String display : new String[] {":0", ""}) {
-      for (String word : new String[] {"open", "check", "lsp", "dap", "open"}) {
+      for (String word : new String[] {"open", "check", "lsp", "dap", "sweep", "open"}) {
         Process process = start(display, word);
         assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS));
         assertEquals(0, process.exitValue());
       }
     }
     assertEquals(
-        "WindowTraining\nTraining\nEditorTraining\n", Files.readString(folder.resolve("trained")));
+        "WindowTraining\nTraining\nEditorTraining\nSweepTraining\n",
+        Files.readString(folder.resolve("trained")));
     Path app = folder.resolve("gui/desktop/target/app");
     assertTrue(Files.exists(app.resolve("window-25.aot")));
     assertTrue(Files.exists(app.resolve("pendant-25.aot")));
     assertTrue(Files.exists(app.resolve("editors-25.aot")));
+    assertTrue(Files.exists(app.resolve("sweep-25.aot")));
+  }
+
+  @Test
+  void sweepsAreTrainedWithTheCompilersThatTheyRunWith() throws Exception {
+    program("jdk/bin/java", "echo $* >>\"$0.words\"");
+    Process process = start("", "sweep");
+    assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS));
+    List<String> words = Files.readAllLines(folder.resolve("jdk/bin/java.words"));
+    for (String end : new String[] {"SweepTraining .*", " sweep"}) {
+      String line = words.stream().filter(each -> each.matches(".*" + end)).findFirst().orElse("");
+      assertTrue(line.lastIndexOf("TieredStopAtLevel=4") > line.lastIndexOf("=1 "), words + "");
+    }
   }
 
   @Test
