@@ -15,6 +15,9 @@ final class NumberView implements FieldView {
   private static final int COLUMNS = 7;
   private static final int FEW_COLUMNS = 5;
 
+  /** What a field has at least; in a narrow form its unit stays in sight before more of it does. */
+  private static final String LEAST = "wmin 52";
+
   private final TypedField field;
   private final JLabel unit = new JLabel();
   private final JLabel legal = new JLabel();
@@ -42,7 +45,7 @@ final class NumberView implements FieldView {
     views.named(field, number);
     unit.setLabelFor(field);
     row.setOpaque(false);
-    row.add(field, "wmin pref");
+    row.add(field, LEAST);
     row.add(unit);
     legal.setForeground(Palette.quiet());
     row.add(legal);

@@ -18,6 +18,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
@@ -147,6 +148,27 @@ final class NodeFormsTest {
         "'quick' is not a number in deg/s",
         control("form-move-speed-problem", JTextComponent.class).getText());
     assertEquals(before, move().speed());
+  }
+
+  @Test
+  void theUnitOfANumberStaysInSightWhereTheFormIsNarrow()
+      throws InterruptedException, InvocationTargetException {
+    show(first(MotionStep.Move.class));
+    EventQueue.invokeAndWait(
+        () -> {
+          frame.setSize(250, 900);
+          frame.validate();
+        });
+    settle();
+    EventQueue.invokeAndWait(
+        () -> {
+          JTextField field = control("form-move-speed", JTextField.class);
+          Container row = field.getParent();
+          Component unit = row.getComponent(1);
+          assertEquals("deg/s", ((JLabel) unit).getText());
+          assertTrue(unit.getX() + unit.getWidth() <= row.getWidth(), () -> unit + " in " + row);
+          assertTrue(field.getWidth() > 40, () -> "room for some digits: " + field.getWidth());
+        });
   }
 
   @Test
