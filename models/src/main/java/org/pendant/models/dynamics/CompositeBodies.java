@@ -12,11 +12,16 @@ import org.pendant.models.kinematics.JointAngles;
  */
 final class CompositeBodies {
   private static final int N = Joints.COUNT;
-  private static final double[] COS_ALPHA = {0, 1, 1, 0, 0, 1};
+
+  /** Sines of the twists alpha: next axes are parallel (0) or a quarter turn apart (1, -1). */
   private static final double[] SIN_ALPHA = {1, 0, 0, 1, -1, 0};
 
+  /** From axis to axis, m; not 0 for upper arm and forearm alone. */
   private final double[] a;
+
+  /** Along the axis, m; exactly 0 for those two. */
   private final double[] d;
+
   private final RigidBody[] bodies;
 
   /** Each body's moments about the origin of its frame: first m c, then the inertia. */
@@ -70,20 +75,31 @@ final class CompositeBodies {
       double ny = body[8];
       double nz = body[9];
       for (int i = joint - 1; i >= 0; i--) {
-        double ca = COS_ALPHA[i];
         double sa = SIN_ALPHA[i];
         double c = angles.cos(i);
         double s = angles.sin(i);
-        double t = ca * fy - sa * fz;
-        fz = sa * fy + ca * fz;
+        double t = fy;
+        double u = ny;
+        if (sa != 0) {
+          t = -sa * fz;
+          fz = sa * fy;
+          u = -sa * nz;
+          nz = sa * ny;
+        }
         fy = s * fx + c * t;
         fx = c * fx - s * t;
-        t = ca * ny - sa * nz;
-        double px = a[i] * c;
-        double py = a[i] * s;
-        nz = sa * ny + ca * nz + px * fy - py * fx;
-        ny = s * nx + c * t + d[i] * fx - px * fz;
-        nx = c * nx - s * t + py * fz - d[i] * fy;
+        ny = s * nx + c * u;
+        nx = c * nx - s * u;
+        if (a[i] == 0) {
+          ny += d[i] * fx;
+          nx -= d[i] * fy;
+        } else {
+          double px = a[i] * c;
+          double py = a[i] * s;
+          nz = nz + px * fy - py * fx;
+          ny -= px * fz;
+          nx += py * fz;
+        }
         mass[N * joint + i] = nz;
         mass[N * i + joint] = nz;
       }
@@ -105,8 +121,12 @@ final class CompositeBodies {
     double y = 0;
     double z = 0;
     for (int i = N - 1; i >= 0; i--) {
-      double t = COS_ALPHA[i] * y - SIN_ALPHA[i] * z;
-      z = SIN_ALPHA[i] * y + COS_ALPHA[i] * z;
+      double sa = SIN_ALPHA[i];
+      double t = y;
+      if (sa != 0) {
+        t = -sa * z;
+        z = sa * y;
+      }
       double c = angles.cos(i);
       double s = angles.sin(i);
       y = s * x + c * t + qd[i] * behind[i][1];
@@ -213,23 +233,35 @@ final class CompositeBodies {
       xx = t;
       xy = turnedXy;
       // about the origin of the frame before
-      double px = a[i] * c;
-      double py = a[i] * s;
-      double pz = d[i];
-      double ox = 2 * hx + m * px;
-      double oy = 2 * hy + m * py;
-      double oz = 2 * hz + m * pz;
       double[] out = behind[i];
       out[0] = m;
-      out[1] = hx + m * px;
-      out[2] = hy + m * py;
-      out[3] = hz + m * pz;
-      out[4] = xx + py * oy + pz * oz;
-      out[5] = xy - hx * py - hy * px - m * px * py;
-      out[6] = xz - hx * pz - hz * px - m * px * pz;
-      out[7] = yy + px * ox + pz * oz;
-      out[8] = yz - hy * pz - hz * py - m * py * pz;
-      out[9] = zz + px * ox + py * oy;
+      if (a[i] == 0) {
+        double pz = d[i];
+        double toZ = pz * (2 * hz + m * pz);
+        out[1] = hx;
+        out[2] = hy;
+        out[3] = hz + m * pz;
+        out[4] = xx + toZ;
+        out[5] = xy;
+        out[6] = xz - hx * pz;
+        out[7] = yy + toZ;
+        out[8] = yz - hy * pz;
+        out[9] = zz;
+      } else {
+        double px = a[i] * c;
+        double py = a[i] * s;
+        double ox = 2 * hx + m * px;
+        double oy = 2 * hy + m * py;
+        out[1] = hx + m * px;
+        out[2] = hy + m * py;
+        out[3] = hz;
+        out[4] = xx + py * oy;
+        out[5] = xy - hx * py - hy * px - m * px * py;
+        out[6] = xz - hz * px;
+        out[7] = yy + px * ox;
+        out[8] = yz - hz * py;
+        out[9] = zz + px * ox + py * oy;
+      }
     }
   }
 
@@ -254,9 +286,14 @@ final class CompositeBodies {
         hz = sa * t;
       }
       double t = c * hx - s * hy;
-      hy = s * hx + c * hy + m * (a[i] * s);
-      hx = t + m * (a[i] * c);
-      hz += m * d[i];
+      hy = s * hx + c * hy;
+      hx = t;
+      if (a[i] == 0) {
+        hz += m * d[i];
+      } else {
+        hy += m * (a[i] * s);
+        hx += m * (a[i] * c);
+      }
       double[] out = behind[i];
       out[0] = m;
       out[1] = hx;

@@ -13,14 +13,15 @@ import org.pendant.models.kinematics.JointAngles;
 final class NewtonEuler {
   private static final int N = Joints.COUNT;
 
-  /** Cosines and sines of the twists alpha, exact. */
-  private static final double[] COS_ALPHA = {0, 1, 1, 0, 0, 1};
-
+  /** Sines of the twists alpha: next axes are parallel (0) or a quarter turn apart (1, -1). */
   private static final double[] SIN_ALPHA = {1, 0, 0, 1, -1, 0};
 
   private final RigidBody[] bodies;
 
-  /** From the origin of the frame before to a link's own, along its own axes, m. */
+  /**
+   * From the origin of the frame before to a link's own, along its own axes, m: across parallel
+   * axes or along them, and along y alone where they are a quarter turn apart.
+   */
   private final double[] rx = new double[N];
 
   private final double[] ry = new double[N];
@@ -52,7 +53,7 @@ final class NewtonEuler {
     for (int i = 0; i < N; i++) {
       rx[i] = a[i];
       ry[i] = d[i] * SIN_ALPHA[i];
-      rz[i] = d[i] * COS_ALPHA[i];
+      rz[i] = SIN_ALPHA[i] == 0 ? d[i] : 0;
     }
   }
 
@@ -87,7 +88,6 @@ final class NewtonEuler {
     for (int i = 0; i < N; i++) {
       double c = angles.cos(i);
       double s = angles.sin(i);
-      double ca = COS_ALPHA[i];
       double sa = SIN_ALPHA[i];
       // the angular acceleration gets qdd z + qd w x z before the frame is turned
       double ax = ex + qd[i] * wy;
@@ -97,17 +97,24 @@ final class NewtonEuler {
       // R transposed times a vector: turned back by q about z, then by alpha about x
       double t = c * wy - s * wx;
       wx = c * wx + s * wy;
-      wy = ca * t + sa * bz;
-      wz = ca * bz - sa * t;
-      t = c * ay - s * ax;
+      double u = c * ay - s * ax;
       ex = c * ax + s * ay;
-      ey = ca * t + sa * az;
-      ez = ca * az - sa * t;
-      t = c * py - s * px;
+      double v = c * py - s * px;
       px = c * px + s * py;
-      double turnedZ = pz;
-      py = ca * t + sa * turnedZ;
-      pz = ca * turnedZ - sa * t;
+      if (sa == 0) {
+        wy = t;
+        wz = bz;
+        ey = u;
+        ez = az;
+        py = v;
+      } else {
+        wy = sa * bz;
+        wz = -sa * t;
+        ey = sa * az;
+        ez = -sa * u;
+        py = sa * pz;
+        pz = -sa * v;
+      }
 
       double xx = wx * wx;
       double yy = wy * wy;
@@ -115,20 +122,26 @@ final class NewtonEuler {
       double xy = wx * wy;
       double xz = wx * wz;
       double yz = wy * wz;
-      double x = rx[i];
-      double y = ry[i];
-      double z = rz[i];
-      px += (xy - ez) * y + (xz + ey) * z - (yy + zz) * x;
-      py += (xy + ez) * x + (yz - ex) * z - (xx + zz) * y;
-      pz += (xz - ey) * x + (yz + ex) * y - (xx + yy) * z;
+      if (sa == 0) {
+        double x = rx[i];
+        double z = rz[i];
+        px += (xz + ey) * z - (yy + zz) * x;
+        py += (xy + ez) * x + (yz - ex) * z;
+        pz += (xz - ey) * x - (xx + yy) * z;
+      } else {
+        double y = ry[i];
+        px += (xy - ez) * y;
+        py -= (xx + zz) * y;
+        pz += (yz + ex) * y;
+      }
 
       if (!withForces) {
         continue;
       }
       RigidBody body = bodies[i];
-      x = body.cx();
-      y = body.cy();
-      z = body.cz();
+      double x = body.cx();
+      double y = body.cy();
+      double z = body.cz();
       fx[i] = body.m() * (px + (xy - ez) * y + (xz + ey) * z - (yy + zz) * x);
       fy[i] = body.m() * (py + (xy + ez) * x + (yz - ex) * z - (xx + zz) * y);
       fz[i] = body.m() * (pz + (xz - ey) * x + (yz + ex) * y - (xx + yy) * z);
@@ -161,26 +174,39 @@ final class NewtonEuler {
       double y = ry[i] + body.cy();
       double z = rz[i] + body.cz();
       // about the origin of the frame before
-      double ux = hx + nx[i] + y * fz[i] - z * fy[i] + ry[i] * gz - rz[i] * gy;
-      double uy = hy + ny[i] + z * fx[i] - x * fz[i] + rz[i] * gx - rx[i] * gz;
-      double uz = hz + nz[i] + x * fy[i] - y * fx[i] + rx[i] * gy - ry[i] * gx;
+      double ux = hx + nx[i] + y * fz[i] - z * fy[i];
+      double uy = hy + ny[i] + z * fx[i] - x * fz[i];
+      double uz = hz + nz[i] + x * fy[i] - y * fx[i];
+      double sa = SIN_ALPHA[i];
+      if (sa == 0) {
+        ux -= rz[i] * gy;
+        uy += rz[i] * gx - rx[i] * gz;
+        uz += rx[i] * gy;
+      } else {
+        ux += ry[i] * gz;
+        uz -= ry[i] * gx;
+      }
       gx += fx[i];
       gy += fy[i];
       gz += fz[i];
-      double ca = COS_ALPHA[i];
-      double sa = SIN_ALPHA[i];
-      torque[i] = sa * uy + ca * uz;
+      // turned by alpha about x, then by q about z
+      double t = gy;
+      double v = uy;
+      if (sa != 0) {
+        t = -sa * gz;
+        gz = sa * gy;
+        v = -sa * uz;
+        uz = sa * uy;
+      }
+      torque[i] = uz;
       if (i > 0) {
         double c = angles.cos(i);
         double s = angles.sin(i);
-        double t = ca * gy - sa * gz;
-        gz = sa * gy + ca * gz;
         gy = s * gx + c * t;
         gx = c * gx - s * t;
-        t = ca * uy - sa * uz;
-        hz = torque[i];
-        hy = s * ux + c * t;
-        hx = c * ux - s * t;
+        hz = uz;
+        hy = s * ux + c * v;
+        hx = c * ux - s * v;
       }
     }
   }
