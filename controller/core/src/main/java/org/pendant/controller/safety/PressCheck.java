@@ -86,9 +86,12 @@ final class PressCheck {
     double dx = points.elbow(0) - points.shoulder(0);
     double dy = points.elbow(1) - points.shoulder(1);
     double dz = points.elbow(2) - points.shoulder(2);
-    double upperArmM = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    double leverM = Math.max(Math.hypot(dx, dy), MIN_LEVER * upperArmM);
-    return Math.hypot(base / leverM, shoulder / upperArmM);
+    double acrossM2 = dx * dx + dy * dy;
+    double upperArmM = Math.sqrt(acrossM2 + dz * dz);
+    double leverM = Math.max(Math.sqrt(acrossM2), MIN_LEVER * upperArmM);
+    double alongN = shoulder / upperArmM;
+    double aroundN = base / leverM;
+    return Math.sqrt(aroundN * aroundN + alongN * alongN);
   }
 
   /**

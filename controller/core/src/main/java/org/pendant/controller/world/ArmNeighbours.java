@@ -15,31 +15,38 @@ import org.pendant.models.pose.Pose;
  * <p>Belongs to the thread that drives the cell.
  */
 public final class ArmNeighbours {
-  /** What all arms of a cell write, six positions of joints each, rad. */
-  private record Shared(List<Standing> arms, List<double[]> positionsRad, List<Boolean> rests) {}
+  /** What an arm says of itself. */
+  private static final class Said {
+    final double[] positionRad = new double[Joints.COUNT];
+    boolean rests = true;
 
-  private final Shared shared;
+    Said(Joints startRad) {
+      startRad.copyTo(positionRad);
+    }
+  }
+
+  private final List<Standing> arms;
+
+  /** What each of the arms says, in their order; all see the same. */
+  private final List<Said> said;
+
   private final int own;
+  private final Said ownSaid;
 
-  private ArmNeighbours(Shared shared, int own) {
-    this.shared = shared;
+  private ArmNeighbours(List<Standing> arms, List<Said> said, int own) {
+    this.arms = arms;
+    this.said = said;
     this.own = own;
+    ownSaid = said.get(own);
   }
 
   /** What each of several arms sees, in their order. */
   static List<ArmNeighbours> of(List<Standing> arms) {
-    List<double[]> positionsRad = new ArrayList<>();
-    List<Boolean> rests = new ArrayList<>();
-    for (Standing arm : arms) {
-      double[] q = new double[Joints.COUNT];
-      arm.startRad().copyTo(q);
-      positionsRad.add(q);
-      rests.add(true);
-    }
-    Shared shared = new Shared(List.copyOf(arms), positionsRad, rests);
+    List<Standing> standing = List.copyOf(arms);
+    List<Said> said = standing.stream().map(arm -> new Said(arm.startRad())).toList();
     List<ArmNeighbours> all = new ArrayList<>();
-    for (int i = 0; i < arms.size(); i++) {
-      all.add(new ArmNeighbours(shared, i));
+    for (int i = 0; i < standing.size(); i++) {
+      all.add(new ArmNeighbours(standing, said, i));
     }
     return all;
   }
@@ -56,13 +63,13 @@ public final class ArmNeighbours {
    * @param rests whether it moves no more than its encoders err
    */
   public void say(double[] positionRad, boolean rests) {
-    System.arraycopy(positionRad, 0, shared.positionsRad.get(own), 0, Joints.COUNT);
-    shared.rests.set(own, rests);
+    System.arraycopy(positionRad, 0, ownSaid.positionRad, 0, Joints.COUNT);
+    ownSaid.rests = rests;
   }
 
   /** How many numbers {@link #read} writes: six for each of the others. */
   public int numbers() {
-    return Joints.COUNT * (shared.arms.size() - 1);
+    return Joints.COUNT * (arms.size() - 1);
   }
 
   /**
@@ -72,9 +79,9 @@ public final class ArmNeighbours {
    */
   public void read(double[] othersRad) {
     int at = 0;
-    for (int arm = 0; arm < shared.arms.size(); arm++) {
+    for (int arm = 0; arm < arms.size(); arm++) {
       if (arm != own) {
-        System.arraycopy(shared.positionsRad.get(arm), 0, othersRad, at, Joints.COUNT);
+        System.arraycopy(said.get(arm).positionRad, 0, othersRad, at, Joints.COUNT);
         at += Joints.COUNT;
       }
     }
@@ -82,8 +89,8 @@ public final class ArmNeighbours {
 
   /** Whether none of the others moves. */
   public boolean rest() {
-    for (int arm = 0; arm < shared.arms.size(); arm++) {
-      if (arm != own && !shared.rests.get(arm)) {
+    for (int arm = 0; arm < arms.size(); arm++) {
+      if (arm != own && !said.get(arm).rests) {
         return false;
       }
     }
@@ -92,7 +99,7 @@ public final class ArmNeighbours {
 
   /** What the links of this arm can get into, links of the others included. */
   public ArmSurroundings surroundings() {
-    List<Standing> others = new ArrayList<>(shared.arms);
+    List<Standing> others = new ArrayList<>(arms);
     return new ArmSurroundings(others.remove(own), others);
   }
 }
