@@ -71,7 +71,7 @@ final class FreeMotors implements Drives {
       double momentNm = torqueNm.get(i) + weightNm[i];
       double constant = arm.actuators().get(i).torqueConstantNmPerA();
       sensors.targetTorqueNm[i] = momentNm;
-      sensors.targetCurrentA[i] = (momentNm + overcomeNm[i]) / constant;
+      sensors.targetCurrent.setWhole(i, (momentNm + overcomeNm[i]) / constant);
     }
   }
 

@@ -136,7 +136,7 @@ public final class IdealArm implements SimulatedArm {
     externalForces.feelBodies();
     SimulatedSensors felt = arm.sensors();
     System.arraycopy(felt.targetTorqueNm, 0, sensors.targetTorqueNm, 0, Joints.COUNT);
-    System.arraycopy(felt.targetCurrentA, 0, sensors.targetCurrentA, 0, Joints.COUNT);
+    sensors.targetCurrent.set(felt.targetCurrent);
     if (!Arrays.equals(felt.positionRad, sensors.positionRad)
         || !Arrays.equals(felt.speedRadPerS, sensors.speedRadPerS)
         || !Arrays.equals(felt.accelerationRadPerS2, sensors.accelerationRadPerS2)) {

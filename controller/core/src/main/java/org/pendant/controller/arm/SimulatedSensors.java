@@ -13,7 +13,7 @@ public final class SimulatedSensors implements ArmSensors {
   final double[] modelTorqueNm = new double[Joints.COUNT];
   final double[] targetTorqueNm = new double[Joints.COUNT];
   final double[] currentA = new double[Joints.COUNT];
-  final double[] targetCurrentA = new double[Joints.COUNT];
+  final TargetCurrent targetCurrent = new TargetCurrent();
   final double[] temperatureC = new double[Joints.COUNT];
   final double[] toolAccelerationMPerS2 = new double[3];
   double toolTemperatureC;
@@ -33,7 +33,7 @@ public final class SimulatedSensors implements ArmSensors {
     System.arraycopy(others.modelTorqueNm, 0, modelTorqueNm, 0, Joints.COUNT);
     System.arraycopy(others.targetTorqueNm, 0, targetTorqueNm, 0, Joints.COUNT);
     System.arraycopy(others.currentA, 0, currentA, 0, Joints.COUNT);
-    System.arraycopy(others.targetCurrentA, 0, targetCurrentA, 0, Joints.COUNT);
+    targetCurrent.set(others.targetCurrent);
     System.arraycopy(others.temperatureC, 0, temperatureC, 0, Joints.COUNT);
     System.arraycopy(others.toolAccelerationMPerS2, 0, toolAccelerationMPerS2, 0, 3);
     toolTemperatureC = others.toolTemperatureC;
@@ -91,7 +91,7 @@ public final class SimulatedSensors implements ArmSensors {
 
   @Override
   public Joints targetCurrentA() {
-    return Joints.of(targetCurrentA);
+    return targetCurrent.read(targetTorqueNm);
   }
 
   @Override

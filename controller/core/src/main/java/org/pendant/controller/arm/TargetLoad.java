@@ -3,7 +3,6 @@ package org.pendant.controller.arm;
 import java.util.Arrays;
 import org.pendant.models.arm.Actuator;
 import org.pendant.models.arm.ArmDescription;
-import org.pendant.models.arm.FrictionCurve;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.ArmDynamics;
 
@@ -21,9 +20,6 @@ final class TargetLoad {
   /** Friction that grows with the speed, Nm. */
   final double[] speedDependentNm = new double[N];
 
-  /** With friction, A. */
-  final double[] currentA = new double[N];
-
   /** Accelerations of the target, rad/s². */
   final double[] qdd = new double[N];
 
@@ -31,6 +27,7 @@ final class TargetLoad {
   private final Actuator[] actuators;
   private final double[] q = new double[N];
   private final double[] qd = new double[N];
+  private final double[] speedDependentA = new double[N];
 
   TargetLoad(ArmDescription arm, ArmDynamics model) {
     this.model = model;
@@ -45,25 +42,21 @@ final class TargetLoad {
     model.inverse(q, qd, qdd, momentNm);
     for (int i = 0; i < N; i++) {
       Actuator actuator = actuators[i];
-      double constant = actuator.torqueConstantNmPerA();
-      FrictionCurve friction = actuator.friction();
-      double speedDependentA = friction.speedDependentA(qd[i]);
       momentNm[i] += actuator.rotorInertiaKgM2() * qdd[i];
-      speedDependentNm[i] = constant * speedDependentA;
-      currentA[i] =
-          momentNm[i] / constant + friction.dryCurrentA(qd[i], momentNm[i]) + speedDependentA;
+      speedDependentA[i] = actuator.friction().speedDependentA(qd[i]);
+      speedDependentNm[i] = actuator.torqueConstantNmPerA() * speedDependentA[i];
     }
   }
 
   /** Writes what the controller publishes. */
   void publish(SimulatedSensors sensors) {
     System.arraycopy(momentNm, 0, sensors.targetTorqueNm, 0, N);
-    System.arraycopy(currentA, 0, sensors.targetCurrentA, 0, N);
+    sensors.targetCurrent.set(actuators, qd, speedDependentA);
   }
 
   /** Writes that there is no target. */
   static void publishNone(SimulatedSensors sensors) {
     Arrays.fill(sensors.targetTorqueNm, 0);
-    Arrays.fill(sensors.targetCurrentA, 0);
+    sensors.targetCurrent.clear();
   }
 }

@@ -127,7 +127,8 @@ class SensorNoiseTest {
   void currentsAtRestSpreadAsRecorded() {
     for (int joint = 0; joint < Joints.COUNT; joint++) {
       int i = joint;
-      double found = spread(rig, sensors -> sensors.currentA[i] - sensors.targetCurrentA[i])[0];
+      double found =
+          spread(rig, sensors -> sensors.currentA[i] - sensors.targetCurrentA().get(i))[0];
       if (i < 3) {
         assertWithin(0.024, 0.032, found, "joint " + i);
       } else {
@@ -159,7 +160,7 @@ class SensorNoiseTest {
       each.arm.step(move.at(frame));
       SimulatedSensors sensors = each.arm.sensors();
       for (int i = 0; i < Joints.COUNT; i++) {
-        double error = sensors.currentA[i] - sensors.targetCurrentA[i];
+        double error = sensors.currentA[i] - sensors.targetCurrentA().get(i);
         squares[i] += error * error / (move.frames() - 1);
       }
     }

@@ -67,16 +67,23 @@ class TargetLoadTest {
     return Math.sqrt(squares[joint] / count);
   }
 
+  private static Joints currentsOf(TargetLoad load) {
+    SimulatedSensors sensors = new SimulatedSensors();
+    load.publish(sensors);
+    return sensors.targetCurrentA();
+  }
+
   @Test
   void restingUr10eNeedsTheRecordedMomentsAndCurrents() {
     ArmDescription arm = ArmLibrary.load("ur10e");
     TargetLoad load = new TargetLoad(arm, new ArmDynamics(arm));
     for (int row = 0; row < POSTURES.length; row += 3) {
       load.of(Rig.hold(Joints.of(POSTURES[row])));
+      Joints currentsA = currentsOf(load);
       for (int i = 0; i < N; i++) {
         String where = "posture " + row / 3 + ", joint " + i;
         assertEquals(POSTURES[row + 1][i], load.momentNm[i], 0.004, where);
-        assertEquals(POSTURES[row + 2][i], load.currentA[i], 0.0005, where);
+        assertEquals(POSTURES[row + 2][i], currentsA.get(i), 0.0005, where);
       }
     }
   }
@@ -97,9 +104,10 @@ class TargetLoadTest {
       load.of(
           new ArmCommand.Servo(
               row.joints("target_q"), row.joints("target_qd"), row.joints("target_qdd")));
+      Joints currentsA = currentsOf(load);
       for (int i = 0; i < N; i++) {
         moments[i] += Math.pow(load.momentNm[i] - row.joints("target_moment").get(i), 2);
-        currents[i] += Math.pow(load.currentA[i] - row.joints("target_current").get(i), 2);
+        currents[i] += Math.pow(currentsA.get(i) - row.joints("target_current").get(i), 2);
       }
     }
     for (int i = 0; i < N; i++) {
@@ -117,9 +125,10 @@ class TargetLoadTest {
 
     load.of(Rig.hold(Rig.START));
 
+    Joints currentsA = currentsOf(load);
     for (int i = 0; i < N; i++) {
       double constant = arm.actuators().get(i).torqueConstantNmPerA();
-      assertEquals(load.momentNm[i] / constant, load.currentA[i]);
+      assertEquals(load.momentNm[i] / constant, currentsA.get(i));
     }
   }
 }
