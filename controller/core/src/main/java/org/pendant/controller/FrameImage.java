@@ -127,7 +127,9 @@ final class FrameImage {
       newPopups = popups;
       arm.take(box, mode);
       takeBox();
-      made = Optional.empty();
+      if (made.isPresent()) {
+        made = Optional.empty();
+      }
     }
   }
 

@@ -108,29 +108,52 @@ final class CompositeBodies {
 
   /** Work that lifted the arm against an acceleration that it feels, J. */
   double potentialEnergyJ(double[] q, double x, double y, double z) {
-    angles.at(q);
-    gatherFirst(angles);
+    gather(q);
     double[] all = behind[0];
     return x * all[1] + y * all[2] + z * all[3];
   }
 
-  /** At a posture whose cosines and sines are known. */
+  /**
+   * At a posture whose cosines and sines are known: what is behind a joint is gathered as for the
+   * mass matrix, without the inertia, and what moves carried along with it.
+   */
   void linearMomentum(JointAngles angles, double[] qd, double[] momentum) {
-    gatherFirst(angles);
+    double m = 0;
+    double hx = 0;
+    double hy = 0;
+    double hz = 0;
     double x = 0;
     double y = 0;
     double z = 0;
     for (int i = N - 1; i >= 0; i--) {
+      double[] own = moments[i];
+      m += own[0];
+      hx += own[1];
+      hy += own[2];
+      hz += own[3];
       double sa = SIN_ALPHA[i];
-      double t = y;
       if (sa != 0) {
-        t = -sa * z;
-        z = sa * y;
+        double t = hy;
+        hy = -sa * hz;
+        hz = sa * t;
+        t = y;
+        y = -sa * z;
+        z = sa * t;
       }
       double c = angles.cos(i);
       double s = angles.sin(i);
-      y = s * x + c * t + qd[i] * behind[i][1];
-      x = c * x - s * t - qd[i] * behind[i][2];
+      double t = c * hx - s * hy;
+      hy = s * hx + c * hy;
+      hx = t;
+      if (a[i] == 0) {
+        hz += m * d[i];
+      } else {
+        hy += m * (a[i] * s);
+        hx += m * (a[i] * c);
+      }
+      t = c * x - s * y - qd[i] * hy;
+      y = s * x + c * y + qd[i] * hx;
+      x = t;
     }
     momentum[0] = x;
     momentum[1] = y;
@@ -262,43 +285,6 @@ final class CompositeBodies {
         out[8] = yz - hz * py;
         out[9] = zz + px * ox + py * oy;
       }
-    }
-  }
-
-  /** As {@link #gather}, without the inertia: m and m c of the composite bodies are the same. */
-  private void gatherFirst(JointAngles angles) {
-    double m = 0;
-    double hx = 0;
-    double hy = 0;
-    double hz = 0;
-    for (int i = N - 1; i >= 0; i--) {
-      double c = angles.cos(i);
-      double s = angles.sin(i);
-      double[] own = moments[i];
-      m = own[0] + m;
-      hx = i < N - 1 ? own[1] + hx : own[1];
-      hy = i < N - 1 ? own[2] + hy : own[2];
-      hz = i < N - 1 ? own[3] + hz : own[3];
-      double sa = SIN_ALPHA[i];
-      if (sa != 0) {
-        double t = hy;
-        hy = -sa * hz;
-        hz = sa * t;
-      }
-      double t = c * hx - s * hy;
-      hy = s * hx + c * hy;
-      hx = t;
-      if (a[i] == 0) {
-        hz += m * d[i];
-      } else {
-        hy += m * (a[i] * s);
-        hx += m * (a[i] * c);
-      }
-      double[] out = behind[i];
-      out[0] = m;
-      out[1] = hx;
-      out[2] = hy;
-      out[3] = hz;
     }
   }
 }

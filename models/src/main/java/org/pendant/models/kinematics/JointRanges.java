@@ -11,6 +11,9 @@ final class JointRanges {
 
   private static final double TURN = 2 * Math.PI;
 
+  /** Less than half a turn, rad. */
+  private static final double NO_TURN = 3;
+
   private final double[] min = new double[Joints.COUNT];
   private final double[] max = new double[Joints.COUNT];
 
@@ -61,8 +64,8 @@ final class JointRanges {
     return Math.abs(a - b - wholeTurns(a - b));
   }
 
-  /** The full turns next to an angle. */
+  /** The full turns next to an angle; mostly none, and a division takes longer than to see that. */
   private static double wholeTurns(double angle) {
-    return TURN * Math.rint(angle / TURN);
+    return Math.abs(angle) < NO_TURN ? 0 : TURN * Math.rint(angle / TURN);
   }
 }

@@ -88,16 +88,16 @@ final class FollowingCheck {
   Optional<SafetyStop> check(FrameFacts facts, Observation seen, boolean holding) {
     double timeS = facts.timeS();
     Optional<SafetyStop> stop = Optional.empty();
-    deviationRatio = 0;
-    collisionRatio = 0;
+    double largestDeviation = 0;
+    double largestPush = 0;
     for (int i = 0; i < Joints.COUNT; i++) {
       double torque = facts.pressing() ? 0 : facts.sensors().externalTorqueNm(i);
       double allowedTorque = allowedTorqueNm(i, holding);
       pushed[i] = pushedFrames(pushed[i], torque, allowedTorque);
       double deviation = Math.abs(seen.targetQ[i] - seen.q[i]);
       double allowedDeviation = allowedDeviationRad(i, holding);
-      deviationRatio = Math.clamp(deviation / allowedDeviation, deviationRatio, 1);
-      collisionRatio = Math.clamp(Math.abs(torque) / allowedTorque, collisionRatio, 1);
+      largestDeviation = Math.max(largestDeviation, deviation / allowedDeviation);
+      largestPush = Math.max(largestPush, Math.abs(torque) / allowedTorque);
       deviating[i] = deviation > allowedDeviation ? deviating[i] + 1 : 0;
       if (stop.isEmpty() && Math.abs(pushed[i]) >= PUSHED_FRAMES) {
         stop = Optional.of(StopReason.COLLISION.ofJoint(i, timeS, Math.abs(torque), allowedTorque));
@@ -107,6 +107,8 @@ final class FollowingCheck {
                 StopReason.POSITION_DEVIATION.ofJoint(i, timeS, deviation, allowedDeviation));
       }
     }
+    deviationRatio = Math.min(largestDeviation, 1);
+    collisionRatio = Math.min(largestPush, 1);
     return stop;
   }
 
