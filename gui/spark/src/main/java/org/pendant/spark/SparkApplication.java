@@ -46,6 +46,9 @@ final class SparkApplication {
     // A worker that dies says nothing against its runs, up to this number.
     conf.setIfMissing("spark.task.maxFailures", "8");
     conf.setIfMissing("spark.deploy.maxExecutorRetries", "-1");
+    // YARN and Kubernetes count in the same way, and would give up after twice as many as there
+    // are.
+    conf.setIfMissing("spark.executor.maxNumFailures", Integer.toString(Integer.MAX_VALUE));
     // As pendant sweep runs on one machine: what a frame leaves behind dies in a young generation
     // that holds some.
     conf.setIfMissing("spark.executor.extraJavaOptions", "-XX:+UseSerialGC -Xmn64m");
