@@ -13,7 +13,7 @@ from pathlib import Path
 
 import yaml
 from mkdocs.structure.files import File
-from pygments.lexers import _mapping
+from pygments.lexers import _mapping, get_lexer_by_name
 
 HOME = Path(__file__).resolve().parents[2]
 EXAMPLES = HOME / "examples"
@@ -34,6 +34,8 @@ def on_startup(command, dirty):
     """Pygments has no URScript."""
     sys.path.insert(0, str(Path(__file__).parent))
     _mapping.LEXERS["UrScriptLexer"] = ("urscript_lexer", "URScript", ("urscript",), ("*.script",), ())
+    # Without it programs would have no colours, and nobody would be told.
+    get_lexer_by_name("urscript")
 
 
 def on_files(files, config):

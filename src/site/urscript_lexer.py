@@ -3,6 +3,8 @@
 from pygments.lexer import RegexLexer, words
 from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String, Text
 
+__all__ = ["UrScriptLexer"]
+
 BLOCKS = "def sec thread end if elif else while break continue return halt pause run join kill enter_critical exit_critical"
 
 
