@@ -78,7 +78,7 @@ public final class DockFrame {
     area.setLayout(new DockLayout(plan, main, panes, dividers));
     layer = new JLayer<>(area, new DropShade());
     layer.setName("dock-frame");
-    layer.addHierarchyListener(event -> showWindows());
+    layer.addHierarchyListener(event -> showWindows(false));
     fill();
   }
 
@@ -229,7 +229,7 @@ public final class DockFrame {
           }
         });
     panes.values().forEach(DockPane::follow);
-    showWindows();
+    showWindows(true);
     if (main.getComponentCount() == 0) {
       main.add(
           front.isPresent() ? views.get(front.get()).component() : nothing(), BorderLayout.CENTER);
@@ -240,18 +240,22 @@ public final class DockFrame {
     List.copyOf(listeners).forEach(Runnable::run);
   }
 
-  /** Windows of views come with the one around them, not before it. */
-  private void showWindows() {
+  /**
+   * Windows of views come with the one around them, not before it.
+   *
+   * @param takeKeys whether the keyboard goes to one that opens
+   */
+  private void showWindows(boolean takeKeys) {
     if (layer.isShowing()) {
-      plan.views(Side.WINDOW).forEach(this::showWindow);
+      plan.views(Side.WINDOW).forEach(id -> showWindow(id, takeKeys));
     }
   }
 
-  private void showWindow(String id) {
+  private void showWindow(String id, boolean takeKeys) {
     windows
         .computeIfAbsent(
             id, each -> new FloatingDock(views.get(each), plan, furnish, () -> putBack(each)))
-        .open(windowBounds(id));
+        .open(windowBounds(id), takeKeys);
   }
 
   private Rectangle windowBounds(String id) {

@@ -35,8 +35,12 @@ final class FloatingDock {
     furnish.accept(window);
   }
 
-  /** Opens it with the view, unless it is open. */
-  void open(Rectangle bounds) {
+  /**
+   * Opens it with the view, unless it is open.
+   *
+   * @param takesKeys whether the keyboard goes to it; a start leaves that to the main window
+   */
+  void open(Rectangle bounds, boolean takesKeys) {
     if (window.isVisible()) {
       return;
     }
@@ -44,7 +48,9 @@ final class FloatingDock {
     // Tabs hide what is not in front.
     view.component().setVisible(true);
     window.setBounds(bounds);
+    window.setAutoRequestFocus(takesKeys);
     window.setVisible(true);
+    window.setAutoRequestFocus(true);
   }
 
   /** Puts it above the main window, which keeps the keyboard. */
