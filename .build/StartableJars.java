@@ -26,8 +26,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import java.util.jar.Attributes;
 import java.util.jar.Attributes.Name;
+import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
+import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
@@ -41,10 +44,20 @@ import java.util.zip.ZipOutputStream;
  * is written into the class files, with the same results. Jars lose their signatures, since classes
  * of signed jars are not kept either, and checking them takes longer than everything else. Of their
  * manifests remains what the JVM and Pendant ask for: those of all jars with a class in the cache
- * are read at each start, and most of what they tell is for OSGi.
+ * are read at each start, and most of what they tell is for OSGi. {@code pendant.jar} becomes a
+ * start jar that has nothing but a class path, with the jar of the arms first and what it had
+ * itself second: jars are opened in that order until a file is found, and the arms are what a run
+ * reads.
  */
 final class StartableJars {
   private static final String OURS = "org/pendant/";
+
+  /** What a run reads files from, in the class path. */
+  private static final String READ_FIRST = "lib/pendant-models-";
+
+  /** Where what was in the start jar is, in the class path. */
+  private static final String DESKTOP = "lib/pendant-desktop.jar";
+
   private static final MethodTypeDesc HASH =
       MethodTypeDesc.of(ConstantDescs.CD_int, ConstantDescs.CD_Object);
   private static final MethodTypeDesc EQUAL =
@@ -85,6 +98,49 @@ final class StartableJars {
       StartableJars rewriting = new StartableJars(classes);
       for (Path jar : jars) {
         rewriting.rewrite(jar);
+      }
+    }
+    Path start = Path.of(folder[0], "pendant.jar");
+    if (Files.exists(start)) {
+      makeStartJar(start);
+    }
+  }
+
+  private static void makeStartJar(Path jar) throws IOException {
+    Manifest manifest;
+    try (JarFile in = new JarFile(jar.toFile())) {
+      manifest = in.getManifest();
+    }
+    Attributes attributes = manifest.getMainAttributes();
+    List<String> others = List.of(attributes.getValue(Name.CLASS_PATH).split(" "));
+    List<String> first = others.stream().filter(each -> each.startsWith(READ_FIRST)).toList();
+    List<String> path = new ArrayList<>(first);
+    path.add(DESKTOP);
+    others.stream().filter(each -> !first.contains(each)).forEach(path::add);
+    attributes.put(Name.CLASS_PATH, String.join(" ", path));
+    Path start = Path.of(jar + ".new");
+    try (OutputStream file = Files.newOutputStream(start)) {
+      new JarOutputStream(file, manifest).close();
+    }
+    withoutClassPath(jar, jar.resolveSibling(DESKTOP));
+    Files.move(start, jar, StandardCopyOption.REPLACE_EXISTING);
+  }
+
+  /** Copies a jar, whose class path would be looked for in its new folder. */
+  private static void withoutClassPath(Path jar, Path copy) throws IOException {
+    try (JarFile in = new JarFile(jar.toFile());
+        OutputStream file = Files.newOutputStream(copy)) {
+      Manifest manifest = in.getManifest();
+      manifest.getMainAttributes().remove(Name.CLASS_PATH);
+      try (JarOutputStream out = new JarOutputStream(file, manifest)) {
+        for (JarEntry entry : (Iterable<JarEntry>) in.stream()::iterator) {
+          if (!isManifest(entry)) {
+            JarEntry same = new JarEntry(entry.getName());
+            same.setTime(entry.getTime());
+            out.putNextEntry(same);
+            in.getInputStream(entry).transferTo(out);
+          }
+        }
       }
     }
   }

@@ -1,5 +1,6 @@
 package org.pendant.command;
 
+import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
@@ -159,6 +160,42 @@ class StartableJarsTest {
     try (JarFile jar = new JarFile(file.toFile())) {
       assertEquals(needed, jar.getManifest().getMainAttributes());
       assertEquals(Map.of(), jar.getManifest().getEntries());
+    }
+  }
+
+  @Test
+  void theJarThatIsStartedHasOnlyAClassPathWithTheArmsFirst() throws Exception {
+    Path lib = Files.createDirectory(folder.resolve("lib"));
+    String[] names = {"some.jar", "pendant-models-1.jar", "others.jar"};
+    Manifest manifest = new Manifest();
+    manifest.getMainAttributes().put(Name.MANIFEST_VERSION, "1.0");
+    for (String name : names) {
+      new JarOutputStream(Files.newOutputStream(lib.resolve(name)), manifest).close();
+    }
+    manifest.getMainAttributes().put(Name.MAIN_CLASS, "some.Main");
+    manifest
+        .getMainAttributes()
+        .put(Name.CLASS_PATH, Stream.of(names).map("lib/"::concat).collect(joining(" ")));
+    Path start = folder.resolve("pendant.jar");
+    try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(start), manifest)) {
+      out.putNextEntry(new JarEntry("word.txt"));
+      out.write('w');
+    }
+
+    rewrite(start);
+
+    try (JarFile jar = new JarFile(start.toFile());
+        JarFile desktop = new JarFile(lib.resolve("pendant-desktop.jar").toFile())) {
+      Attributes attributes = jar.getManifest().getMainAttributes();
+      assertEquals("some.Main", attributes.getValue(Name.MAIN_CLASS));
+      assertEquals(
+          "lib/pendant-models-1.jar lib/pendant-desktop.jar lib/some.jar lib/others.jar",
+          attributes.getValue(Name.CLASS_PATH));
+      assertEquals(List.of(JarFile.MANIFEST_NAME), jar.stream().map(JarEntry::getName).toList());
+      assertFalse(desktop.getManifest().getMainAttributes().containsKey(Name.CLASS_PATH));
+    }
+    try (URLClassLoader started = new URLClassLoader(new URL[] {start.toUri().toURL()}, null)) {
+      assertEquals('w', started.getResourceAsStream("word.txt").read());
     }
   }
 
