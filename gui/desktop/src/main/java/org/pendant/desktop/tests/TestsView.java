@@ -22,6 +22,7 @@ import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JRootPane;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
@@ -428,11 +429,16 @@ public final class TestsView implements View {
   /** What shows the panel gives the focus to what is around it while there is no test yet. */
   private void takeFocus() {
     Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-    if (tree.isShowing()
-        && owner instanceof JComponent
-        && SwingUtilities.isDescendingFrom(content, owner)) {
+    if (tree.isShowing() && isAround(owner, content)) {
       tree.requestFocusInWindow();
     }
+  }
+
+  /** Whether keys go to a view or to what it lies in; those of an open menu go to the root pane. */
+  static boolean isAround(Component owner, Component view) {
+    return owner instanceof JComponent
+        && !(owner instanceof JRootPane)
+        && SwingUtilities.isDescendingFrom(view, owner);
   }
 
   /** Whether a test has the robot of the window. */
