@@ -32,6 +32,8 @@ final class BuildLockTest {
   @BeforeEach
   void aFolderWithNothingBuilt() throws IOException {
     Files.copy(Launcher.home().resolve("pendant"), folder.resolve("pendant"));
+    Files.createDirectories(folder.resolve(".build"));
+    Files.copy(Launcher.home().resolve(".build/start.sh"), folder.resolve(".build/start.sh"));
     Files.createDirectories(folder.resolve("jdk/bin"));
     Files.writeString(folder.resolve("jdk/release"), "JAVA_VERSION=\"25\"\n");
     program("jdk/bin/java", "echo ran");

@@ -1,0 +1,113 @@
+# How Pendant's JVM is started, for the launcher of the sources (pendant) and that of the packages (.build/packages/pendant),
+# which read this file. They set
+#   java      the command of the JVM
+#   app       the folder with pendant.jar and lib
+#   examples  the folder of the examples
+#   caches    the folder of the AOT caches, before they call `train`; limit may be words before the JVM's command then
+# shellcheck shell=sh disable=SC2034,SC2154 # variables that those set and read
+
+# Flags of the JVM, the same for training the AOT cache and for using it (it is refused otherwise). A cache keeps which methods were
+# compiled how well, too: what runs with the optimizing compiler has one that was trained with it, or nearly all stays with the first.
+# docs/benchmarks.md has the measurements behind them. The JVM's own log goes to stderr: stdout belongs to
+# the script that runs. The 3D view's library uses sun.misc.Unsafe, which the JVM would complain about.
+flags='-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xlog:disable -Xlog:all=error:stderr --sun-misc-unsafe-memory-access=allow'
+
+unavailable=69 # what WindowTraining ends with where there is no display
+
+# Succeeds when the words make a window, as far as that can be told without reading them all, and there is a display.
+opens_window() {
+  case " $* " in
+    *' --help '* | *' -h '*) return 1 ;;
+  esac
+  case ${1:-open} in
+    --version) return 1 ;;
+    open | -*) ;;
+    *) [ -f "$1" ] || return 1 ;;
+  esac
+  [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] || [ "$(uname)" = Darwin ]
+}
+
+# Succeeds unless the user gives the heap a size, and means another one than ours, which it may not hold.
+heap_is_ours() {
+  case " $PENDANT_JAVA_OPTIONS $JDK_JAVA_OPTIONS $JAVA_TOOL_OPTIONS" in
+    *' -Xm'* | *HeapSize=* | *NewSize=* | *MaxRAM*) return 1 ;;
+  esac
+}
+
+# Sets for the words of a command which AOT cache it starts with (kind: pendant, window, editors or sweep), with which
+# compilers that is trained, too, and flags of its own (own): commands would start later with the classes that windows and editors need.
+choose() {
+  kind=pendant
+  compilers=
+  own=
+  case ${1:-} in
+    lsp)
+      kind=editors
+      # An editor stays for hours: its server is worth the optimizing compiler. What an edit leaves behind is dropped in a
+      # young generation that holds it, so that memory stays small whatever the machine has.
+      own='-XX:TieredStopAtLevel=4'
+      heap_is_ours && own="$own -Xms80m -Xmn48m -XX:SurvivorRatio=4 -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
+      ;;
+    sweep)
+      # Runs for minutes on end: the optimizing compiler pays. What a frame leaves behind dies in a young generation that holds some.
+      compilers='-XX:TieredStopAtLevel=4'
+      heap_is_ours && own='-Xmn64m'
+      case " $* " in
+        *' --engine'*) ;; # the runs are elsewhere
+        *) kind=sweep ;;
+      esac
+      ;;
+    dap)
+      kind=editors
+      ;;
+    *)
+      if opens_window "$@"; then
+        kind=window
+        # A window is open all day. It has its heap collected itself when enough may have died (HeapCare); this has what is
+        # free given back then, down to where it began. There is no limit: what people open may be as large as it is.
+        # What malloc has free, compiling and drawing need much of it for a moment, is given back once a minute.
+        # The heap is collected as a whole when 15 % of what is reserved for code have been used: of 48 MB before the first picture.
+        own='-XX:TrimNativeHeapInterval=60000 -XX:ReservedCodeCacheSize=128m'
+        heap_is_ours && own="$own -Xms64m -Xmn24m -XX:MinHeapFreeRatio=10 -XX:MaxHeapFreeRatio=20 -XX:-ShrinkHeapInSteps -XX:MetaspaceSize=64m"
+        export MALLOC_ARENA_MAX="${MALLOC_ARENA_MAX:-2}"
+      fi
+      ;;
+  esac
+  return 0
+}
+
+# Records as $cache the classes that small runs load, or those of a window, of an editor's questions, of sweeps, as $kind says. Without a cache
+# Pendant works, it only starts slower; so whatever goes wrong here leaves an empty file as a mark and is not tried again.
+train() {
+  case $kind in
+    window) trained=WindowTraining ;;
+    editors) trained=EditorTraining ;;
+    sweep) trained=SweepTraining ;;
+    *) trained=Training ;;
+  esac
+  code=0
+  # The settings and the state of the window that is used for it are nobody's.
+  # shellcheck disable=SC2086 # the flags are words
+  XDG_STATE_HOME=$caches/training ${limit:-} "$java" $flags ${compilers:-} -XX:AOTCacheOutput="$cache.new" -Dpendant.config="$caches/training" \
+    -cp "$app/pendant.jar" org.pendant.command.$trained "$examples/hello.script" "$examples/pick_and_place.script" \
+    "$examples/palletizing.script" "$examples/shared_counter.script" "$examples/statistics.script" "$examples/parse_message.script" \
+    "$examples/weigh_and_press.script" "$examples/conveyor.script" </dev/null >"$caches/training.log" 2>&1 || code=$?
+  if [ "$code" = 0 ] && [ -s "$cache.new" ]; then
+    mv "$cache.new" "$cache"
+  elif [ "$code" != "$unavailable" ]; then
+    : >"$cache"
+  fi
+  rm -rf "$cache.new" "$cache.new.config" "$caches/training"
+}
+
+# Becomes Java, which runs the words, with $cache unless that is missing or says that training failed. As it is the same process,
+# Ctrl-C and SIGTERM reach Java itself, and its exit code is ours.
+start() {
+  if [ -s "$cache" ]; then
+    set -- -XX:AOTCache="$cache" -jar "$app/pendant.jar" "$@"
+  else
+    set -- -jar "$app/pendant.jar" "$@"
+  fi
+  # shellcheck disable=SC2086 # flags and options are words
+  exec "$java" $flags $compilers $own $PENDANT_JAVA_OPTIONS "$@"
+}
