@@ -18,7 +18,7 @@ import org.pendant.testing.builtin.TestBuiltins;
  * (docs/command-line.md).
  */
 public final class Pendant {
-  private static final Option VERSION = Option.flag("--version", "print the version");
+  static final Option VERSION = Option.flag("--version", "print the version");
 
   private final Console console;
   private final DesktopServices services;
