@@ -1,0 +1,185 @@
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.spi.ToolProvider;
+import java.util.stream.Stream;
+
+/**
+ * What is installed below a prefix such as {@code /usr}: the command in {@code bin}, the Java
+ * runtime and the jars in {@code lib/pendant}, and in {@code share} what desktops, shells and
+ * people look for. It can be put anywhere as a whole.
+ */
+final class InstalledTree {
+  /** What {@code jdeps} finds in the jars, and the charsets of other computers' files. */
+  private static final String MODULES =
+      "java.desktop,java.logging,java.prefs,java.sql,java.xml,jdk.charsets,jdk.net,jdk.unsupported,"
+          + "jdk.zipfs";
+
+  private final Path project;
+  private final Path tree;
+  private final Path library;
+  private final Path share;
+  private final Processor processor;
+  private final Instant time;
+
+  InstalledTree(Path project, Path tree, Processor processor, Instant time) {
+    this.project = project;
+    this.tree = tree;
+    this.processor = processor;
+    this.time = time;
+    library = tree.resolve("lib/pendant");
+    share = tree.resolve("share");
+  }
+
+  void make() throws IOException, InterruptedException {
+    linkRuntime();
+    copyJars();
+    copyLaunchers();
+    copyDocuments();
+    generate();
+    finish(tree, time);
+  }
+
+  private void linkRuntime() throws IOException {
+    Files.createDirectories(library);
+    ToolProvider jlink =
+        ToolProvider.findFirst("jlink")
+            .orElseThrow(() -> new IOException("this Java has no jlink, which a JDK has"));
+    int code =
+        jlink.run(
+            System.out,
+            System.err,
+            "--add-modules",
+            MODULES,
+            "--strip-debug",
+            "--no-man-pages",
+            "--no-header-files",
+            "--compress",
+            "zip-6",
+            "--output",
+            library.resolve("runtime").toString());
+    if (code != 0) {
+      throw new IOException("jlink ended with " + code);
+    }
+  }
+
+  private void copyJars() throws IOException, InterruptedException {
+    Path built = project.resolve("gui/desktop/target");
+    Path app = library.resolve("app");
+    Files.createDirectories(app.resolve("lib"));
+    Files.copy(built.resolve("pendant.jar"), app.resolve("pendant.jar"));
+    for (Path file : sorted(built.resolve("lib"))) {
+      String name = file.getFileName().toString();
+      if (name.endsWith(".jar") && isForThisProcessor(name)) {
+        Files.copy(file, app.resolve("lib").resolve(name));
+      }
+    }
+    String java = Path.of(System.getProperty("java.home"), "bin/java").toString();
+    ExternalProgram.run(
+        java,
+        "-XX:+UseSerialGC",
+        "-XX:TieredStopAtLevel=1",
+        project.resolve(".build/StartableJars.java").toString(),
+        app.toString());
+  }
+
+  private boolean isForThisProcessor(String jar) {
+    return !jar.contains("-natives-") || jar.endsWith(processor.natives());
+  }
+
+  private void copyLaunchers() throws IOException {
+    Path sources = project.resolve(".build/packages/bin");
+    copy(sources.resolve("pendant"), tree.resolve("bin/pendant"));
+    copy(sources.resolve("prepare"), library.resolve("prepare"));
+    copy(project.resolve(".build/start.sh"), library.resolve("start.sh"));
+    Files.createDirectory(library.resolve("caches"));
+    // AOT caches in folders of users are those of one build.
+    List<Path> jars = new ArrayList<>(sorted(library.resolve("app/lib")));
+    jars.add(library.resolve("app/pendant.jar"));
+    jars.add(library.resolve("runtime/release"));
+    Files.writeString(library.resolve("build"), Checksums.of(jars).substring(0, 16) + "\n");
+  }
+
+  private void copyDocuments() throws IOException {
+    for (Path file : sorted(project.resolve("examples"))) {
+      Path target =
+          share.resolve("pendant/examples").resolve(project.resolve("examples").relativize(file));
+      copy(file, target);
+    }
+    Path documents = share.resolve("doc/pendant");
+    copy(project.resolve("LICENSE"), documents.resolve("LICENSE"));
+    copy(project.resolve("gui/desktop/target/lib/NOTICE"), documents.resolve("NOTICE"));
+    copy(project.resolve("CHANGELOG.md"), documents.resolve("CHANGELOG.md"));
+    Path linux = project.resolve(".build/packages/linux");
+    copy(linux.resolve("pendant.desktop"), share.resolve("applications/pendant.desktop"));
+    copy(linux.resolve("pendant.xml"), share.resolve("mime/packages/pendant.xml"));
+    Path icons = share.resolve("icons/hicolor");
+    copy(linux.resolve("pendant.svg"), icons.resolve("scalable/apps/pendant.svg"));
+    IconPictures.draw(linux.resolve("pendant.svg"), icons);
+  }
+
+  /** What the commands and options are made into. */
+  private void generate() throws IOException, InterruptedException {
+    String java = library.resolve("runtime/bin/java").toString();
+    String jar = library.resolve("app/pendant.jar").toString();
+    Path manual = Files.createDirectories(share.resolve("man/man1"));
+    ExternalProgram.run(
+        java, "-cp", jar, "org.pendant.command.ManualPages", manual.toString(), time.toString());
+    for (Path page : sorted(manual)) {
+      ExternalProgram.run("gzip", "-9n", page.toString());
+    }
+    complete(java, jar, "bash", "bash-completion/completions/pendant");
+    complete(java, jar, "zsh", "zsh/vendor-completions/_pendant");
+    complete(java, jar, "fish", "fish/vendor_completions.d/pendant.fish");
+  }
+
+  private void complete(String java, String jar, String shell, String file)
+      throws IOException, InterruptedException {
+    Path target = share.resolve(file);
+    Files.createDirectories(target.getParent());
+    ExternalProgram.writing(target, List.of(java, "-jar", jar, "completion", shell));
+  }
+
+  private static List<Path> sorted(Path folder) throws IOException {
+    try (Stream<Path> all = Files.walk(folder)) {
+      return all.filter(Files::isRegularFile).sorted().toList();
+    }
+  }
+
+  static void copy(Path from, Path to) throws IOException {
+    Files.createDirectories(to.getParent());
+    Files.copy(from, to, StandardCopyOption.COPY_ATTRIBUTES);
+  }
+
+  /** Gives all files the same time, and modes that do not depend on who has built them. */
+  static void finish(Path root, Instant time) throws IOException {
+    try (Stream<Path> all = Files.walk(root)) {
+      for (Path file : all.sorted(Comparator.reverseOrder()).toList()) {
+        if (!Files.isSymbolicLink(file)) {
+          boolean executable = Files.isDirectory(file) || Files.isExecutable(file);
+          String mode = executable ? "rwxr-xr-x" : "rw-r--r--";
+          Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(mode));
+          Files.setLastModifiedTime(file, FileTime.from(time));
+        }
+      }
+    }
+  }
+
+  /** Deletes a folder with all that is in it. */
+  static void delete(Path folder) throws IOException {
+    if (Files.exists(folder)) {
+      try (Stream<Path> all = Files.walk(folder)) {
+        for (Path file : all.sorted(Comparator.reverseOrder()).toList()) {
+          Files.delete(file);
+        }
+      }
+    }
+  }
+}
