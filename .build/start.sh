@@ -12,6 +12,8 @@
 # the script that runs. The 3D view's library uses sun.misc.Unsafe, which the JVM would complain about.
 flags='-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xlog:disable -Xlog:all=error:stderr --sun-misc-unsafe-memory-access=allow'
 
+optimizing='-XX:TieredStopAtLevel=4' # with this behind them, the optimizing compiler as well
+
 unavailable=69 # what WindowTraining ends with where there is no display
 late=124       # what `timeout` ends with when a computer had too much else to do
 
@@ -46,12 +48,12 @@ choose() {
       kind=editors
       # An editor stays for hours: its server is worth the optimizing compiler. What an edit leaves behind is dropped in a
       # young generation that holds it, so that memory stays small whatever the machine has.
-      own='-XX:TieredStopAtLevel=4'
+      own=$optimizing
       heap_is_ours && own="$own -Xms80m -Xmn48m -XX:SurvivorRatio=4 -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
       ;;
     sweep)
       # Runs for minutes on end: the optimizing compiler pays. What a frame leaves behind dies in a young generation that holds some.
-      compilers='-XX:TieredStopAtLevel=4'
+      compilers=$optimizing
       heap_is_ours && own='-Xmn64m'
       case " $* " in
         *' --engine'*) ;; # the runs are elsewhere
@@ -80,16 +82,20 @@ choose() {
 # Records as $cache the classes that small runs load, or those of a window, of an editor's questions, of sweeps, as $kind says. Without a cache
 # Pendant works, it only starts slower; so whatever goes wrong here leaves an empty file as a mark and is not tried again.
 train() {
+  compilers=
   case $kind in
     window) trained=WindowTraining ;;
     editors) trained=EditorTraining ;;
-    sweep) trained=SweepTraining ;;
+    sweep)
+      trained=SweepTraining
+      compilers=$optimizing
+      ;;
     *) trained=Training ;;
   esac
   code=0
   # The settings and the state of the window that is used for it are nobody's.
   # shellcheck disable=SC2086 # the flags are words
-  XDG_STATE_HOME=$caches/training ${limit:-} "$java" $flags ${compilers:-} -XX:AOTCacheOutput="$cache.new" -Dpendant.config="$caches/training" \
+  XDG_STATE_HOME=$caches/training ${limit:-} "$java" $flags $compilers -XX:AOTCacheOutput="$cache.new" -Dpendant.config="$caches/training" \
     -cp "$app/pendant.jar" org.pendant.command.$trained "$examples/hello.script" "$examples/pick_and_place.script" \
     "$examples/palletizing.script" "$examples/shared_counter.script" "$examples/statistics.script" "$examples/parse_message.script" \
     "$examples/weigh_and_press.script" "$examples/conveyor.script" </dev/null >"$caches/training.log" 2>&1 || code=$?
