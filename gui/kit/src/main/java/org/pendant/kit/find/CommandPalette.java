@@ -3,6 +3,8 @@ package org.pendant.kit.find;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
@@ -26,7 +28,10 @@ import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
 
-/** Command palette: finds an action by a few letters and does it. */
+/**
+ * Command palette: finds an action by a few letters and does it. It closes when people go on with
+ * something beside it.
+ */
 public final class CommandPalette {
   private final ActionTable actions;
   private final Overlay overlay;
@@ -65,6 +70,16 @@ public final class CommandPalette {
     key("PAGE_UP", () -> move(-10));
     key("PAGE_DOWN", () -> move(10));
     query.addActionListener(event -> run());
+    query.addFocusListener(
+        new FocusAdapter() {
+          @Override
+          public void focusLost(FocusEvent event) {
+            // to something beside it; another window that comes to the front leaves it open
+            if (!event.isTemporary()) {
+              overlay.close();
+            }
+          }
+        });
     list.addMouseListener(
         new MouseAdapter() {
           @Override

@@ -1,0 +1,64 @@
+package org.pendant.kit.find;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.GraphicsEnvironment;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import java.util.stream.Stream;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.Test;
+import org.pendant.kit.action.ActionTable;
+import org.pendant.kit.dispatch.OnDispatchThread;
+import org.pendant.kit.settings.MemorySettings;
+
+@OnDispatchThread
+final class CommandPaletteTest {
+  @Test
+  void itClosesWhenPeopleGoOnWithSomethingBesideIt() {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
+    JFrame frame = new JFrame("palette");
+    JPanel under = new JPanel();
+    JTextField beside = new JTextField(10);
+    under.add(beside);
+    frame.add(under);
+    frame.setSize(600, 400);
+    try {
+      CommandPalette palette = new CommandPalette(new ActionTable(new MemorySettings()), under);
+      palette.open();
+      Component query = parts(frame).filter(CommandPaletteTest::isQuery).findAny().orElseThrow();
+
+      lose(query, beside, true);
+      assertTrue(parts(frame).anyMatch(CommandPaletteTest::isQuery), "another window is in front");
+      lose(query, beside, false);
+      assertFalse(parts(frame).anyMatch(CommandPaletteTest::isQuery));
+    } finally {
+      frame.dispose();
+    }
+  }
+
+  private static boolean isQuery(Component part) {
+    return "palette-query".equals(part.getName());
+  }
+
+  /** Tells that the keys go to another part now. */
+  private static void lose(Component query, Component other, boolean temporary) {
+    FocusEvent event = new FocusEvent(query, FocusEvent.FOCUS_LOST, temporary, other);
+    for (FocusListener each : query.getFocusListeners()) {
+      each.focusLost(event);
+    }
+  }
+
+  private static Stream<Component> parts(Component in) {
+    return in instanceof Container inner
+        ? Stream.concat(
+            Stream.of(in), Stream.of(inner.getComponents()).flatMap(CommandPaletteTest::parts))
+        : Stream.of(in);
+  }
+}
