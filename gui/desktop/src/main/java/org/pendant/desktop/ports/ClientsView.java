@@ -55,8 +55,8 @@ public final class ClientsView implements View {
 
   private static final int[] CLIENT_WIDTHS = {124, 84, 50, 84, 118, 120, 72, 128};
   private static final int[] MIN_CLIENT_WIDTHS = {116, 78, 40, 66, 66, 114, 60, 62};
-  private static final int[] MESSAGE_WIDTHS = {76, 22, 116, 78, 132, 2000};
-  private static final int[] MIN_MESSAGE_WIDTHS = {76, 22, 116, 78, 84, 100};
+  private static final int[] MESSAGE_WIDTHS = {94, 22, 116, 78, 132, 2000};
+  private static final int[] MIN_MESSAGE_WIDTHS = {94, 22, 116, 78, 118, 100};
 
   private final Workbench workbench;
   private final ClientsPresenter presenter;
