@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import javax.swing.Icon;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
 import javax.swing.UIManager;
 import org.pendant.kit.icon.Glyph;
@@ -37,6 +38,13 @@ final class DockTabs extends JTabbedPane {
   }
 
   private static final class Tabs extends FlatTabbedPaneUI {
+    /** The row begins at its first tab again in another look. */
+    @Override
+    public void installUI(JComponent pane) {
+      super.installUI(pane);
+      ensureSelectedTabIsVisibleLater();
+    }
+
     /** Three dots of a tab's title say nothing: one without room is in the list only. */
     @Override
     protected void paintTab(
