@@ -128,14 +128,32 @@ final class Notices extends JPanel {
    */
   void focus() {
     if (any()) {
-      focusBefore = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-      new ArrayList<>(open.values()).getLast().buttons.getComponent(0).requestFocusInWindow();
+      focus(newest().buttons.getComponent(0));
     }
+  }
+
+  /** As the other one, to the choice that changes nothing: Enter does no harm by chance. */
+  void focusHarmless() {
+    if (any()) {
+      focus(newest().harmless);
+    }
+  }
+
+  private Notice newest() {
+    return new ArrayList<>(open.values()).getLast();
+  }
+
+  private void focus(Component choice) {
+    focusBefore = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    choice.requestFocusInWindow();
   }
 
   /** One question. */
   private final class Notice extends Card {
     private final JPanel buttons = new JPanel(new WrappingRow(NoticeLayout.WITHIN_ROW));
+
+    /** The choice of Escape; the first one where there is none. */
+    private Component harmless;
 
     Notice(String name, String words, List<Choice> choices) {
       super(null);
@@ -144,7 +162,11 @@ final class Notices extends JPanel {
       text.setName(name + "-text");
       buttons.setOpaque(false);
       for (Choice each : choices) {
-        buttons.add(button(name, words, each));
+        JButton button = button(name, words, each);
+        buttons.add(button);
+        if (each.harmless() || harmless == null) {
+          harmless = button;
+        }
         if (each.harmless()) {
           onEscape(name, each);
         }

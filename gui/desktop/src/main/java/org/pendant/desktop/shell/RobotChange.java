@@ -204,7 +204,7 @@ final class RobotChange {
         List.of(
             new Choice(yes, change),
             new Choice("Keep", () -> showRobot.accept(session.options().robotId()), true)));
-    notices.focus();
+    notices.focusHarmless();
   }
 
   private void change(String id) {

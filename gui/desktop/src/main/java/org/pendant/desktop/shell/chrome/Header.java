@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
 import java.awt.Color;
+import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Rectangle;
 import java.util.List;
@@ -14,6 +15,8 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JRadioButtonMenuItem;
+import javax.swing.event.PopupMenuEvent;
+import javax.swing.event.PopupMenuListener;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
@@ -40,6 +43,10 @@ public final class Header extends JPanel {
   private final transient Squeeze squeeze;
   private transient ControllerState state;
   private boolean showing;
+
+  /** Id of the robot that there is. */
+  private String there = "";
+
   private boolean worded = true;
   private transient List<Object> fitted = List.of();
 
@@ -80,8 +87,24 @@ public final class Header extends JPanel {
     robot.setMaximumRowCount(ArmLibrary.ids().size());
     robot.addActionListener(
         event -> {
-          if (!showing && robot.getSelectedItem() instanceof RobotChoice choice) {
-            chooseRobot.accept(choice.id());
+          // an arrow key in the open list only looks at one; it counts when the list closes
+          if (!showing && !robot.isPopupVisible()) {
+            chosen(chooseRobot);
+          }
+        });
+    robot.addPopupMenuListener(
+        new PopupMenuListener() {
+          @Override
+          public void popupMenuWillBecomeVisible(PopupMenuEvent event) {}
+
+          @Override
+          public void popupMenuWillBecomeInvisible(PopupMenuEvent event) {
+            EventQueue.invokeLater(() -> chosen(chooseRobot));
+          }
+
+          @Override
+          public void popupMenuCanceled(PopupMenuEvent event) {
+            showRobot(there);
           }
         });
     checksum.setToolTipText(
@@ -139,6 +162,12 @@ public final class Header extends JPanel {
     program.open();
   }
 
+  private void chosen(Consumer<String> chooseRobot) {
+    if (robot.getSelectedItem() instanceof RobotChoice choice && !choice.id().equals(there)) {
+      chooseRobot.accept(choice.id());
+    }
+  }
+
   /** Opens the list of robots. */
   public void openRobots() {
     JPopupMenu menu = new JPopupMenu();
@@ -156,6 +185,7 @@ public final class Header extends JPanel {
 
   /** Shows which robot there is. */
   public void showRobot(String id) {
+    there = id;
     showing = true;
     for (int i = 0; i < robot.getItemCount(); i++) {
       if (robot.getItemAt(i).id().equals(id)) {
