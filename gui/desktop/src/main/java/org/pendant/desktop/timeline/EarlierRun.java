@@ -29,6 +29,7 @@ public final class EarlierRun {
   /** Says what differs first from the run in a file, and goes there; it is read elsewhere. */
   public void compareWith(Path file) {
     Recording recording = lookBack.recording();
+    workbench.notify("Comparing the last run with " + file.getFileName() + "\u2026");
     Thread.ofVirtual().name("earlier run").start(() -> compare(recording, file));
   }
 
