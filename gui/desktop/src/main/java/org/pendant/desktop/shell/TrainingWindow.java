@@ -1,7 +1,7 @@
 package org.pendant.desktop.shell;
 
 import java.awt.Graphics2D;
-import java.awt.image.BufferedImage;
+import java.awt.image.VolatileImage;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import javax.swing.JFrame;
@@ -18,8 +18,7 @@ final class TrainingWindow {
   private static final int HEIGHT = 900;
 
   private final DesktopWindow window;
-  private final BufferedImage picture =
-      new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+  private final VolatileImage picture;
 
   /** What is still to be done, one of it a turn. */
   private final Deque<Runnable> steps = new ArrayDeque<>();
@@ -28,13 +27,15 @@ final class TrainingWindow {
 
   TrainingWindow(DesktopWindow window) {
     this.window = window;
+    JFrame frame = window.frame();
+    frame.setSize(WIDTH, HEIGHT);
+    frame.addNotify();
+    // what the display itself draws on takes other classes than a picture in memory
+    picture = frame.createVolatileImage(WIDTH, HEIGHT);
   }
 
   /** Begins; the window is closed at the end. */
   void begin() {
-    JFrame frame = window.frame();
-    frame.setSize(WIDTH, HEIGHT);
-    frame.addNotify();
     steps.add(() -> window.perform("program.run"));
     for (String view : window.views()) {
       steps.add(() -> window.show(view));
