@@ -5,13 +5,14 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
+import org.pendant.kit.theme.HtmlLabel;
 import org.pendant.kit.theme.Palette;
 
 /** Empty state: a panel that says what to do while there is nothing to show. */
 @SuppressWarnings("serial") // never written to a stream
 final class EmptyState extends JPanel {
   private final CardLayout cards = new CardLayout();
-  private final JLabel note = new JLabel("", SwingConstants.CENTER);
+  private final JLabel note = new HtmlLabel(SwingConstants.CENTER);
 
   EmptyState(JComponent content) {
     setLayout(cards);

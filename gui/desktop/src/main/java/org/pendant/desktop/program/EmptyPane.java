@@ -7,13 +7,14 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Actions;
+import org.pendant.kit.theme.HtmlLabel;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 
 /** Empty pane: says what will be here while the program in front is a script. */
 @SuppressWarnings("serial") // never written to a stream
 final class EmptyPane extends JPanel {
-  private final JLabel text = new JLabel("", SwingConstants.CENTER);
+  private final JLabel text = new HtmlLabel(SwingConstants.CENTER);
 
   EmptyPane(Actions actions) {
     super(new MigLayout("fill, wrap, insets 24", "[center]", "push[][]push"));

@@ -15,6 +15,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.kit.table.RowsModel;
+import org.pendant.kit.theme.HtmlLabel;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.source.ByteText;
 import org.pendant.project.program.ProgramTree;
@@ -31,7 +32,7 @@ final class ValuesPane extends JPanel {
 
   private final Values values = new Values();
   private final JTable table = new JTable(values);
-  private final JLabel none = new JLabel();
+  private final JLabel none = new HtmlLabel();
   private transient Set<String> names = Set.of();
   private transient Optional<VariableSamples> seen = Optional.empty();
   private long seenMs;

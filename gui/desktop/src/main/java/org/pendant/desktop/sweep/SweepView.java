@@ -30,6 +30,7 @@ import org.pendant.kit.action.Action;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.HtmlLabel;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.ArmLibrary;
@@ -57,7 +58,7 @@ public final class SweepView implements View {
   private final JToggleButton resultsTab = new JToggleButton("Results");
   private final JButton fresh = button("new", "Sweep of this program", "");
   private final JButton open;
-  private final JLabel note = new JLabel("", SwingConstants.CENTER);
+  private final JLabel note = new HtmlLabel(SwingConstants.CENTER);
   private final Timer look = Faults.timer(LOOK_MS, this::look);
   private Optional<SavedProgram> seen = Optional.empty();
   private Optional<Panels> panels = Optional.empty();

@@ -41,6 +41,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.layout.CodeArea;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.theme.HtmlLabel;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 import org.pendant.testing.TestId;
@@ -71,7 +72,7 @@ public final class TestsView implements View {
   private final GoldenCard golden;
   private final JSplitPane split = new JSplitPane();
   private final JLabel summary = new JLabel(" ");
-  private final JLabel note = new JLabel("", SwingConstants.CENTER);
+  private final JLabel note = new HtmlLabel(SwingConstants.CENTER);
   private final JCheckBox coverage = new JCheckBox("Coverage");
   private final CoverStrip strip;
   private final JButton runAll = button("run-all", "Run all", "Runs all tests below the folder");

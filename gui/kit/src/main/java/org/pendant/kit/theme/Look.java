@@ -117,6 +117,9 @@ public final class Look {
       colors.put(kind + ".selectionInactiveForeground", "@foreground");
     }
     colors.put("ToolTip.background", dark ? "#3A4048" : "#FFFFFF");
+    // FlatLaf would read the style sheet of all HTML for it, 30 ms of a start; pages of help say
+    // theirs.
+    colors.put("Component.linkColor", "null");
     return colors;
   }
 
