@@ -78,6 +78,9 @@ public final class SceneView extends JPanel implements LookFollower {
   /** Counts the windows it was part of, so that what was started for an earlier one is dropped. */
   private int window;
 
+  /** The last of these that OpenGL was started for. */
+  private int begun;
+
   /** A view that shows nothing until {@link #setModel}. */
   public SceneView() {
     super(new BorderLayout());
@@ -278,8 +281,20 @@ public final class SceneView extends JPanel implements LookFollower {
   @Override
   public void addNotify() {
     super.addNotify();
-    int started = ++window;
-    Thread.ofVirtual().name("scene start").start(() -> start(started));
+    window++;
+  }
+
+  /**
+   * Starts OpenGL for the window that this is in, after that has been painted: it needs both
+   * processors.
+   */
+  private void begin() {
+    if (begun != window) {
+      begun = window;
+      int startedFor = window;
+      EventQueue.invokeLater(
+          () -> Thread.ofVirtual().name("scene start").start(() -> start(startedFor)));
+    }
   }
 
   @Override
@@ -400,6 +415,7 @@ public final class SceneView extends JPanel implements LookFollower {
 
   @Override
   protected void paintComponent(Graphics graphics) {
+    begin();
     if (picture.isEmpty()) {
       graphics.setColor(
           model.map(shown -> new Color(shown.theme().bottomRgb())).orElse(getBackground()));
