@@ -31,6 +31,9 @@ public final class CallStackView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "call-stack";
 
+  /** What people read on its tab. */
+  public static final String TITLE = "Call stack";
+
   private static final String NOTE =
       "No program runs. The threads of one that runs appear here, and when it is paused, by a"
           + " breakpoint (F9) or in the debugger, their calls with variables.";
@@ -224,7 +227,7 @@ public final class CallStackView implements View {
 
   @Override
   public String title() {
-    return "Call stack";
+    return TITLE;
   }
 
   @Override

@@ -22,6 +22,9 @@ public final class WatchesView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "watches";
 
+  /** What people read on its tab. */
+  public static final String TITLE = "Watches";
+
   private static final String NOTE =
       "No watches yet. Type an expression below, or drag a variable here: its value is computed"
           + " whenever the program stops. Variables are followed while it runs, too.";
@@ -145,7 +148,7 @@ public final class WatchesView implements View {
 
   @Override
   public String title() {
-    return "Watches";
+    return TITLE;
   }
 
   @Override

@@ -32,6 +32,9 @@ public final class OutlineView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "outline";
 
+  /** What people read on its tab. */
+  public static final String TITLE = "Outline";
+
   private final Workbench workbench;
   private final ScriptEditor editor;
   private final DefaultTreeModel model = new DefaultTreeModel(new DefaultMutableTreeNode());
@@ -71,6 +74,7 @@ public final class OutlineView implements View {
         });
     editor.addListener(this::follow);
     states.showNote("Functions, threads and globals appear here.");
+    follow();
   }
 
   @Override
@@ -80,7 +84,7 @@ public final class OutlineView implements View {
 
   @Override
   public String title() {
-    return "Outline";
+    return TITLE;
   }
 
   @Override

@@ -30,6 +30,9 @@ public final class ProblemsView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "problems";
 
+  /** What people read on its tab. */
+  public static final String TITLE = "Problems";
+
   private final Workbench workbench;
   private final ScriptEditor editor;
   private final ProblemsModel model = new ProblemsModel();
@@ -59,6 +62,9 @@ public final class ProblemsView implements View {
     setUpTable();
     editor.addListener(this::follow);
     states.showNote("What is wrong in the program appears here.");
+    if (editor.current().analysed().isPresent()) {
+      follow();
+    }
   }
 
   private void setUpTable() {
@@ -108,7 +114,7 @@ public final class ProblemsView implements View {
 
   @Override
   public String title() {
-    return "Problems";
+    return TITLE;
   }
 
   @Override

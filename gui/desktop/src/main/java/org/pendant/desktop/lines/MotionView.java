@@ -29,6 +29,9 @@ public final class MotionView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "motion";
 
+  /** What people read on its tab. */
+  public static final String TITLE = "Motion";
+
   /** Of the names; 75 is that of a column of numbers. */
   private static final int NAME_WIDTH = 95;
 
@@ -116,7 +119,7 @@ public final class MotionView implements View {
 
   @Override
   public String title() {
-    return "Motion";
+    return TITLE;
   }
 
   @Override

@@ -37,7 +37,7 @@ final class GuardedView implements View {
     whole.add(strip, BorderLayout.NORTH);
   }
 
-  /** What is shown; the view's components are made when they are first in a window. */
+  /** What is shown; the view's components are made when they are first in front in a window. */
   @SuppressWarnings("serial") // never written to a stream
   private final class Whole extends JPanel {
     private boolean filled;
@@ -48,11 +48,26 @@ final class GuardedView implements View {
 
     @Override
     public void addNotify() {
+      if (isVisible()) {
+        fill();
+      }
+      super.addNotify();
+    }
+
+    /** Tabs behind the one in front are not visible. */
+    @Override
+    public void setVisible(boolean visible) {
+      if (visible && isDisplayable()) {
+        fill();
+      }
+      super.setVisible(visible);
+    }
+
+    private void fill() {
       if (!filled) {
         filled = true;
         add(new Content(view.component()), BorderLayout.CENTER);
       }
-      super.addNotify();
     }
   }
 

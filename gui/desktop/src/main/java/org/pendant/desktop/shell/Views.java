@@ -200,11 +200,8 @@ final class Views {
         new VariablesView(workbench, debug, favourites, hidden, plots::addVariables);
     variables.setPast(past::past);
     variables.whenSelected(past.steps()::watch);
-    WatchesView watches = new WatchesView(workbench, debug);
-    watches.setPast(past::past);
-    watches.whenSelected(past.steps()::watch);
-    CallStackView calls = new CallStackView(workbench, debug);
-    calls.setPast(past::past);
+    View watches = new LateView(WatchesView.ID, WatchesView.TITLE, () -> watches(workbench));
+    View calls = new LateView(CallStackView.ID, CallStackView.TITLE, () -> callStack(workbench));
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
     CellView cell = new CellView(workbench, sceneDraft, labels::ofSignal);
@@ -250,11 +247,17 @@ final class Views {
             panel(scene, Side.RIGHT),
             panel(past.selectable(variables), Side.LOWER),
             panel(past.selectable(watches), Side.LOWER),
-            panel(new OutlineView(workbench, editor), Side.LOWER),
+            panel(
+                new LateView(
+                    OutlineView.ID, OutlineView.TITLE, () -> new OutlineView(workbench, editor)),
+                Side.LOWER),
             panel(ports, Side.LOWER),
             panel(clients, Side.MAIN),
             panel(sweep, Side.MAIN),
-            panel(new ProblemsView(workbench, editor), Side.BOTTOM),
+            panel(
+                new LateView(
+                    ProblemsView.ID, ProblemsView.TITLE, () -> new ProblemsView(workbench, editor)),
+                Side.BOTTOM),
             panel(new PlacesView(workbench, editor), Side.BOTTOM),
             panel(past.held(calls), Side.LOWER),
             panel(breakpoints, Side.BOTTOM),
@@ -263,12 +266,29 @@ final class Views {
             panel(waveforms, Side.BOTTOM),
             panel(whatIf, Side.BOTTOM),
             panel(
-                new MotionView(
-                    workbench,
-                    past::explanation,
-                    line -> names.of(past.program(), line),
-                    () -> about(programs.current(), lineLookedAt())),
+                new LateView(
+                    MotionView.ID,
+                    MotionView.TITLE,
+                    () ->
+                        new MotionView(
+                            workbench,
+                            past::explanation,
+                            line -> names.of(past.program(), line),
+                            () -> about(programs.current(), lineLookedAt()))),
                 Side.BOTTOM));
+  }
+
+  private View watches(ShellWorkbench workbench) {
+    WatchesView watches = new WatchesView(workbench, debug);
+    watches.setPast(past::past);
+    watches.whenSelected(past.steps()::watch);
+    return watches;
+  }
+
+  private View callStack(ShellWorkbench workbench) {
+    CallStackView calls = new CallStackView(workbench, debug);
+    calls.setPast(past::past);
+    return calls;
   }
 
   /** The line at the moment that people look at, or that of the caret. */

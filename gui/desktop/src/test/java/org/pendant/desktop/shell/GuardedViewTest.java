@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
@@ -11,9 +12,12 @@ import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.GridLayout;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -125,6 +129,40 @@ final class GuardedViewTest {
     broken.paintThrows = false;
     draw(window);
     assertEquals(Optional.empty(), note(guarded));
+  }
+
+  @Test
+  void aViewInATabIsMadeWhenThatIsInFrontFirst() throws Exception {
+    List<String> made = new ArrayList<>();
+    onScreen(
+        () -> {
+          JTabbedPane tabs = new JTabbedPane();
+          for (String id : List.of("first", "second", "third")) {
+            LateView late =
+                new LateView(
+                    id,
+                    id,
+                    () -> {
+                      made.add(id);
+                      return new Fickle();
+                    });
+            tabs.addTab(late.title(), new GuardedView(late).component());
+          }
+          JPanel window = new JPanel(new BorderLayout());
+          window.add(tabs);
+          window.setSize(400, 200);
+          window.addNotify();
+          layOut(window);
+          assertEquals(List.of("first"), made);
+          tabs.setSelectedIndex(2);
+          layOut(window);
+          assertEquals(List.of("first", "third"), made);
+          tabs.setSelectedIndex(0);
+          layOut(window);
+          tabs.setSelectedIndex(2);
+          layOut(window);
+          assertEquals(List.of("first", "third"), made);
+        });
   }
 
   private static void onScreen(Runnable action) throws Exception {
