@@ -96,8 +96,13 @@ final class DocumentLink implements DocumentListener, ProgramDocument.Listener {
   public void textChanged(int offset, int removed, String added) {
     if (!passingOn) {
       passingOn = true;
+      boolean empty = area.getDocument().getLength() == 0;
       Edit edit = Edit.difference(offset, area.text(new TextSpan(offset, offset + removed)), added);
       area.replaceRange(edit.text(), edit.span().start(), edit.span().end());
+      if (empty) {
+        // a caret at the only place there was would go to the end with what comes
+        area.setCaretPosition(0);
+      }
       passingOn = false;
     }
   }

@@ -91,6 +91,19 @@ final class ScriptEditorTest {
         });
   }
 
+  /** As a script is that is generated after its editor was made. */
+  @Test
+  void aTextThatComesIntoAnEmptyEditorIsShownFromItsBeginning()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.setText("");
+          program.setText(TEXT);
+          assertEquals(TEXT, area.getText());
+          assertEquals(0, area.getCaretPosition());
+        });
+  }
+
   @Test
   void typingEndGoesBackToTheHead() throws InterruptedException, InvocationTargetException {
     EventQueue.invokeAndWait(
