@@ -2,7 +2,6 @@ package org.pendant.desktop.editor;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.FlatLaf;
-import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +14,7 @@ import javax.swing.UIManager;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.kit.icon.SvgIcon;
+import org.pendant.kit.layout.WholeTabs;
 
 /** Editor tabs: the open programs as tabs. The tab in front is the program that Run runs. */
 @SuppressWarnings("serial") // never written to a stream
@@ -136,7 +136,7 @@ final class EditorTabs extends JTabbedPane {
     }
   }
 
-  private static final class Tabs extends FlatTabbedPaneUI {
+  private static final class Tabs extends WholeTabs {
     void showSelected() {
       ensureSelectedTabIsVisibleLater();
     }

@@ -1,5 +1,6 @@
 package org.pendant.desktop.editor;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
@@ -8,8 +9,10 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.EventQueue;
+import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -78,6 +81,36 @@ final class EditorTabsTest {
     }
     await(last);
     EventQueue.invokeAndWait(() -> assertTrue(row().contains(tabs.getBoundsAt(last))));
+  }
+
+  @Test
+  void aTabWithoutRoomIsInTheListOnlyRatherThanThreeDots() throws Exception {
+    await(0);
+    EventQueue.invokeAndWait(
+        () -> {
+          BufferedImage picture =
+              new BufferedImage(tabs.getWidth(), tabs.getHeight(), BufferedImage.TYPE_INT_RGB);
+          Graphics2D pen = picture.createGraphics();
+          tabs.paint(pen);
+          pen.dispose();
+          int cut = 0;
+          while (row().contains(tabs.getBoundsAt(cut))) {
+            cut++;
+          }
+          Rectangle seen = tabs.getBoundsAt(cut).intersection(row());
+          assertTrue(seen.width > 24, () -> "room for dots: " + seen);
+          // without the line below the tabs
+          seen.height -= 6;
+          assertEquals(1, colours(picture, seen), tabs.getTitleAt(cut));
+        });
+  }
+
+  private static long colours(BufferedImage picture, Rectangle place) {
+    return IntStream.range(place.x, place.x + place.width)
+        .flatMap(
+            x -> IntStream.range(place.y, place.y + place.height).map(y -> picture.getRGB(x, y)))
+        .distinct()
+        .count();
   }
 
   private void await(int index) throws Exception {

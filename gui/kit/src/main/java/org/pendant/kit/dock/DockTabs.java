@@ -1,16 +1,13 @@
 package org.pendant.kit.dock;
 
 import com.formdev.flatlaf.FlatLaf;
-import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
 import javax.swing.Icon;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JTabbedPane;
 import javax.swing.UIManager;
 import org.pendant.kit.icon.Glyph;
+import org.pendant.kit.layout.WholeTabs;
 
 /**
  * Dock tabs: one row; those without room are in a list behind three dots, which nobody takes for
@@ -37,29 +34,7 @@ final class DockTabs extends JTabbedPane {
     }
   }
 
-  private static final class Tabs extends FlatTabbedPaneUI {
-    /** The row begins at its first tab again in another look. */
-    @Override
-    public void installUI(JComponent pane) {
-      super.installUI(pane);
-      ensureSelectedTabIsVisibleLater();
-    }
-
-    /** Three dots of a tab's title say nothing: one without room is in the list only. */
-    @Override
-    protected void paintTab(
-        Graphics pen,
-        int placement,
-        Rectangle[] places,
-        int index,
-        Rectangle icon,
-        Rectangle title) {
-      boolean whole = tabViewport == null || tabViewport.getViewRect().contains(places[index]);
-      if (whole || index == tabPane.getSelectedIndex()) {
-        super.paintTab(pen, placement, places, index, icon, title);
-      }
-    }
-
+  private static final class Tabs extends WholeTabs {
     @Override
     protected JButton createMoreTabsButton() {
       return new Dots();
