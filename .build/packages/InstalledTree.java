@@ -17,11 +17,6 @@ import java.util.stream.Stream;
  * people look for. It can be put anywhere as a whole.
  */
 final class InstalledTree {
-  /** What {@code jdeps} finds in the jars, and the charsets of other computers' files. */
-  private static final String MODULES =
-      "java.desktop,java.logging,java.prefs,java.sql,java.xml,jdk.charsets,jdk.net,jdk.unsupported,"
-          + "jdk.zipfs";
-
   private final Path project;
   private final Path tree;
   private final Path library;
@@ -49,6 +44,8 @@ final class InstalledTree {
 
   private void linkRuntime() throws IOException {
     Files.createDirectories(library);
+    // What jdeps finds in the jars, and the charsets of other computers' files.
+    String modules = Files.readString(project.resolve(".build/packages/modules")).strip();
     ToolProvider jlink =
         ToolProvider.findFirst("jlink")
             .orElseThrow(() -> new IOException("this Java has no jlink, which a JDK has"));
@@ -57,7 +54,7 @@ final class InstalledTree {
             System.out,
             System.err,
             "--add-modules",
-            MODULES,
+            modules,
             "--strip-debug",
             "--no-man-pages",
             "--no-header-files",
