@@ -94,6 +94,7 @@ public final class ScriptEditor implements View {
                   new ProgramEditor(program, catalogue, worker, editorHost, this::isTaken, follow);
               made.restoreBreakpoints(breakpointMemory.apply(program));
               memory.of(program).ifPresent(made::restore);
+              TextMenu.addTo(made.area(), workbench.actions());
               return made;
             },
             closer::close,

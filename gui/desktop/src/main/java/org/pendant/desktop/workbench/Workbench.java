@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.pendant.desktop.session.RobotSession;
-import org.pendant.kit.action.Actions;
+import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.settings.Settings;
 
 /** Workbench: what views may use of the window around them. Only the dispatch thread calls it. */
@@ -14,7 +14,7 @@ public interface Workbench {
   RobotSession session();
 
   /** Everything that can be done by key, menu or palette. */
-  Actions actions();
+  ActionTable actions();
 
   /** What is remembered from one start to the next. */
   Settings settings();

@@ -8,7 +8,6 @@ import java.util.function.BooleanSupplier;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionTable;
-import org.pendant.kit.action.Actions;
 import org.pendant.kit.settings.MemorySettings;
 import org.pendant.kit.settings.Settings;
 
@@ -35,7 +34,7 @@ public class PreviewWorkbench implements Workbench {
   }
 
   @Override
-  public Actions actions() {
+  public ActionTable actions() {
     return actions;
   }
 
