@@ -115,6 +115,8 @@ start() {
   else
     set -- -jar "$app/pendant.jar" "$@"
   fi
+  # What people give the JVM may be an agent, which writes at the exit what it has seen: it has its exit.
+  [ -n "$PENDANT_JAVA_OPTIONS$JDK_JAVA_OPTIONS$JAVA_TOOL_OPTIONS" ] || own="$own -Dpendant.end-at-once=true"
   # shellcheck disable=SC2086 # flags and options are words
   exec "$java" $flags $compilers $own $PENDANT_JAVA_OPTIONS "$@"
 }

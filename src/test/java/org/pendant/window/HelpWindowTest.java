@@ -77,7 +77,7 @@ final class HelpWindowTest {
   void aboutTellsVersionLogsAndLicence() {
     window.perform("About Pendant");
     window.awaitWords("help-text", "Version");
-    window.awaitWords("help-text", "Logs and reports");
+    window.awaitWords("help-text", "Logs, reports and internal errors");
     window.awaitWords("help-text", "Apache License");
     window.press("ESCAPE");
   }

@@ -27,6 +27,8 @@ final class RunCommand implements Subcommand {
    * @param file the record; empty for none
    * @param profile what the lines took; empty for none
    */
+  private boolean mayEndAtOnce;
+
   private record Recorded(
       Optional<OutputFile> file, RecordColumns columns, Optional<OutputFile> profile) {}
 
@@ -95,8 +97,15 @@ final class RunCommand implements Subcommand {
       }
       // Before the interruption is closed: after that the process may be gone at any moment.
       console.flush();
+      // The library of serial devices leaves it to the exit to remove where it was unpacked.
+      mayEndAtOnce = !interruption.requested() && options.toolDevice().isEmpty();
     }
     return code;
+  }
+
+  @Override
+  public boolean mayEndAtOnce() {
+    return mayEndAtOnce;
   }
 
   private static Recorded recorded(Arguments arguments, RecordColumns columns)

@@ -26,4 +26,12 @@ interface Subcommand {
    * @throws UsageException when the arguments make no sense; the caller explains and exits with 2
    */
   ExitCode run(Arguments arguments, Console console) throws UsageException;
+
+  /**
+   * Whether the process may end at once after what {@link #run} did last: nothing is left to be
+   * cleared away, and no signal has begun to end it.
+   */
+  default boolean mayEndAtOnce() {
+    return false;
+  }
 }
