@@ -86,6 +86,20 @@ final class EditorTabsTest {
   @Test
   void aTabWithoutRoomIsInTheListOnlyRatherThanThreeDots() throws Exception {
     await(0);
+    int[] cut = {0};
+    EventQueue.invokeAndWait(
+        () -> {
+          cut[0] = cut() - 1;
+          // the row is to end in the middle of the last tab that was whole, whatever the font
+          Rectangle tab = tabs.getBoundsAt(cut[0]);
+          int tooWide = row().x + row().width - (tab.x + tab.width / 2);
+          Dimension size = window.frame().getSize();
+          window.frame().setSize(size.width - tooWide, size.height);
+        });
+    boolean[] narrower = {false};
+    while (!narrower[0]) {
+      EventQueue.invokeAndWait(() -> narrower[0] = cut() == cut[0]);
+    }
     EventQueue.invokeAndWait(
         () -> {
           BufferedImage picture =
@@ -93,16 +107,21 @@ final class EditorTabsTest {
           Graphics2D pen = picture.createGraphics();
           tabs.paint(pen);
           pen.dispose();
-          int cut = 0;
-          while (row().contains(tabs.getBoundsAt(cut))) {
-            cut++;
-          }
-          Rectangle seen = tabs.getBoundsAt(cut).intersection(row());
+          Rectangle seen = tabs.getBoundsAt(cut()).intersection(row());
           assertTrue(seen.width > 24, () -> "room for dots: " + seen);
           // without the line below the tabs
           seen.height -= 6;
-          assertEquals(1, colours(picture, seen), tabs.getTitleAt(cut));
+          assertEquals(1, colours(picture, seen), tabs.getTitleAt(cut()));
         });
+  }
+
+  /** The first tab that is not seen whole. */
+  private int cut() {
+    int cut = 0;
+    while (row().contains(tabs.getBoundsAt(cut))) {
+      cut++;
+    }
+    return cut;
   }
 
   private static long colours(BufferedImage picture, Rectangle place) {
