@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
@@ -17,6 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The launcher's lock and its AOT caches, in a folder with a JDK and a Maven that only say that
@@ -63,10 +66,14 @@ final class BuildLockTest {
   }
 
   private Process start(String display, String word, String options) throws IOException {
+    return start(display, List.of(word), options);
+  }
+
+  private Process start(String display, List<String> words, String options) throws IOException {
+    List<String> command = new ArrayList<>(List.of(folder.resolve("pendant").toString()));
+    command.addAll(words);
     ProcessBuilder builder =
-        new ProcessBuilder(folder.resolve("pendant").toString(), word)
-            .directory(folder.toFile())
-            .redirectErrorStream(true);
+        new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true);
     builder.environment().remove("PENDANT_CLASSPATH");
     builder.environment().remove("WAYLAND_DISPLAY");
     builder.environment().put("DISPLAY", display);
@@ -130,6 +137,19 @@ final class BuildLockTest {
       String line = words.stream().filter(each -> each.matches(".*" + end)).findFirst().orElse("");
       assertTrue(line.lastIndexOf("TieredStopAtLevel=4") > line.lastIndexOf("=1 "), words + "");
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"sweep --engine spark plan.toml", "sweep plan.toml --engine=spark"})
+  void sweepsOnSparkAreToldWhichJarWorkersGet(String line) throws Exception {
+    program("jdk/bin/java", "echo $PENDANT_SPARK_JAR >>\"$0.jars\"");
+    Path jar = folder.resolve("gui/spark/target/pendant-spark.jar");
+    Files.createDirectories(jar.getParent());
+    Files.createFile(jar);
+    Process process = start("", List.of(line.split(" ")), "");
+    assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS));
+    List<String> told = Files.readAllLines(folder.resolve("jdk/bin/java.jars"));
+    assertEquals(jar.toRealPath(), Path.of(told.getLast()).toRealPath());
   }
 
   @Test
