@@ -3,18 +3,16 @@ package org.pendant.desktop.ports;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.FontMetrics;
 import java.nio.file.Path;
-import java.util.stream.Stream;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.kit.layout.Parts;
 import org.pendant.kit.theme.PreviewLook;
 
 /** The screen, in no window. */
@@ -33,9 +31,9 @@ final class ClientsViewTest {
             DesktopPorts ports = new DesktopPorts(session, folder, visit -> {});
             ClientsView view = new ClientsView(new PreviewWorkbench(), ports, timeS -> {});
             view.component().setSize(WIDTH, 500);
-            layOut(view.component());
-            layOut(view.component());
-            JTable table = (JTable) named(view.component(), "clients-messages");
+            Parts.layOut(view.component());
+            Parts.layOut(view.component());
+            JTable table = (JTable) Parts.named(view.component(), "clients-messages");
 
             assertEquals(WIDTH, table.getWidth(), 20, "nothing is beyond the edge");
             hasRoom(table, "Time", "86399.998");
@@ -48,23 +46,5 @@ final class ClientsViewTest {
     FontMetrics metrics = table.getFontMetrics(table.getFont());
     int room = table.getColumn(column).getWidth();
     assertTrue(metrics.stringWidth(words) + 6 <= room, () -> words + " in " + room);
-  }
-
-  private static void layOut(Container in) {
-    in.doLayout();
-    Stream.of(in.getComponents())
-        .filter(Container.class::isInstance)
-        .forEach(each -> layOut((Container) each));
-  }
-
-  private static Component named(Component in, String name) {
-    return parts(in).filter(each -> name.equals(each.getName())).findFirst().orElseThrow();
-  }
-
-  private static Stream<Component> parts(Component in) {
-    return in instanceof Container inner
-        ? Stream.concat(
-            Stream.of(in), Stream.of(inner.getComponents()).flatMap(ClientsViewTest::parts))
-        : Stream.of(in);
   }
 }

@@ -3,12 +3,9 @@ package org.pendant.desktop.ports;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
@@ -16,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.desktop.preview.PreviewWorkbench;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.kit.layout.Parts;
 
 /** The panel, in no window. */
 final class PortsViewTest {
@@ -31,7 +29,7 @@ final class PortsViewTest {
       EventQueue.invokeAndWait(
           () -> {
             PortsView view = new PortsView(new PreviewWorkbench(), ports);
-            JTable table = (JTable) named(view.component(), "ports-table");
+            JTable table = (JTable) Parts.named(view.component(), "ports-table");
             assertTrue(table.getRowCount() > 5, () -> table.getRowCount() + " rows");
             layOut(view, 280);
             assertEquals(table.getPreferredSize().height, table.getParent().getHeight());
@@ -46,25 +44,7 @@ final class PortsViewTest {
   private static void layOut(PortsView view, int height) {
     view.component().setSize(WIDTH, height);
     // once more, with the texts as wide as they are now
-    layOut(view.component());
-    layOut(view.component());
-  }
-
-  private static void layOut(Container in) {
-    in.doLayout();
-    Stream.of(in.getComponents())
-        .filter(Container.class::isInstance)
-        .forEach(each -> layOut((Container) each));
-  }
-
-  private static Component named(Component in, String name) {
-    return parts(in).filter(each -> name.equals(each.getName())).findFirst().orElseThrow();
-  }
-
-  private static Stream<Component> parts(Component in) {
-    return in instanceof Container inner
-        ? Stream.concat(
-            Stream.of(in), Stream.of(inner.getComponents()).flatMap(PortsViewTest::parts))
-        : Stream.of(in);
+    Parts.layOut(view.component());
+    Parts.layOut(view.component());
   }
 }

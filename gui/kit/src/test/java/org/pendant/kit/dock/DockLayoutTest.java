@@ -11,35 +11,18 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JLayer;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 final class DockLayoutTest {
-  private static Settings settings() {
-    Map<String, String> remembered = new HashMap<>();
-    return new Settings() {
-      @Override
-      public Optional<String> get(String name) {
-        return Optional.ofNullable(remembered.get(name));
-      }
-
-      @Override
-      public void put(String name, String text) {
-        remembered.put(name, text);
-      }
-    };
-  }
-
   /** A view of its name. */
   private record Named(String id, JComponent component) implements Dockable {
     @Override
@@ -56,7 +39,8 @@ final class DockLayoutTest {
     home.put("problems", Side.BOTTOM);
     List<Named> views = home.keySet().stream().map(id -> new Named(id, new JPanel())).toList();
     DockFrame frame =
-        new DockFrame(new DockPlan(settings(), home, Set.of()), views, home, window -> {});
+        new DockFrame(
+            new DockPlan(new MemorySettings(), home, Set.of()), views, home, window -> {});
     frame.setCollapsed(Side.BOTTOM, false);
     return frame;
   }

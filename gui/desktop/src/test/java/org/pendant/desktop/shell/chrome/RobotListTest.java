@@ -8,10 +8,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Robot;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JFrame;
@@ -21,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.kit.action.ActionTable;
-import org.pendant.kit.settings.Settings;
+import org.pendant.kit.settings.MemorySettings;
 
 /** The list of robots in the header, by keys. */
 final class RobotListTest {
@@ -30,28 +27,13 @@ final class RobotListTest {
   private Header header;
   private JComboBox<?> robots;
 
-  private static Settings settings() {
-    Map<String, String> remembered = new HashMap<>();
-    return new Settings() {
-      @Override
-      public Optional<String> get(String name) {
-        return Optional.ofNullable(remembered.get(name));
-      }
-
-      @Override
-      public void put(String name, String text) {
-        remembered.put(name, text);
-      }
-    };
-  }
-
   @BeforeEach
   void open() throws Exception {
     assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
     EventQueue.invokeAndWait(
         () -> {
           Programs programs = new Programs(ProgramDocument.untitled("a.script", ""));
-          ActionTable actions = new ActionTable(settings());
+          ActionTable actions = new ActionTable(new MemorySettings());
           header =
               new Header(new ProgramMenu(actions, programs, List::of, file -> {}), chosen::add);
           header.showRobot("ur5e");
