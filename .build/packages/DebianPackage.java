@@ -17,10 +17,11 @@ final class DebianPackage {
   private final Path sources;
   private final Path tree;
   private final String version;
-  private final Processor processor;
+  private final PackageArchitecture processor;
   private final Instant time;
 
-  DebianPackage(Path project, Path tree, String version, Processor processor, Instant time) {
+  DebianPackage(
+      Path project, Path tree, String version, PackageArchitecture processor, Instant time) {
     this.tree = tree;
     // A snapshot comes before the version that it leads to.
     this.version = version.replace("-SNAPSHOT", "~snapshot");

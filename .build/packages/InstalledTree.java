@@ -21,10 +21,10 @@ final class InstalledTree {
   private final Path tree;
   private final Path library;
   private final Path share;
-  private final Processor processor;
+  private final PackageArchitecture processor;
   private final Instant time;
 
-  InstalledTree(Path project, Path tree, Processor processor, Instant time) {
+  InstalledTree(Path project, Path tree, PackageArchitecture processor, Instant time) {
     this.project = project;
     this.tree = tree;
     this.processor = processor;

@@ -33,7 +33,7 @@ final class LinuxPackages {
     InstalledTree.delete(packages);
     Files.createDirectories(packages);
 
-    Processor processor = Processor.ofThisMachine();
+    PackageArchitecture processor = PackageArchitecture.ofThisMachine();
     String name = "pendant-" + version + "-linux-" + processor.name();
     Path tree = packages.resolve("tree").resolve(name);
     new InstalledTree(project, tree, processor, time).make();
