@@ -61,6 +61,8 @@ final class ArchitectureTest {
       layeredArchitecture()
           .consideringOnlyDependenciesInAnyPackage("org.pendant..")
           .withOptionalLayers(true)
+          .layer("text")
+          .definedBy("org.pendant.text..")
           .layer("language")
           .definedBy("org.pendant.language..")
           .layer("models")
@@ -272,7 +274,11 @@ final class ArchitectureTest {
           .dependOnClassesThat(
               resideInAPackage("org.pendant..")
                   .and(
-                      not(resideInAnyPackage("org.pendant.kit..", "org.pendant.controller.disk"))));
+                      not(
+                          resideInAnyPackage(
+                              "org.pendant.kit..",
+                              "org.pendant.controller.disk",
+                              "org.pendant.text"))));
 
   @ArchTest
   static final ArchRule onlyTheCommandLineHasAMain =

@@ -1,0 +1,97 @@
+package org.pendant.text;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.MissingResourceException;
+import java.util.Properties;
+
+/**
+ * What a package says to people, in one language. The texts are properties in UTF-8, in the folder
+ * {@code texts} of the module's resources: those of {@code org.pendant.desktop.sweep} in {@code
+ * desktop.sweep.properties} in English and {@code desktop.sweep_de.properties} in German. That
+ * folder is no package: its files can be read from modules that open none.
+ *
+ * <p>{@code {0}} to {@code {9}} in a text stand for what the program puts there, as it reads as a
+ * string. There is no other syntax: an apostrophe is one, and numbers stay as they are, which is
+ * why this is not {@link java.text.MessageFormat}.
+ */
+public final class Texts {
+  private static final String ROOT = "org.pendant.";
+
+  private final String name;
+  private final Properties texts;
+
+  private Texts(String name, Properties texts) {
+    this.name = name;
+    this.texts = texts;
+  }
+
+  /**
+   * What the package of {@code owner} says, in the {@linkplain Language#ofProcess() language of the
+   * process}.
+   */
+  public static Texts of(Class<?> owner) {
+    return of(owner, Language.ofProcess());
+  }
+
+  /**
+   * What the package of {@code owner} says, in a language; in English what was not translated.
+   *
+   * @throws MissingResourceException if it says nothing
+   */
+  public static Texts of(Class<?> owner, Language language) {
+    String name = owner.getPackageName().substring(ROOT.length());
+    Properties texts = new Properties();
+    if (!read(owner, name, texts)) {
+      throw new MissingResourceException("no texts of " + name, owner.getName(), "");
+    }
+    if (language != Language.ENGLISH) {
+      read(owner, name + "_" + language.code(), texts);
+    }
+    return new Texts(name, texts);
+  }
+
+  private static boolean read(Class<?> owner, String name, Properties into) {
+    try (InputStream in = owner.getResourceAsStream("/texts/" + name + ".properties")) {
+      if (in == null) {
+        return false;
+      }
+      into.load(new InputStreamReader(in, StandardCharsets.UTF_8));
+      return true;
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot read the texts of " + name, e);
+    }
+  }
+
+  /**
+   * The text of a key.
+   *
+   * @param values what stands for {@code {0}}, {@code {1}} and so on
+   * @throws MissingResourceException if there is none
+   */
+  public String get(String key, Object... values) {
+    String text = texts.getProperty(key);
+    if (text == null) {
+      throw new MissingResourceException("no text " + key + " of " + name, name, key);
+    }
+    return values.length == 0 ? text : filled(text, values);
+  }
+
+  private static String filled(String text, Object[] values) {
+    StringBuilder filled = new StringBuilder(text.length() + 16 * values.length);
+    int from = 0;
+    for (int at = text.indexOf('{'); at >= 0; at = text.indexOf('{', from)) {
+      int index = at + 2 < text.length() ? text.charAt(at + 1) - '0' : -1;
+      boolean place = index >= 0 && index < values.length && text.charAt(at + 2) == '}';
+      filled.append(text, from, place ? at : at + 1);
+      if (place) {
+        filled.append(values[index]);
+      }
+      from = place ? at + 3 : at + 1;
+    }
+    return filled.append(text, from, text.length()).toString();
+  }
+}

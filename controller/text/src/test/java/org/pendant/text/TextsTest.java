@@ -1,0 +1,48 @@
+package org.pendant.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.Locale;
+import java.util.MissingResourceException;
+import org.junit.jupiter.api.Test;
+
+class TextsTest {
+  private final Texts german = Texts.of(TextsTest.class, Language.GERMAN);
+  private final Texts english = Texts.of(TextsTest.class, Language.ENGLISH);
+
+  @Test
+  void aTextIsSaidInTheLanguageAskedFor() {
+    assertEquals("Speichern", german.get("save"));
+    assertEquals("Save", english.get("save"));
+  }
+
+  @Test
+  void whatWasNotTranslatedIsSaidInEnglish() {
+    assertEquals("Not yet translated", german.get("notYet"));
+  }
+
+  @Test
+  void valuesStandWhereTheLanguageWantsThem() {
+    assertEquals("3 of 7 runs", english.get("runs", 3, 7));
+    assertEquals("Von 7 Läufen 3", german.get("runs", 3, 7));
+  }
+
+  @Test
+  void apostrophesAndBracesThatAreNoPlacesStayAndValuesAreNotReadAgain() {
+    assertEquals("It isn't {x} {2}, {", english.get("odd", "{x}"));
+    assertEquals("It isn't {1} {2}, {", english.get("odd", "{1}"));
+  }
+
+  @Test
+  void aKeyWithoutTextIsAMistakeOfTheProgram() {
+    assertThrows(MissingResourceException.class, () -> english.get("nothing"));
+  }
+
+  @Test
+  void aLocaleOfALanguageThatIsNotSpokenHereIsAnsweredInEnglish() {
+    assertEquals(Language.ENGLISH, Language.of(Locale.FRENCH));
+    assertEquals(Language.GERMAN, Language.of(Locale.forLanguageTag("de-AT")));
+    assertEquals(Language.CHINESE, Language.of(Locale.SIMPLIFIED_CHINESE));
+  }
+}
