@@ -1,5 +1,7 @@
 package org.pendant.kit.action;
 
+import static org.pendant.kit.action.KeyTexts.text;
+
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -11,7 +13,7 @@ import javax.swing.KeyStroke;
 /** Key style: how keys are pressed together and written on a kind of computer. */
 enum KeyStyle {
   /** Ctrl is the key of menus; names are joined by a plus sign. */
-  PC("Ctrl", "Alt", "Shift", "Meta", "+"),
+  PC(text("ctrl"), text("alt"), text("shift"), text("meta"), "+"),
   /** Cmd is the key of menus; signs stand in the order of Apple's own menus. */
   MAC("\u2303", "\u2325", "\u21e7", "\u2318", "");
 

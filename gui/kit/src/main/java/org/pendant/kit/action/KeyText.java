@@ -1,5 +1,7 @@
 package org.pendant.kit.action;
 
+import static org.pendant.kit.action.KeyTexts.text;
+
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Map;
@@ -11,18 +13,18 @@ public final class KeyText {
 
   private static final Map<Integer, String> NAMES =
       Map.ofEntries(
-          Map.entry(KeyEvent.VK_ESCAPE, "Esc"),
-          Map.entry(KeyEvent.VK_ENTER, "Enter"),
-          Map.entry(KeyEvent.VK_SPACE, "Space"),
-          Map.entry(KeyEvent.VK_DELETE, "Del"),
-          Map.entry(KeyEvent.VK_BACK_SPACE, "Backspace"),
-          Map.entry(KeyEvent.VK_TAB, "Tab"),
-          Map.entry(KeyEvent.VK_PAGE_UP, "Page up"),
-          Map.entry(KeyEvent.VK_PAGE_DOWN, "Page down"),
-          Map.entry(KeyEvent.VK_LEFT, "Left"),
-          Map.entry(KeyEvent.VK_RIGHT, "Right"),
-          Map.entry(KeyEvent.VK_UP, "Up"),
-          Map.entry(KeyEvent.VK_DOWN, "Down"),
+          Map.entry(KeyEvent.VK_ESCAPE, text("esc")),
+          Map.entry(KeyEvent.VK_ENTER, text("enter")),
+          Map.entry(KeyEvent.VK_SPACE, text("space")),
+          Map.entry(KeyEvent.VK_DELETE, text("del")),
+          Map.entry(KeyEvent.VK_BACK_SPACE, text("backspace")),
+          Map.entry(KeyEvent.VK_TAB, text("tab")),
+          Map.entry(KeyEvent.VK_PAGE_UP, text("pageUp")),
+          Map.entry(KeyEvent.VK_PAGE_DOWN, text("pageDown")),
+          Map.entry(KeyEvent.VK_LEFT, text("left")),
+          Map.entry(KeyEvent.VK_RIGHT, text("right")),
+          Map.entry(KeyEvent.VK_UP, text("up")),
+          Map.entry(KeyEvent.VK_DOWN, text("down")),
           Map.entry(KeyEvent.VK_COMMA, ","),
           Map.entry(KeyEvent.VK_PERIOD, "."),
           Map.entry(KeyEvent.VK_PLUS, "+"),

@@ -1,5 +1,7 @@
 package org.pendant.kit.background;
 
+import static org.pendant.kit.background.BackgroundTexts.text;
+
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.util.function.Consumer;
@@ -37,7 +39,7 @@ public final class Background {
               } catch (IOException e) {
                 EventQueue.invokeLater(() -> failed.accept(e));
               } catch (RuntimeException | Error fault) {
-                IOException reason = new IOException("internal error, " + fault, fault);
+                IOException reason = new IOException(text("internalError", fault), fault);
                 EventQueue.invokeLater(() -> failed.accept(reason));
                 Faults.report(fault);
               }

@@ -1,5 +1,7 @@
 package org.pendant.kit.dock;
 
+import static org.pendant.kit.dock.DockTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Cursor;
 import java.awt.Graphics;
@@ -27,8 +29,8 @@ final class Divider extends JPanel {
   Divider(Side side, IntConsumer moved) {
     upright = side == Side.LEFT || side == Side.RIGHT;
     setName("dock-divider-" + side.word());
-    setToolTipText("Drag to change the size");
-    getAccessibleContext().setAccessibleName("Size of the dock at " + side.title());
+    setToolTipText(text("dragToChangeTheSize"));
+    getAccessibleContext().setAccessibleName(text("sizeOfTheDockAt", side.title()));
     setFocusable(true);
     setCursor(
         Cursor.getPredefinedCursor(upright ? Cursor.E_RESIZE_CURSOR : Cursor.N_RESIZE_CURSOR));

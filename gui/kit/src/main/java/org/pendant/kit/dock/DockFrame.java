@@ -1,5 +1,7 @@
 package org.pendant.kit.dock;
 
+import static org.pendant.kit.dock.DockTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Color;
@@ -271,7 +273,7 @@ public final class DockFrame {
   }
 
   private static JLabel nothing() {
-    JLabel label = new JLabel("Drag the tab of a panel here", JLabel.CENTER);
+    JLabel label = new JLabel(text("dragTheTabOfAPanel"), JLabel.CENTER);
     label.setForeground(Palette.quiet());
     return label;
   }

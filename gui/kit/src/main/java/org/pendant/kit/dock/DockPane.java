@@ -1,5 +1,7 @@
 package org.pendant.kit.dock;
 
+import static org.pendant.kit.dock.DockTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Point;
@@ -57,7 +59,7 @@ final class DockPane extends JPanel {
     tabs.removeAll();
     tabs = new DockTabs();
     tabs.setName("dock-tabs-" + side.word());
-    tabs.getAccessibleContext().setAccessibleName("Panels at " + side.title());
+    tabs.getAccessibleContext().setAccessibleName(text("panelsAt", side.title()));
     if (plan.collapsed(side)) {
       fillStrip();
     } else {
@@ -73,11 +75,7 @@ final class DockPane extends JPanel {
     List<String> ids = plan.views(side);
     for (String id : ids) {
       Dockable view = viewOf.apply(id);
-      tabs.addTab(
-          view.title(),
-          null,
-          view.component(),
-          "Drag to another side or out of the window, or right click");
+      tabs.addTab(view.title(), null, view.component(), text("dragToAnotherSideOrOut"));
     }
     plan.selected(side).ifPresent(id -> tabs.setSelectedIndex(ids.indexOf(id)));
     tabs.putClientProperty("JTabbedPane.trailingComponent", collapseButton());
@@ -105,8 +103,8 @@ final class DockPane extends JPanel {
     JButton button = new JButton(glyph.icon(14));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     button.setName("dock-collapse-" + side.word());
-    button.setToolTipText("Show only the tabs");
-    button.getAccessibleContext().setAccessibleName("Collapse the dock at " + side.title());
+    button.setToolTipText(text("showOnlyTheTabs"));
+    button.getAccessibleContext().setAccessibleName(text("collapseTheDockAt", side.title()));
     button.addActionListener(event -> frame.setCollapsed(side, true));
     JPanel right = new JPanel(new BorderLayout());
     right.setOpaque(false);
@@ -127,7 +125,7 @@ final class DockPane extends JPanel {
     for (String id : plan.views(side)) {
       JPanel nothing = new JPanel();
       nothing.setPreferredSize(new Dimension(0, 0));
-      tabs.addTab(viewOf.apply(id).title(), null, nothing, "Click to show");
+      tabs.addTab(viewOf.apply(id).title(), null, nothing, text("clickToShow"));
     }
     tabs.setSelectedIndex(-1);
     tabs.addMouseListener(

@@ -1,5 +1,7 @@
 package org.pendant.kit.dock;
 
+import static org.pendant.kit.dock.DockTexts.text;
+
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Graphics2D;
 import javax.swing.Icon;
@@ -44,8 +46,8 @@ final class DockTabs extends JTabbedPane {
       private final transient Icon dots = Glyph.MORE.icon(DOTS);
 
       Dots() {
-        setToolTipText("More panels");
-        getAccessibleContext().setAccessibleName("More panels");
+        setToolTipText(text("morePanels"));
+        getAccessibleContext().setAccessibleName(text("morePanels"));
       }
 
       @Override

@@ -1,5 +1,7 @@
 package org.pendant.kit.dock;
 
+import static org.pendant.kit.dock.DockTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
@@ -22,7 +24,7 @@ final class FloatingDock {
   FloatingDock(Dockable view, DockPlan plan, Consumer<JFrame> furnish, Runnable putBack) {
     this.view = view;
     this.plan = plan;
-    window = new JFrame(view.title() + " \u2013 Pendant");
+    window = new JFrame(text("windowOfAPanel", view.title()));
     window.setName("window-" + view.id());
     window.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
     window.addWindowListener(

@@ -1,18 +1,20 @@
 package org.pendant.kit.dock;
 
+import static org.pendant.kit.dock.DockTexts.text;
+
 import java.util.Locale;
 
 /** Side of the window at which a view can be, or outside of it. */
 public enum Side {
   /** In the middle, one at a time. */
-  MAIN("the main area"),
-  LEFT("the left"),
-  RIGHT("the right"),
+  MAIN(text("theMainArea")),
+  LEFT(text("theLeft")),
+  RIGHT(text("theRight")),
   /** Below the right one, as wide as that. */
-  LOWER("the lower right"),
-  BOTTOM("the bottom"),
+  LOWER(text("theLowerRight")),
+  BOTTOM(text("theBottom")),
   /** Each view in its own, anywhere on any screen. */
-  WINDOW("a window of its own");
+  WINDOW(text("aWindowOfItsOwn"));
 
   private final String title;
 

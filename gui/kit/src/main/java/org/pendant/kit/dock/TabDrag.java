@@ -1,5 +1,7 @@
 package org.pendant.kit.dock;
 
+import static org.pendant.kit.dock.DockTexts.text;
+
 import java.awt.Cursor;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
@@ -121,7 +123,7 @@ final class TabDrag extends MouseAdapter {
   static JPopupMenu menu(DockFrame frame, String id) {
     JPopupMenu menu = new JPopupMenu();
     for (Side side : Side.values()) {
-      JMenuItem item = new JMenuItem("Move to " + side.title());
+      JMenuItem item = new JMenuItem(text("moveTo", side.title()));
       item.setName("move-" + id + "-" + side.word());
       item.setEnabled(frame.sideOf(id) != side);
       item.addActionListener(event -> frame.move(id, side));

@@ -1,5 +1,7 @@
 package org.pendant.kit.export;
 
+import static org.pendant.kit.export.SaveTexts.text;
+
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
 import java.awt.EventQueue;
@@ -94,12 +96,12 @@ public final class SaveDialog {
   private static String outcome(Path file, Export export) {
     try {
       export.writeTo(file);
-      return "Saved " + file.toAbsolutePath();
+      return text("saved", file.toAbsolutePath());
     } catch (IOException e) {
-      return "Not saved: " + file.toAbsolutePath() + ": " + FileTrouble.reason(e);
+      return text("notSaved", file.toAbsolutePath(), FileTrouble.reason(e));
     } catch (RuntimeException | Error fault) {
       Faults.report(fault);
-      return "Not saved: " + file.toAbsolutePath() + ": internal error, " + fault;
+      return text("notSavedInternalError", file.toAbsolutePath(), fault);
     }
   }
 
@@ -159,9 +161,9 @@ public final class SaveDialog {
       }
       if (file.exists() && !file.equals(warned)) {
         warned = file;
-        dialog.setTitle(request.title() + ": " + file.getName() + " exists already");
-        setApproveButtonText("Replace");
-        setApproveButtonToolTipText("Replace " + file.getName() + " by the new file");
+        dialog.setTitle(text("existsAlready", request.title(), file.getName()));
+        setApproveButtonText(text("replace"));
+        setApproveButtonToolTipText(text("replaceByTheNewFile", file.getName()));
         return;
       }
       super.approveSelection();

@@ -1,5 +1,7 @@
 package org.pendant.kit.export;
 
+import static org.pendant.kit.export.SaveTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -64,7 +66,7 @@ public record SaveRequest(
   /** Why a file cannot be taken at all, as the end of the title. */
   Optional<String> refusal(Path file) {
     return inUse.stream().anyMatch(each -> same(each, file))
-        ? Optional.of(file.getFileName() + " is open in this window, choose another name")
+        ? Optional.of(text("isOpenInThisWindowChoose", file.getFileName()))
         : Optional.empty();
   }
 

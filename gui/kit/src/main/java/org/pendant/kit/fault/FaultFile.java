@@ -1,5 +1,7 @@
 package org.pendant.kit.fault;
 
+import static org.pendant.kit.fault.FaultTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -78,7 +80,7 @@ public final class FaultFile {
     String heading = clock.instant() + " thread " + thread;
     if (count == 1) {
       return Optional.of(
-          "Internal error: " + inWords(fault) + "; " + written(heading + "\n" + details(fault)));
+          text("internalError", inWords(fault), written(heading + "\n" + details(fault))));
     }
     if (powerOfTen(count)) {
       var _ = written(heading + ", " + count + " times so far: " + inWords(fault) + "\n");
@@ -126,9 +128,9 @@ public final class FaultFile {
             StandardCopyOption.REPLACE_EXISTING);
       }
       Files.writeString(file, text, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-      return "please report it with " + file;
+      return text("pleaseReportItWith", file);
     } catch (IOException e) {
-      return file + " cannot be written: " + e.getMessage();
+      return text("cannotBeWritten", file, e.getMessage());
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.kit.find;
 
+import static org.pendant.kit.find.FindTexts.text;
+
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.event.ActionEvent;
@@ -38,7 +40,7 @@ public final class CommandPalette {
   private final JTextField query = new JTextField(40);
   private final DefaultListModel<Action> model = new DefaultListModel<>();
   private final JList<Action> list = new JList<>(model);
-  private final JLabel nothing = new JLabel("Nothing matches");
+  private final JLabel nothing = new JLabel(text("nothingMatches"));
 
   /**
    * A palette that is closed.
@@ -50,13 +52,13 @@ public final class CommandPalette {
     JPanel panel = new JPanel(new MigLayout("insets 0, gap 8, wrap 1", "[grow, fill, 0:480:]", ""));
     panel.setOpaque(false);
     query.setName("palette-query");
-    query.putClientProperty("JTextField.placeholderText", "What do you want to do?");
+    query.putClientProperty("JTextField.placeholderText", text("whatDoYouWantToDo"));
     query.putClientProperty("JTextField.showClearButton", true);
-    query.setToolTipText("A few letters of an action; Enter does it, Escape closes");
-    query.getAccessibleContext().setAccessibleName("Find an action");
+    query.setToolTipText(text("aFewLettersOfAnAction"));
+    query.getAccessibleContext().setAccessibleName(text("findAnAction"));
     list.setName("palette-list");
-    list.setToolTipText("Enter or a click does the action");
-    list.getAccessibleContext().setAccessibleName("Actions that match");
+    list.setToolTipText(text("enterOrAClickDoesThe"));
+    list.getAccessibleContext().setAccessibleName(text("actionsThatMatch"));
     list.setVisibleRowCount(12);
     list.setFocusable(false);
     list.setCellRenderer(new Cell());

@@ -1,5 +1,7 @@
 package org.pendant.kit.find;
 
+import static org.pendant.kit.find.FindTexts.text;
+
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
@@ -34,7 +36,7 @@ public final class KeyEditor {
   private final KeyTable model;
   private final JTable table;
   private final JTextField capture = new JTextField();
-  private final JButton take = new JButton("Take it from there");
+  private final JButton take = new JButton(text("takeItFromThere"));
   private final JLabel conflict = new JLabel(" ");
 
   /**
@@ -51,7 +53,7 @@ public final class KeyEditor {
             new MigLayout(
                 "insets 0, gap 8, wrap 1", "[grow, fill, 0:560:]", "[][][grow, 60::340][][]"));
     panel.setOpaque(false);
-    JLabel heading = new JLabel("Keys");
+    JLabel heading = new JLabel(text("keys"));
     heading.putClientProperty("FlatLaf.styleClass", "h3");
     panel.add(heading);
     panel.add(filter);
@@ -69,12 +71,12 @@ public final class KeyEditor {
     JPanel row =
         new JPanel(new MigLayout("insets 0, gap 8, hidemode 3, wrap 3", "[][180::][]push"));
     row.setOpaque(false);
-    JLabel label = new JLabel("New key");
+    JLabel label = new JLabel(text("newKey"));
     label.setLabelFor(capture);
     conflict.setName("key-conflict");
     row.add(label);
     row.add(capture, "growx");
-    row.add(button(take, "key-take", "Takes the key away from the other action", this::take));
+    row.add(button(take, "key-take", text("takesTheKeyAwayFromThe"), this::take));
     row.add(conflict, "span, growx, wmin 0");
     return row;
   }
@@ -82,11 +84,17 @@ public final class KeyEditor {
   private JPanel buttons() {
     JPanel row = new JPanel(new WrappingRow(4));
     row.setOpaque(false);
-    row.add(button(new JButton("No key"), "key-none", "Takes the key away", () -> bind("")));
-    row.add(button(new JButton("Reset"), "key-reset", "The key it came with", this::reset));
     row.add(
-        button(new JButton("Reset all"), "key-reset-all", "All keys as they came", this::resetAll));
-    row.add(button(new JButton("Close"), "key-close", "Closes this panel (Esc)", this::close));
+        button(new JButton(text("noKey")), "key-none", text("takesTheKeyAway"), () -> bind("")));
+    row.add(button(new JButton(text("reset")), "key-reset", text("theKeyItCameWith"), this::reset));
+    row.add(
+        button(
+            new JButton(text("resetAll")),
+            "key-reset-all",
+            text("allKeysAsTheyCame"),
+            this::resetAll));
+    row.add(
+        button(new JButton(text("close")), "key-close", text("closesThisPanelEsc"), this::close));
     return row;
   }
 
@@ -104,9 +112,9 @@ public final class KeyEditor {
 
   private void setUpFilter() {
     filter.setName("key-filter");
-    filter.putClientProperty("JTextField.placeholderText", "Filter by title or key");
-    filter.setToolTipText("Letters of a title, or a key such as F5");
-    filter.getAccessibleContext().setAccessibleName("Filter actions");
+    filter.putClientProperty("JTextField.placeholderText", text("filterByTitleOrKey"));
+    filter.setToolTipText(text("lettersOfATitleOrA"));
+    filter.getAccessibleContext().setAccessibleName(text("filterActions"));
     filter
         .getDocument()
         .addDocumentListener(
@@ -119,8 +127,8 @@ public final class KeyEditor {
 
   private void setUpTable() {
     table.setName("key-table");
-    table.setToolTipText("Choose an action, then press its new key in the field below");
-    table.getAccessibleContext().setAccessibleName("Actions and their keys");
+    table.setToolTipText(text("chooseAnActionThenPressIts"));
+    table.getAccessibleContext().setAccessibleName(text("actionsAndTheirKeys"));
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setFillsViewportHeight(true);
     // Tab leaves a table that cannot be edited.
@@ -136,9 +144,9 @@ public final class KeyEditor {
   private void setUpCapture() {
     capture.setName("key-capture");
     capture.setEditable(false);
-    capture.putClientProperty("JTextField.placeholderText", "Click here and press a key");
-    capture.setToolTipText("The key that you press here does the chosen action from now on");
-    capture.getAccessibleContext().setAccessibleName("Press the new key");
+    capture.putClientProperty("JTextField.placeholderText", text("clickHereAndPressAKey"));
+    capture.setToolTipText(text("theKeyThatYouPressHere"));
+    capture.getAccessibleContext().setAccessibleName(text("pressTheNewKey"));
     capture.addKeyListener(
         new KeyAdapter() {
           @Override
@@ -157,10 +165,7 @@ public final class KeyEditor {
       event.consume();
       bind(KeyText.keys(stroke));
     } else if (event.getKeyCode() != KeyEvent.VK_ESCAPE) {
-      say(
-          KeyText.shown(stroke)
-              + " is needed for writing and moving around; hold Ctrl, Alt or both with it",
-          true);
+      say(text("isNeededForWritingAndMoving", KeyText.shown(stroke)), true);
     }
   }
 
@@ -204,7 +209,7 @@ public final class KeyEditor {
             .orElse(List.of());
     take.setVisible(!others.isEmpty());
     String titles = String.join(", ", others.stream().map(Action::title).toList());
-    say(others.isEmpty() ? "" : "Also the key of: " + titles, true);
+    say(others.isEmpty() ? "" : text("alsoTheKeyOf", titles), true);
   }
 
   /** Leaves the key to the chosen action alone. */

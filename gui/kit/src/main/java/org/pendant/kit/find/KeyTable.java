@@ -1,5 +1,7 @@
 package org.pendant.kit.find;
 
+import static org.pendant.kit.find.FindTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import org.pendant.kit.action.Action;
@@ -10,7 +12,7 @@ import org.pendant.kit.table.RowsModel;
 /** Actions and their keys as a table. */
 @SuppressWarnings("serial") // never written to a stream
 final class KeyTable extends RowsModel<Action> {
-  private static final List<String> COLUMNS = List.of("Action", "Key", "");
+  private static final List<String> COLUMNS = List.of(text("action"), text("key"), "");
 
   private final transient ActionTable actions;
 

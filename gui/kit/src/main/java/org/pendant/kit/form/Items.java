@@ -1,5 +1,7 @@
 package org.pendant.kit.form;
 
+import static org.pendant.kit.form.FormFieldTexts.text;
+
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Insets;
@@ -47,9 +49,9 @@ public final class Items<T> {
   private final JList<T> list = new Rows();
   private final JPanel buttons = new JPanel(new WrappingRow(PartsForm.BETWEEN));
   private final List<JButton> adders = new ArrayList<>();
-  private final JButton remove = new JButton("Remove");
-  private final JButton up = new JButton("Up");
-  private final JButton down = new JButton("Down");
+  private final JButton remove = new JButton(text("remove"));
+  private final JButton up = new JButton(text("up"));
+  private final JButton down = new JButton(text("down"));
   private final Remark problem;
   private final Remark empty;
   private final PartsForm<T> form;
@@ -122,11 +124,11 @@ public final class Items<T> {
                 remove();
               }
             });
-    TitledCard.named(remove, id + "-remove", "Remove the chosen one (Delete)");
+    TitledCard.named(remove, id + "-remove", text("removeTheChosenOne"));
     remove.addActionListener(event -> remove());
-    TitledCard.named(up, id + "-up", "Move the chosen one up");
+    TitledCard.named(up, id + "-up", text("moveTheChosenOneUp"));
     up.addActionListener(event -> move(-1));
-    TitledCard.named(down, id + "-down", "Move the chosen one down");
+    TitledCard.named(down, id + "-down", text("moveTheChosenOneDown"));
     down.addActionListener(event -> move(1));
     TitledCard.compact(remove, up, down);
     buttons.setOpaque(false);

@@ -89,23 +89,28 @@ public enum Measure {
   public double parse(String text) {
     String typed = text.strip();
     Matcher parts = NUMBER.matcher(typed);
-    String unit = symbol.isEmpty() ? "" : " in " + symbol;
     if (typed.isEmpty()) {
-      throw new IllegalArgumentException("empty, must be a number" + unit);
+      throw new IllegalArgumentException(
+          symbol.isEmpty()
+              ? FormFieldTexts.text("emptyMustBeNumber")
+              : FormFieldTexts.text("emptyMustBeNumberIn", symbol));
     }
     if (!parts.matches()) {
-      throw new IllegalArgumentException("'" + typed + "' is not a number" + unit);
+      throw new IllegalArgumentException(
+          symbol.isEmpty()
+              ? FormFieldTexts.text("notANumber", typed)
+              : FormFieldTexts.text("notANumberIn", typed, symbol));
     }
     String typedUnit = plain(parts.group(2));
     if (!typedUnit.isEmpty() && !typedUnit.equals(plain(symbol))) {
       throw new IllegalArgumentException(
           symbol.isEmpty()
-              ? "unit is '" + parts.group(2) + "', must be none"
-              : "unit is '" + parts.group(2) + "', must be " + symbol);
+              ? FormFieldTexts.text("unitMustBeNone", parts.group(2))
+              : FormFieldTexts.text("unitMustBe", parts.group(2), symbol));
     }
     double number = Double.parseDouble(parts.group(1).replace(',', '.'));
     if (this == COUNT && number != Math.rint(number)) {
-      throw new IllegalArgumentException("'" + typed + "' is not a whole number");
+      throw new IllegalArgumentException(FormFieldTexts.text("notAWholeNumber", typed));
     }
     return number * factor;
   }

@@ -1,5 +1,7 @@
 package org.pendant.kit.settings;
 
+import static org.pendant.kit.settings.SettingsTexts.text;
+
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -24,8 +26,6 @@ import org.pendant.kit.fault.Faults;
 public final class FileSettings implements Settings, AutoCloseable {
   /** Changes within this time (ms) are written together. */
   private static final long DELAY_MS = 300;
-
-  private static final String UNKEPT = "what is changed is forgotten at the end";
 
   private static final long PATIENCE_S = 5;
 
@@ -66,21 +66,19 @@ public final class FileSettings implements Settings, AutoCloseable {
     try {
       if (Files.size(file) > MAX_BYTES) {
         unreadable = true;
-        notice = Optional.of("Settings " + file + " are too large to be settings; " + UNKEPT);
+        notice = Optional.of(text("tooLarge", file));
         return;
       }
-      SettingsText text = SettingsText.parse(Files.readString(file));
-      values.putAll(text.values());
-      if (!text.wrongLines().isEmpty()) {
-        keepAside("has lines that are no settings: " + shorten(text.wrongLines()));
+      SettingsText settings = SettingsText.parse(Files.readString(file));
+      values.putAll(settings.values());
+      if (!settings.wrongLines().isEmpty()) {
+        keepAside(text("wrongLines", file, shorten(settings.wrongLines())));
       }
     } catch (CharacterCodingException e) {
-      keepAside("is no text");
+      keepAside(text("noText", file));
     } catch (IOException e) {
       unreadable = true;
-      notice =
-          Optional.of(
-              "Settings " + file + " cannot be read: " + FileTrouble.reason(e) + "; " + UNKEPT);
+      notice = Optional.of(text("cannotBeRead", file, FileTrouble.reason(e)));
     }
   }
 
@@ -93,11 +91,10 @@ public final class FileSettings implements Settings, AutoCloseable {
     Path copy = file.resolveSibling(file.getFileName() + ".bad");
     try {
       AtomicFile.writePrivate(copy, Files.readAllBytes(file));
-      notice =
-          Optional.of("Settings " + file + " " + why + "; they are ignored, a copy is " + copy);
+      notice = Optional.of(text("ignoredWithCopy", why, copy));
     } catch (IOException e) {
       unreadable = true;
-      notice = Optional.of("Settings " + file + " " + why + "; " + UNKEPT);
+      notice = Optional.of(text("forgotten", why));
     }
   }
 
@@ -119,7 +116,7 @@ public final class FileSettings implements Settings, AutoCloseable {
   /** Tells once: each later change would fail as well. The next one tries again. */
   private synchronized void notWritten(IOException why) {
     if (trouble.isEmpty()) {
-      trouble = Optional.of("Settings cannot be written: " + why.getMessage() + "; " + UNKEPT);
+      trouble = Optional.of(text("cannotBeWritten", why.getMessage()));
       told.accept(trouble.get());
     }
   }

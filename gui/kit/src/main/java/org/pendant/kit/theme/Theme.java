@@ -1,13 +1,15 @@
 package org.pendant.kit.theme;
 
+import static org.pendant.kit.theme.ThemeTexts.text;
+
 import java.util.Locale;
 
 /** Theme: which colours the desktop has. */
 public enum Theme {
-  LIGHT("Light"),
-  DARK("Dark"),
+  LIGHT(text("light")),
+  DARK(text("dark")),
   /** As the rest of the desktop, as far as that can be found out. */
-  SYSTEM("As the system");
+  SYSTEM(text("asTheSystem"));
 
   private final String title;
 
