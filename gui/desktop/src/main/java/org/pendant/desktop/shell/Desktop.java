@@ -30,6 +30,7 @@ import org.pendant.kit.fault.FaultFile;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.ConfigurationFolder;
 import org.pendant.kit.settings.FileSettings;
+import org.pendant.kit.settings.LanguageSetting;
 import org.pendant.kit.theme.Look;
 import org.pendant.kit.theme.SystemTheme;
 
@@ -124,6 +125,7 @@ public final class Desktop {
         new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()), shown);
     wishes.measuredNoise().ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
     wishes.startRamp().ifPresent(on -> RobotChange.rememberStartRamp(desktop.settings, on));
+    new LanguageSetting(desktop.settings).apply();
     Look look = new Look(desktop.settings);
     look.loadFonts();
     // The arm's files are read while the look is set up.

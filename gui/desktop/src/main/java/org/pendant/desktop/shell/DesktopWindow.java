@@ -48,6 +48,7 @@ import org.pendant.kit.dock.DockFrame;
 import org.pendant.kit.dock.DockPlan;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.settings.ConfigurationFolder;
+import org.pendant.kit.settings.LanguageSetting;
 import org.pendant.kit.settings.Settings;
 import org.pendant.kit.theme.Look;
 import org.pendant.project.installation.file.InstallationFile;
@@ -276,6 +277,7 @@ final class DesktopWindow {
     windowActions.addViews(docks, List.copyOf(views.screens().keySet()));
     windowActions.addDocks(docks);
     windowActions.addLook(look);
+    LanguageActions.addTo(actions, new LanguageSetting(workbench.settings()), status::tell);
     windowActions.addHelp(docks.component(), notices, status::text);
     ExampleFiles examples =
         new ExampleFiles(

@@ -291,6 +291,7 @@ final class MenuPlan {
         sub("Log", "Log", all("log")),
         line(),
         sub("Colours", "Colours", all("look.light", "look.dark", "look.system")),
+        sub("Language", "Language", all("language")),
         sub(
             "Size",
             "",

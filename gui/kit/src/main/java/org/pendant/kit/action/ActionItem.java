@@ -65,7 +65,7 @@ public final class ActionItem {
     if (!title.startsWith(said)) {
       return title;
     }
-    String rest = title.substring(said.length()).replaceFirst("^:? *", "");
+    String rest = title.substring(said.length()).replaceFirst("^[:\uff1a]? *", "");
     return rest.substring(0, 1).toUpperCase(Locale.ROOT) + rest.substring(1);
   }
 
