@@ -1,0 +1,80 @@
+package org.pendant.text;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Properties;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The texts of all modules as they are in the sources, by package. */
+final class TextBundles {
+  private static final Path ROOT = Path.of("..", "..").toAbsolutePath().normalize();
+
+  private static final Pattern PLACE = Pattern.compile("\\{\\d}|%(\\d\\$)?[-,.\\d]*[sdfeg%n]");
+
+  private TextBundles() {}
+
+  /** The file of the English texts of each package that has some. */
+  static List<Path> english() throws IOException {
+    try (Stream<Path> files = Files.find(ROOT, 6, (file, attributes) -> isEnglish(file))) {
+      return files.sorted().toList();
+    }
+  }
+
+  private static boolean isEnglish(Path file) {
+    Path folder = file.getParent();
+    return folder.endsWith(Path.of("src", "main", "resources", "texts"))
+        && file.toString().endsWith(".properties")
+        && !file.getFileName().toString().contains("_");
+  }
+
+  /** The texts of a file by key. */
+  static TreeMap<String, String> read(Path file) throws IOException {
+    Properties texts = new Properties();
+    try (Reader reader = Files.newBufferedReader(file)) {
+      texts.load(reader);
+    }
+    TreeMap<String, String> byKey = new TreeMap<>();
+    texts.forEach((key, text) -> byKey.put((String) key, (String) text));
+    return byKey;
+  }
+
+  /** The same texts in another language. */
+  static Path in(Language language, Path english) {
+    String name = english.getFileName().toString();
+    return english.resolveSibling(
+        name.replace(".properties", "_" + language.code() + ".properties"));
+  }
+
+  /** The sources of the package that says the texts of a file. */
+  static List<Path> sources(Path english) throws IOException {
+    String name = english.getFileName().toString().replace(".properties", "");
+    Path main = english.getParent().getParent().resolveSibling("java");
+    Path folder = main.resolve(Path.of("org", "pendant")).resolve(name.replace('.', '/'));
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.filter(each -> each.toString().endsWith(".java")).sorted().toList();
+    }
+  }
+
+  /** The sources under a folder of the project. */
+  static List<Path> sourcesUnder(String folder) throws IOException {
+    try (Stream<Path> files = Files.walk(ROOT.resolve(folder))) {
+      return files.filter(each -> each.toString().endsWith(".java")).sorted().toList();
+    }
+  }
+
+  /** Places for values in a text, such as <code>{0}</code> and {@code %,d}, in no order. */
+  static TreeSet<String> places(String text) {
+    return PLACE
+        .matcher(text)
+        .results()
+        .map(each -> each.group().replaceFirst("\\d\\$", ""))
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+}

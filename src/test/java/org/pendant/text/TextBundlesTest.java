@@ -1,0 +1,75 @@
+package org.pendant.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+final class TextBundlesTest {
+  private static final Pattern KEY = Pattern.compile("\"([A-Za-z0-9_.]+)\"");
+
+  @Test
+  void everythingIsSaidInEveryLanguage() throws IOException {
+    List<String> wrong = new ArrayList<>();
+    for (Path english : TextBundles.english()) {
+      Map<String, String> texts = TextBundles.read(english);
+      for (Language language : List.of(Language.GERMAN, Language.CHINESE)) {
+        Path file = TextBundles.in(language, english);
+        Map<String, String> said = Files.exists(file) ? TextBundles.read(file) : Map.of();
+        texts.forEach(
+            (key, text) -> {
+              if (said.getOrDefault(key, "").isBlank() != text.isBlank()) {
+                wrong.add(file.getFileName() + " does not say " + key + ": " + text);
+              }
+            });
+        said.keySet().stream()
+            .filter(key -> !texts.containsKey(key))
+            .forEach(key -> wrong.add(file.getFileName() + " says " + key + ", English does not"));
+      }
+    }
+    assertEquals(List.of(), wrong);
+  }
+
+  @Test
+  void valuesHaveTheirPlaceInEveryLanguage() throws IOException {
+    List<String> wrong = new ArrayList<>();
+    for (Path english : TextBundles.english()) {
+      Map<String, String> texts = TextBundles.read(english);
+      for (Language language : List.of(Language.GERMAN, Language.CHINESE)) {
+        TextBundles.read(TextBundles.in(language, english))
+            .forEach(
+                (key, said) -> {
+                  String text = texts.getOrDefault(key, said);
+                  if (!TextBundles.places(said).equals(TextBundles.places(text))) {
+                    wrong.add(language.code() + " " + key + ": " + text + " / " + said);
+                  }
+                });
+      }
+    }
+    assertEquals(List.of(), wrong);
+  }
+
+  @Test
+  void everyTextIsUsedByItsPackage() throws IOException {
+    List<String> unused = new ArrayList<>();
+    for (Path english : TextBundles.english()) {
+      TreeMap<String, String> texts = TextBundles.read(english);
+      for (Path source : TextBundles.sources(english)) {
+        Matcher key = KEY.matcher(Files.readString(source));
+        while (key.find()) {
+          texts.remove(key.group(1));
+        }
+      }
+      texts.keySet().forEach(key -> unused.add(english.getFileName() + ": " + key));
+    }
+    assertEquals(List.of(), unused);
+  }
+}

@@ -1,0 +1,72 @@
+package org.pendant.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+final class TextLiteralsTest {
+  /** Modules of which everything that people read is in bundles. */
+  private static final List<String> MODULES = List.of("gui/kit/src/main/java");
+
+  @Test
+  void wordsAreTextsAndNamesConstraintsAndKeysAreNot() {
+    assertTrue(TextLiterals.isText("Run or resume program"));
+    assertTrue(TextLiterals.isText("Run"));
+    assertTrue(TextLiterals.isText(" is not a number"));
+    assertTrue(TextLiterals.isText("Speed: "));
+    assertFalse(TextLiterals.isText("program.run"));
+    assertFalse(TextLiterals.isText("insets 0, gap 8, wrap 2"));
+    assertFalse(TextLiterals.isText("[grow, fill][]8[pref!]"));
+    assertFalse(TextLiterals.isText("control shift P"));
+    assertFalse(TextLiterals.isText("actual_TCP_pose"));
+  }
+
+  @Test
+  void aTextInCodeIsFoundUnlessItIsForProgrammers(@TempDir Path folder) throws IOException {
+    Path source =
+        Files.writeString(
+            folder.resolve("Card.java"),
+            """
+            package org.pendant;
+            class Card {
+              String title = "Last run";
+              @SuppressWarnings("not a text") String of(int n) {
+                if (n < 0) throw new IllegalArgumentException("n is negative: " + n);
+                return switch (n) { case 0 -> "nothing yet"; default -> text("runs", n); };
+              }
+            }
+            """);
+    assertEquals(
+        List.of("org.pendant.Card: Last run", "org.pendant.Card: nothing yet"),
+        TextLiterals.of(List.of(source)));
+  }
+
+  /** What only looks like a text is listed in the resource {@code literals-that-stay.txt}. */
+  @Test
+  @Tag("slow")
+  void noTextIsInCode() throws IOException {
+    TreeSet<String> found = new TreeSet<>();
+    for (String module : MODULES) {
+      found.addAll(TextLiterals.of(TextBundles.sourcesUnder(module)));
+    }
+    assertEquals(String.join("\n", staying()), String.join("\n", found));
+  }
+
+  private static TreeSet<String> staying() throws IOException {
+    try (InputStream in = TextLiteralsTest.class.getResourceAsStream("literals-that-stay.txt")) {
+      String list = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      return new TreeSet<>(list.lines().filter(line -> !line.startsWith("#")).toList());
+    }
+  }
+}
