@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.FontMetrics;
@@ -36,7 +38,7 @@ record DropMark(TreeList list, DropSpots.Target target, boolean copied) {
       pen.fillOval(x - dot / 2, line - dot / 2, dot, dot);
       pen.drawLine(x, line, width, line);
     }
-    String text = target.refusal().orElse(copied ? "Copy here" : "");
+    String text = target.refusal().orElse(copied ? text("copyHere") : "");
     if (!text.isEmpty()) {
       paintPlate(pen, text, y);
     }

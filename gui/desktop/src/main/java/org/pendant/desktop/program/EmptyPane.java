@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -23,9 +25,9 @@ final class EmptyPane extends JPanel {
     JPanel buttons = new JPanel(new MigLayout("insets 0, gap 8"));
     for (List<String> each :
         List.of(
-            List.of("file.new", "New program"),
-            List.of("file.open", "Open program\u2026"),
-            List.of("view.script", "Show the script"))) {
+            List.of("file.new", text("newProgram")),
+            List.of("file.open", text("openProgram")),
+            List.of("view.script", text("showTheScript")))) {
       JButton button = new JButton(each.get(1));
       button.setName("program-empty-" + each.get(0).replace('.', '-'));
       button.addActionListener(event -> actions.run(each.get(0)));
@@ -36,9 +38,6 @@ final class EmptyPane extends JPanel {
 
   void show(String name) {
     text.setForeground(Palette.quiet());
-    text.setText(
-        "<html><center>"
-            + Markup.escaped(name)
-            + " is a script. Programs made of nodes are shown here.");
+    text.setText(text("isAScript", Markup.escaped(name)));
   }
 }

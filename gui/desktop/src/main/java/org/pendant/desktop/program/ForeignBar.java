@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -21,8 +23,7 @@ import org.pendant.kit.theme.Palette;
  */
 @SuppressWarnings("serial") // never written to a stream
 final class ForeignBar extends JPanel {
-  private static final String WHAT =
-      "Program of PolyScope X, read-only: its nodes are shown, its script runs.";
+  private static final String WHAT = text("programOfPolyscopeXReadOnly");
 
   private final JTextArea text = new JTextArea();
 
@@ -41,15 +42,15 @@ final class ForeignBar extends JPanel {
     text.setOpaque(false);
     text.setLineWrap(true);
     text.setWrapStyleWord(true);
-    text.getAccessibleContext().setAccessibleName("What can be done with this program");
+    text.getAccessibleContext().setAccessibleName(text("whatCanBeDoneWithThis"));
     add(text, "wmin 0, aligny top");
     JPanel buttons = new JPanel(new MigLayout("insets 0, gap 4, wrap", "[fill]"));
     buttons.setOpaque(false);
     record Press(String name, String title, String action) {}
     for (Press each :
         List.of(
-            new Press("program", "Save as program\u2026", "file.save-as"),
-            new Press("script", "Save as script\u2026", "file.save-script"))) {
+            new Press("program", text("saveAsProgram"), "file.save-as"),
+            new Press("script", text("saveAsScript"), "file.save-script"))) {
       JButton button = new JButton(each.title());
       button.setName("program-foreign-" + each.name());
       button.addActionListener(event -> actions.run(each.action()));

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -42,7 +44,7 @@ final class ForeignPane extends JPanel {
     about.setWrapStyleWord(true);
     lines.setName("program-foreign-lines");
     lines.setEditable(false);
-    lines.getAccessibleContext().setAccessibleName("Script of the node");
+    lines.getAccessibleContext().setAccessibleName(text("scriptOfTheNode"));
     add(heading, "wmin 0");
     add(about, "wmin 0");
     add(scroll, "wmin 0, hmin 0");
@@ -66,7 +68,7 @@ final class ForeignPane extends JPanel {
     Optional<ProgramNode> node =
         key.isPresent() ? program.tree().find(key.getAsLong()) : Optional.empty();
     String code = node.map(each -> code(program.script(), each)).orElse("");
-    heading.setText(node.map(StepNames::label).orElse("Nothing is selected"));
+    heading.setText(node.map(StepNames::label).orElse(text("nothingIsSelected")));
     about.setText(node.map(each -> about(program, each, code)).orElse(""));
     if (!lines.getText().equals(code)) {
       lines.setText(code);
@@ -82,14 +84,12 @@ final class ForeignPane extends JPanel {
 
   private static String about(TreeProgram program, ProgramNode node, String code) {
     if (node.suppressed()) {
-      return "This script is suppressed: it does not run.";
+      return text("thisScriptIsSuppressedItDoes");
     }
     if (!ShownNodes.isShown(program.written(), node.key())) {
-      return "The lines of the script that run here:";
+      return text("linesThatRunHere");
     }
-    return code.isEmpty()
-        ? "A node of PolyScope X. The file marks no lines of the script as those of this node."
-        : "A node of PolyScope X. What it does are these lines of the script:";
+    return code.isEmpty() ? text("polyscopeXNodeWithoutLines") : text("polyscopeXNodeWithLines");
   }
 
   /** The lines that a node has, moved as far left as they go. */

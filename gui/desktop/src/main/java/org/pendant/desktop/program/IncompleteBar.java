@@ -52,10 +52,11 @@ final class IncompleteBar extends JPanel {
     heading.setName("program-problems-toggle");
     heading.putClientProperty("JButton.buttonType", "toolBarButton");
     heading.setHorizontalAlignment(JToggleButton.LEADING);
-    heading.setToolTipText("Shows what has to be done before the program can run");
+    heading.setToolTipText(ProgramViewTexts.text("showsWhatHasToBeDone"));
     heading.addActionListener(event -> unfold(heading.isSelected()));
     list.setName("program-problems");
-    list.getAccessibleContext().setAccessibleName("What keeps the program from running");
+    list.getAccessibleContext()
+        .setAccessibleName(ProgramViewTexts.text("whatKeepsTheProgramFromRunning"));
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.setCellRenderer(new Cell());
     Runnable choose =
@@ -87,7 +88,9 @@ final class IncompleteBar extends JPanel {
     list.setListData(problems.toArray(new NodeProblem[0]));
     list.setVisibleRowCount(Math.clamp(problems.size(), 1, MAX_ROWS));
     heading.setText(
-        problems.size() == 1 ? "1 thing to complete" : problems.size() + " things to complete");
+        problems.size() == 1
+            ? ProgramViewTexts.text("thingToComplete")
+            : ProgramViewTexts.text("thingsToComplete", problems.size()));
     heading.setForeground(Palette.warning());
     setVisible(!problems.isEmpty());
     if (problems.isEmpty()) {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.awt.Insets;
 import javax.swing.JTabbedPane;
 import org.pendant.controller.state.ControllerState;
@@ -28,10 +30,10 @@ final class NodeTabs extends JTabbedPane {
     putClientProperty("JTabbedPane.tabInsets", new Insets(4, 6, 4, 6));
     putClientProperty("JTabbedPane.scrollButtonsPolicy", "never");
     putClientProperty("JTabbedPane.tabsPopupPolicy", "asNeeded");
-    getAccessibleContext().setAccessibleName("Node, script and variables");
-    addTab("Command", command);
-    addTab("Script", preview);
-    addTab("Variables", values);
+    getAccessibleContext().setAccessibleName(text("nodeScriptAndVariables"));
+    addTab(text("command"), command);
+    addTab(text("script"), preview);
+    addTab(text("variables"), values);
     addChangeListener(event -> shown.run());
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -89,16 +91,16 @@ final class PalettePanel extends JPanel {
     this.drag = drag;
     setName("program-palette-panel");
     search.setName("program-palette-search");
-    search.putClientProperty("JTextField.placeholderText", "Find a node");
+    search.putClientProperty("JTextField.placeholderText", text("findANode"));
     search.putClientProperty("JTextField.showClearButton", true);
-    search.setToolTipText("Shows only nodes with this in their names; Enter adds the first one");
-    search.getAccessibleContext().setAccessibleName("Find a kind of node");
+    search.setToolTipText(text("showsOnlyNodesWithThisIn"));
+    search.getAccessibleContext().setAccessibleName(text("findAKindOfNode"));
     search.getDocument().addDocumentListener(new Typed(this::fill));
     key(search, "DOWN", this::goToList);
     key(search, "ENTER", this::addFirst);
     key(search, "ESCAPE", () -> search.setText(""));
     list.setName("program-palette");
-    list.getAccessibleContext().setAccessibleName("Nodes to add");
+    list.getAccessibleContext().setAccessibleName(text("nodesToAdd"));
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.setCellRenderer(new Cell());
     key(list, "ENTER", this::addSelected);
@@ -140,10 +142,10 @@ final class PalettePanel extends JPanel {
   /** The title of a group. */
   static String title(NodeKind.Group group) {
     return switch (group) {
-      case BASIC -> "Basic";
-      case ADVANCED -> "Advanced";
-      case TEMPLATE -> "Templates";
-      case SECTION -> "Parts of the program";
+      case BASIC -> text("basic");
+      case ADVANCED -> text("advanced");
+      case TEMPLATE -> text("templates");
+      case SECTION -> text("partsOfTheProgram");
       case GIVEN -> "";
     };
   }
@@ -164,7 +166,7 @@ final class PalettePanel extends JPanel {
       }
     }
     if (entries.isEmpty()) {
-      entries.add(new Entry.Heading("Nothing is called so"));
+      entries.add(new Entry.Heading(text("nothingIsCalledSo")));
     }
     list.setListData(entries.toArray(new Entry[0]));
   }
@@ -258,8 +260,8 @@ final class PalettePanel extends JPanel {
         SvgIcon icon = StepIcon.of(entry.kind());
         setIcon(selected ? icon.in(getForeground()) : icon);
         setIconTextGap(UIScale.scale(6));
-        setToolTipText("Adds " + entry.kind().title() + "; or drag it into the tree");
-        getAccessibleContext().setAccessibleName("Add " + entry.kind().title());
+        setToolTipText(text("addsKind", entry.kind().title()));
+        getAccessibleContext().setAccessibleName(text("addKind", entry.kind().title()));
       } else {
         setIcon(null);
         setForeground(Palette.quiet());

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -113,7 +115,7 @@ final class ProgramHost implements FormHost {
 
   private void setHere(TreeProgram of, String waypoint) {
     WaypointPosition here = Taught.here(state(), of.installation(), feature(of.tree(), waypoint));
-    of.change("Teach " + waypoint, 0, of.tree().withWaypoint(waypoint, here));
+    of.change(text("teachWaypoint", waypoint), 0, of.tree().withWaypoint(waypoint, here));
   }
 
   /** In what a place is taught: as the first node says that goes there. */
@@ -147,7 +149,7 @@ final class ProgramHost implements FormHost {
   public void holdToGo(String waypoint) {
     WaypointPosition place = tree().waypoints().get(waypoint);
     if (place == null) {
-      notify(waypoint + " was never taught");
+      notify(text("wasNeverTaught", waypoint));
     } else {
       hold.press(new JogMove.ToJoints(place.jointsRad()), 1);
     }
@@ -156,7 +158,7 @@ final class ProgramHost implements FormHost {
   @Override
   public void release() {
     if (!hold.reason().isEmpty()) {
-      notify("The arm has stopped: " + hold.reason());
+      notify(text("theArmHasStopped", hold.reason()));
     }
     hold.release();
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
@@ -144,7 +146,7 @@ public final class ProgramView implements View {
 
   @Override
   public String title() {
-    return "Program";
+    return text("program");
   }
 
   @Override
@@ -306,8 +308,7 @@ public final class ProgramView implements View {
     TreeProgram shown = wanted.get();
     if (!shown.textProblems().isEmpty()) {
       workbench.notify(
-          document.name() + " cannot run: it has lines that cannot be understood",
-          () -> !shown.textProblems().isEmpty());
+          text("cannotRunForItsLines", document.name()), () -> !shown.textProblems().isEmpty());
       programs.select(document);
       workbench.show(ID);
       return;
@@ -334,7 +335,7 @@ public final class ProgramView implements View {
     }
     list.select(key);
     if (!content.isShowing()) {
-      workbench.notify(label(key) + " is selected on the Program screen");
+      workbench.notify(text("isSelectedOnTheProgramScreen", label(key)));
     }
   }
 
@@ -350,10 +351,10 @@ public final class ProgramView implements View {
   private void block(TreeProgram shown) {
     int count = shown.problems().size();
     workbench.notify(
-        shown.document().name()
-            + " cannot run yet: "
-            + (count == 1 ? "1 thing is" : count + " things are")
-            + " to complete",
+        text(
+            count == 1 ? "cannotRunForOneThing" : "cannotRunForThings",
+            shown.document().name(),
+            count),
         () -> shown.problems().size() == count);
     programs.select(shown.document());
     workbench.show(ID);
@@ -425,7 +426,7 @@ public final class ProgramView implements View {
                     .flatMap(node -> Renames.nameOf(node.step()))
                     .ifPresentOrElse(
                         name -> pane.rename(key, name, next -> commands.rename(key, next)),
-                        () -> workbench.notify("The node has no name; its form changes it")));
+                        () -> workbench.notify(text("nodeHasNoName"))));
   }
 
   void find() {

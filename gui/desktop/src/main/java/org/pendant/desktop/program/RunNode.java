@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import org.pendant.desktop.session.ProgramDocument;
 
 /**
@@ -12,6 +14,6 @@ import org.pendant.desktop.session.ProgramDocument;
 public record RunNode(ProgramDocument document, long key, int number, String label) {
   /** As people read it in a sentence, such as {@code node 15 Feeder}. */
   public String words() {
-    return "node " + number + " " + label;
+    return text("node", number, label);
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -93,7 +95,7 @@ public final class ScriptLink implements TreeProgram.ScriptSink {
     program.whenChecked(
         () -> {
           if (!program.breakpoints().toggle(program.script(), key, lines(program))) {
-            tell.accept("No breakpoint: the node generates nothing");
+            tell.accept(text("noBreakpointTheNodeGeneratesNothing"));
           }
         });
   }

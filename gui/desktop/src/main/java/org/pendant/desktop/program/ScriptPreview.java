@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.awt.BorderLayout;
 import java.util.Optional;
 import javax.swing.JPanel;
@@ -23,7 +25,7 @@ final class ScriptPreview extends JPanel {
     setName("program-script-preview");
     pad = new ScriptPad(catalogue, false, text -> {});
     pad.text().setName("program-script-text");
-    pad.text().getAccessibleContext().setAccessibleName("Generated script");
+    pad.text().getAccessibleContext().setAccessibleName(text("generatedScript"));
     add(pad);
   }
 

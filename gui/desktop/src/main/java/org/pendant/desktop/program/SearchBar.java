@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -30,8 +32,8 @@ final class SearchBar extends JPanel {
     this.closed = closed;
     setName("program-search-bar");
     text.setName("program-search");
-    text.putClientProperty("JTextField.placeholderText", "Find in the program");
-    text.getAccessibleContext().setAccessibleName("Find in labels and values of nodes");
+    text.putClientProperty("JTextField.placeholderText", text("findInTheProgram"));
+    text.getAccessibleContext().setAccessibleName(text("findInLabelsAndValuesOf"));
     text.getDocument().addDocumentListener(new Typed(() -> typed.accept(text.getText())));
     key("ENTER", () -> step.accept(true));
     key("shift ENTER", () -> step.accept(false));
@@ -40,9 +42,9 @@ final class SearchBar extends JPanel {
     key("ESCAPE", this::close);
     add(text);
     add(count);
-    add(button("\u2191", "Match before (shift F3)", "previous", () -> step.accept(false)));
-    add(button("\u2193", "Next match (F3)", "next", () -> step.accept(true)));
-    add(button("\u00d7", "Close (Escape)", "close", this::close));
+    add(button("\u2191", text("matchBeforeShiftF3"), "previous", () -> step.accept(false)));
+    add(button("\u2193", text("nextMatchF3"), "next", () -> step.accept(true)));
+    add(button("\u00d7", text("closeEscape"), "close", this::close));
     setVisible(false);
   }
 
@@ -83,7 +85,8 @@ final class SearchBar extends JPanel {
   /** Tells how many matches there are. */
   void showCount(int matches) {
     boolean none = matches == 0 && !text.getText().isBlank();
-    count.setText(text.getText().isBlank() ? "" : matches + (matches == 1 ? " node" : " nodes"));
+    count.setText(
+        text.getText().isBlank() ? "" : text(matches == 1 ? "oneNode" : "severalNodes", matches));
     count.setForeground(none ? Palette.error() : Palette.quiet());
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -21,9 +23,9 @@ final class SeveralPane extends JPanel {
     record Press(String name, String title, Runnable run) {}
     for (Press each :
         List.of(
-            new Press("suppress", "Suppress, or use again", commands::suppress),
-            new Press("duplicate", "Duplicate", commands::duplicate),
-            new Press("delete", "Delete", commands::delete))) {
+            new Press("suppress", text("suppressOrUseAgain"), commands::suppress),
+            new Press("duplicate", text("duplicate"), commands::duplicate),
+            new Press("delete", text("delete"), commands::delete))) {
       JButton button = new JButton(each.title());
       button.setName("program-several-" + each.name());
       button.addActionListener(event -> each.run().run());
@@ -33,6 +35,6 @@ final class SeveralPane extends JPanel {
   }
 
   void show(int count) {
-    heading.setText(count + " nodes are selected");
+    heading.setText(text("nodesAreSelected", count));
   }
 }

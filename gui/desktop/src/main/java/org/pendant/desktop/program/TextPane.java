@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.util.List;
@@ -32,7 +34,7 @@ final class TextPane extends JPanel {
   private final JTextArea text = new CodeArea();
   private final JList<TextProblem> list = new JList<>();
   private final JScrollPane problems = new JScrollPane(list);
-  private final JButton back = new JButton("Show as tree");
+  private final JButton back = new JButton(text("showAsTree"));
   private final UndoManager edits = new UndoManager();
   private transient Optional<ProgramDocument> document = Optional.empty();
   private boolean showing;
@@ -52,26 +54,26 @@ final class TextPane extends JPanel {
     about.setLineWrap(true);
     about.setWrapStyleWord(true);
     back.setName("program-text-done");
-    back.setToolTipText("Goes back to the tree; possible when all lines can be understood");
+    back.setToolTipText(text("goesBackToTheTreePossible"));
     back.addActionListener(event -> done.run());
     JPanel head = new JPanel(new MigLayout("insets 8 12 8 12, gap 12", "[grow, fill, 0::][]"));
     head.add(about, "wmin 0");
     head.add(back, "aligny top");
     text.setName("program-text");
-    text.getAccessibleContext().setAccessibleName("Text of the program file");
+    text.getAccessibleContext().setAccessibleName(text("textOfTheProgramFile"));
     text.getDocument().addDocumentListener(new Typed(this::typed));
     text.getDocument().addUndoableEditListener(edits);
     key("control Z", () -> edits.canUndo(), edits::undo);
     key("control shift Z", () -> edits.canRedo(), edits::redo);
     list.setName("program-text-problems");
-    list.getAccessibleContext().setAccessibleName("Lines that cannot be understood");
+    list.getAccessibleContext().setAccessibleName(text("linesThatCannotBeUnderstood"));
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.setCellRenderer(new Cell());
     list.setVisibleRowCount(4);
     list.addListSelectionListener(event -> goTo());
     add(head, BorderLayout.NORTH);
     add(new JScrollPane(text));
-    problems.setBorder(BorderFactory.createTitledBorder("Lines that cannot be understood"));
+    problems.setBorder(BorderFactory.createTitledBorder(text("linesThatCannotBeUnderstood")));
     add(problems, BorderLayout.SOUTH);
     updateUI();
   }
@@ -114,11 +116,7 @@ final class TextPane extends JPanel {
     list.setListData(found.toArray(new TextProblem[0]));
     problems.setVisible(!found.isEmpty());
     back.setEnabled(found.isEmpty());
-    about.setText(
-        found.isEmpty()
-            ? "The program as it is saved: one node a line, two blanks further in for each level."
-            : "This program cannot be shown as a tree: some lines cannot be understood. Nothing"
-                + " is lost; put them right here.");
+    about.setText(found.isEmpty() ? text("programAsSaved") : text("cannotBeShownAsTree"));
     about.setForeground(found.isEmpty() ? Palette.quiet() : Palette.warning());
     revalidate();
   }
@@ -151,7 +149,7 @@ final class TextPane extends JPanel {
         JList<?> from, Object value, int index, boolean selected, boolean focused) {
       String line =
           value instanceof TextProblem problem
-              ? "Line " + problem.line() + ", column " + problem.column() + ": " + problem.message()
+              ? text("lineColumn", problem.line(), problem.column(), problem.message())
               : "";
       super.getListCellRendererComponent(from, line, index, selected, focused);
       setToolTipText(line);

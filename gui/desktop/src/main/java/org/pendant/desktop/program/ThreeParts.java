@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.util.OptionalInt;
@@ -111,7 +113,7 @@ final class ThreeParts extends JPanel {
       remove(outer);
       outer.setRightComponent(null);
       outer.setLeftComponent(null);
-      tabs.insertTab("Add", null, palette, "Nodes to add", 0);
+      tabs.insertTab(text("add"), null, palette, text("nodesToAdd"), 0);
       add(inner);
     } else {
       remove(inner);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
@@ -45,13 +47,13 @@ final class TreeActions {
     TreeActions all = new TreeActions(actions, view, commands);
     all.add(
         "undo",
-        "Undo in the program",
+        text("undoInTheProgram"),
         "control Z",
         () -> commands.undoes().isPresent(),
         commands::undo);
     all.add(
         "redo",
-        "Do again in the program",
+        text("doAgainInTheProgram"),
         "control shift Z",
         () -> commands.redoes().isPresent(),
         commands::redo);
@@ -61,7 +63,7 @@ final class TreeActions {
       if (kind.group() != NodeKind.Group.GIVEN) {
         all.add(
             "add-" + kind.name().toLowerCase(Locale.ROOT).replace('_', '-'),
-            "Add: " + kind.title(),
+            text("addAction", kind.title()),
             "",
             commands::editable,
             () -> commands.add(kind));
@@ -70,28 +72,28 @@ final class TreeActions {
   }
 
   private void nodes() {
-    node("cut", "Cut nodes", "control X", commands::cut);
+    node("cut", text("cutNodes"), "control X", commands::cut);
     add(
         "copy",
-        "Copy nodes",
+        text("copyNodes"),
         "control C",
         () -> commands.canCopy() && view.keysMeanTree(),
         commands::copy);
     add(
         "paste",
-        "Paste nodes",
+        text("pasteNodes"),
         "control V",
         () -> commands.editable() && view.keysMeanTree(),
         commands::paste);
-    node("delete", "Delete nodes", "DELETE", commands::delete);
-    node("duplicate", "Duplicate nodes", "control D", commands::duplicate);
-    node("move-up", "Move nodes up", "alt UP", () -> commands.shift(false));
-    node("move-down", "Move nodes down", "alt DOWN", () -> commands.shift(true));
-    node("suppress", "Suppress nodes, or use them again", "control SLASH", commands::suppress);
-    node("rename", "Rename node", "F2", view::rename);
+    node("delete", text("deleteNodes"), "DELETE", commands::delete);
+    node("duplicate", text("duplicateNodes"), "control D", commands::duplicate);
+    node("move-up", text("moveNodesUp"), "alt UP", () -> commands.shift(false));
+    node("move-down", text("moveNodesDown"), "alt DOWN", () -> commands.shift(true));
+    node("suppress", text("suppressNodesOrUseThemAgain"), "control SLASH", commands::suppress);
+    node("rename", text("renameNode"), "F2", view::rename);
     add(
         "fold",
-        "Fold or unfold node",
+        text("foldOrUnfoldNode"),
         "control PERIOD",
         () -> commands.ready() && view.keysMeanTree(),
         view::toggleFold);
@@ -100,40 +102,50 @@ final class TreeActions {
   private void going() {
     add(
         "fold-all",
-        "Fold all nodes",
+        text("foldAllNodes"),
         "control alt OPEN_BRACKET",
         commands::ready,
         () -> view.foldAll(true));
     add(
         "unfold-all",
-        "Unfold all nodes",
+        text("unfoldAllNodes"),
         "control alt CLOSE_BRACKET",
         commands::ready,
         () -> view.foldAll(false));
-    add("find", "Find in the program", "control F", commands::ready, view::find);
-    add("find-next", "Next match in the program", "F3", commands::ready, () -> view.findNext(true));
+    add("find", text("findInTheProgram"), "control F", commands::ready, view::find);
+    add(
+        "find-next",
+        text("nextMatchInTheProgram"),
+        "F3",
+        commands::ready,
+        () -> view.findNext(true));
     add(
         "find-previous",
-        "Match before in the program",
+        text("matchBeforeInTheProgram"),
         "shift F3",
         commands::ready,
         () -> view.findNext(false));
     add(
         "breakpoint",
-        "Breakpoint at the node, or none",
+        text("breakpointAtTheNodeOrNone"),
         "F9",
         commands::ready,
         view::toggleBreakpoint);
-    add("palette", "Find a node to add", "control shift A", commands::editable, view::focusPalette);
-    add("form", "Go to the form of the node", "", commands::ready, view::focusForm);
-    add("to-tree", "Go to the tree", "", commands::ready, view::focusTree);
-    add("script", "Show the node in the script", "", commands::ready, view::showInScript);
-    add("as-text", "Edit the program file as text", "", view::canEditText, view::editAsText);
-    add("close", "Close program", "control W", () -> view.hasProgram(), view::close);
+    add(
+        "palette",
+        text("findANodeToAdd"),
+        "control shift A",
+        commands::editable,
+        view::focusPalette);
+    add("form", text("goToTheFormOfThe"), "", commands::ready, view::focusForm);
+    add("to-tree", text("goToTheTree"), "", commands::ready, view::focusTree);
+    add("script", text("showTheNodeInTheScript"), "", commands::ready, view::showInScript);
+    add("as-text", text("editTheProgramFileAsText"), "", view::canEditText, view::editAsText);
+    add("close", text("closeProgram"), "control W", () -> view.hasProgram(), view::close);
     actions.add(
         new Action(
                 PREFIX + "follow",
-                "Follow the running program in the tree",
+                text("followTheRunningProgramInThe"),
                 "",
                 () -> view.component().isShowing(),
                 view::toggleFollow)

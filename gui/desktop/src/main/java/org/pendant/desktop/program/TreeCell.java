@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -9,6 +11,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JLabel;
@@ -107,30 +110,30 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
 
   /** What a screen reader says. */
   private String spoken(TreeRow shown) {
-    StringBuilder text = new StringBuilder();
-    text.append("Line ").append(shown.number()).append(", ").append(looks.label(shown));
-    text.append(", level ").append(shown.depth() + 1);
+    List<String> said = new ArrayList<>();
+    said.add(text("line", shown.number()));
+    said.add(looks.label(shown));
+    said.add(text("level", shown.depth() + 1));
     if (shown.hasChildren()) {
-      text.append(shown.folded() ? ", folded" : ", unfolded");
+      said.add(text(shown.folded() ? "folded" : "unfolded"));
     }
     if (shown.off()) {
-      text.append(", suppressed");
+      said.add(text("suppressed"));
     }
     if (looks.marks().breakpoints().containsKey(shown.key())) {
-      text.append(", breakpoint");
+      said.add(text("breakpoint"));
     }
     if (looks.marks().execution() == shown.key()) {
-      text.append(looks.marks().state() == Execution.State.RUNNING ? ", runs" : ", paused");
+      said.add(text(looks.marks().state() == Execution.State.RUNNING ? "runs" : "paused"));
     }
     Optional.ofNullable(looks.marks().notes().get(shown.key()))
-        .ifPresent(note -> text.append(", ").append(note.heat()));
+        .ifPresent(note -> said.add(note.heat()));
     looks.problems(shown.key()).stream()
         .findFirst()
         .ifPresent(
             problem ->
-                text.append(problem.blocks() ? ", not complete: " : ", warning: ")
-                    .append(problem.message()));
-    return text.toString();
+                said.add(text(problem.blocks() ? "notComplete" : "warning", problem.message())));
+    return String.join(", ", said);
   }
 
   @Override

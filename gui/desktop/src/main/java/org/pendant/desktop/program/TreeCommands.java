@@ -1,9 +1,10 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -104,10 +105,10 @@ final class TreeCommands {
   }
 
   /** {@code Delete Wait} for one node, {@code Delete 3 nodes} for several. */
-  private static String about(String verb, List<ProgramNode> nodes) {
-    return verb
-        + " "
-        + (nodes.size() == 1 ? StepNames.label(nodes.getFirst()) : nodes.size() + " nodes");
+  private static String about(NodeChange change, List<ProgramNode> nodes) {
+    return nodes.size() == 1
+        ? change.ofOne(StepNames.label(nodes.getFirst()))
+        : change.of(nodes.size());
   }
 
   // --- adding
@@ -120,10 +121,10 @@ final class TreeCommands {
     ProgramTree before = tree();
     Optional<NewSpots.Addition> addition = NewSpots.of(before, selection.lead(), kind);
     if (!ready() || addition.isEmpty()) {
-      tell.accept(kind.title() + " has no place at the selected node; select one where it belongs");
+      tell.accept(text("noPlaceAtTheSelectedNode", kind.title()));
       return;
     }
-    insert("Add " + kind.title(), addition.get().nodes(), addition.get().spot());
+    insert(text("addKind", kind.title()), addition.get().nodes(), addition.get().spot());
   }
 
   private void insert(String what, List<ProgramNode> nodes, Spot spot) {
@@ -161,7 +162,7 @@ final class TreeCommands {
         code.lines().map(line -> ProgramTree.node(new ActionStep.ScriptLine(line))).toList();
     if (ready() && !nodes.isEmpty()) {
       NewSpots.spot(tree(), selection.lead(), nodes.getFirst().step(), true)
-          .ifPresent(spot -> insert("Add script", nodes, spot));
+          .ifPresent(spot -> insert(text("addScript"), nodes, spot));
     }
   }
 
@@ -171,14 +172,17 @@ final class TreeCommands {
       return;
     }
     if (!cargo.moved()) {
-      insert(about(cargo.ofTree() ? "Copy" : "Add", cargo.nodes()), cargo.nodes(), spot);
+      insert(
+          about(cargo.ofTree() ? NodeChange.COPY : NodeChange.ADD, cargo.nodes()),
+          cargo.nodes(),
+          spot);
       return;
     }
     moveTo(cargo.nodes(), spot);
   }
 
   private void moveTo(List<ProgramNode> nodes, Spot spot) {
-    change(about("Move", nodes), TreeEdits.move(tree(), nodes, spot));
+    change(about(NodeChange.MOVE, nodes), TreeEdits.move(tree(), nodes, spot));
     selection.select(TreeEdits.keys(nodes));
   }
 
@@ -190,11 +194,11 @@ final class TreeCommands {
     }
     List<ProgramNode> nodes = chosen();
     if (nodes.isEmpty()) {
-      tell.accept("The main program stays; its nodes can be deleted");
+      tell.accept(text("mainProgramStays"));
       return;
     }
     OptionalLong next = TreeEdits.afterDelete(tree(), selection.selected());
-    change(about("Delete", nodes), TreeEdits.delete(tree(), selection.selected()));
+    change(about(NodeChange.DELETE, nodes), TreeEdits.delete(tree(), selection.selected()));
     if (next.isPresent()) {
       selection.select(List.of(next.getAsLong()));
     }
@@ -222,7 +226,7 @@ final class TreeCommands {
     }
     Optional<Clip> clip = ProgramText.readClip(clipboard.get());
     if (clip.isEmpty() || clip.get().nodes().isEmpty()) {
-      tell.accept("There are no nodes on the clipboard");
+      tell.accept(text("thereAreNoNodesOnThe"));
       return;
     }
     ProgramTree before = tree();
@@ -236,9 +240,7 @@ final class TreeCommands {
                 .isPresent();
     Optional<Spot> spot = NewSpots.spot(before, selection.lead(), nodes.getFirst().step(), !itself);
     if (spot.isEmpty()) {
-      tell.accept(
-          StepNames.label(nodes.getFirst())
-              + " has no place at the selected node; select one where it belongs");
+      tell.accept(text("noPlaceAtTheSelectedNode", StepNames.label(nodes.getFirst())));
       return;
     }
     Optional<String> whyNot = TreeEdits.whyNot(before, nodes, spot.get(), false);
@@ -246,7 +248,7 @@ final class TreeCommands {
       tell.accept(whyNot.get());
       return;
     }
-    change(about("Paste", nodes), TreeClips.paste(before, clip.get(), spot.get()));
+    change(about(NodeChange.PASTE, nodes), TreeClips.paste(before, clip.get(), spot.get()));
     selectAdded(before, spot.get(), nodes.size());
   }
 
@@ -262,7 +264,7 @@ final class TreeCommands {
       tell.accept(whyNot.get());
       return;
     }
-    change(about("Duplicate", nodes), TreeEdits.duplicate(before, selection.selected()));
+    change(about(NodeChange.DUPLICATE, nodes), TreeEdits.duplicate(before, selection.selected()));
     selectAdded(before, behind, nodes.size());
   }
 
@@ -280,7 +282,7 @@ final class TreeCommands {
     if (!refused() && !nodes.isEmpty()) {
       boolean on = nodes.stream().allMatch(ProgramNode::suppressed);
       change(
-          about(on ? "Use" : "Suppress", nodes),
+          about(on ? NodeChange.USE : NodeChange.SUPPRESS, nodes),
           TreeEdits.toggleSuppressed(tree(), TreeEdits.keys(nodes)));
     }
   }
@@ -295,10 +297,10 @@ final class TreeCommands {
       return;
     }
     if (tree().waypoints().containsKey(name) && tree().waypoints().containsKey(before.get())) {
-      tell.accept("There is a place " + name + " already");
+      tell.accept(text("thereIsAPlaceAlready", name));
       return;
     }
-    change("Rename " + before.get(), Renames.rename(tree(), key, name));
+    change(text("renameWaypoint", before.get()), Renames.rename(tree(), key, name));
   }
 
   // --- history
@@ -327,15 +329,9 @@ final class TreeCommands {
         .flatMap(each -> back ? each.undo() : each.redo())
         .ifPresent(
             key -> {
-              tell.accept((back ? "Undone: " : "Done again: ") + lower(what.orElse("")));
+              tell.accept(text(back ? "undone" : "doneAgain", what.orElse("")));
               selectChanged(before, key);
             });
-  }
-
-  private static String lower(String text) {
-    return text.isEmpty()
-        ? text
-        : text.substring(0, 1).toLowerCase(Locale.ROOT) + text.substring(1);
   }
 
   /** Shows people where something has changed. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
@@ -120,7 +122,7 @@ final class TreeEdits {
       ProgramTree tree, List<ProgramNode> nodes, Spot spot, boolean moved) {
     ProgramTree rest = moved ? tree.remove(keys(nodes)) : tree;
     if (spot.parent() != ProgramTree.ROOT && rest.find(spot.parent()).isEmpty()) {
-      return Optional.of("A node cannot go below itself");
+      return Optional.of(text("aNodeCannotGoBelowItself"));
     }
     return nodes.stream()
         .flatMap(each -> Placement.whyNot(rest, spot.parent(), each.step()).stream())

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
@@ -54,7 +56,7 @@ final class TreeList extends JList<TreeRow> {
   TreeList() {
     setModel(rows);
     setName("program-tree");
-    getAccessibleContext().setAccessibleName("Program");
+    getAccessibleContext().setAccessibleName(text("program"));
     setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
     setCellRenderer(cell);
     addListSelectionListener(
@@ -405,7 +407,7 @@ final class TreeList extends JList<TreeRow> {
     if (event.getX() < TreeCell.margin()) {
       return shownMarks.execution() == row.get().key() && !shownMarks.note().isEmpty()
           ? shownMarks.note()
-          : "Click to set or clear a breakpoint (F9)";
+          : text("clickToSetOrClearA");
     }
     List<NodeProblem> wrong = problems.getOrDefault(row.get().key(), List.of());
     String label = row.get().label(labels);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -63,8 +65,8 @@ final class TreePane extends JPanel {
       }
     }
     follow.setName("program-follow");
-    follow.setToolTipText("Follow: keeps the node that runs in sight");
-    follow.getAccessibleContext().setAccessibleName("Follow the program");
+    follow.setToolTipText(text("followKeepsTheNodeThatRuns"));
+    follow.getAccessibleContext().setAccessibleName(text("followTheProgram"));
     follow.putClientProperty("JButton.buttonType", "toolBarButton");
     follow.setFocusable(false);
     follow.addActionListener(event -> followToggled.run());
@@ -109,8 +111,8 @@ final class TreePane extends JPanel {
     more.setName("program-more");
     more.putClientProperty("JButton.buttonType", "toolBarButton");
     more.setFocusable(false);
-    more.setToolTipText("What else can be done with the node");
-    more.getAccessibleContext().setAccessibleName("More of the tree");
+    more.setToolTipText(text("whatElseCanBeDoneWith"));
+    more.getAccessibleContext().setAccessibleName(text("moreOfTheTree"));
     more.addActionListener(
         event -> {
           list.requestFocusInWindow();
@@ -237,7 +239,7 @@ final class TreePane extends JPanel {
   private void edit(Rectangle place, String now, Consumer<String> done) {
     JTextField field = new JTextField(now);
     field.setName("program-rename");
-    field.getAccessibleContext().setAccessibleName("Name of the node");
+    field.getAccessibleContext().setAccessibleName(text("nameOfTheNode"));
     field.setBounds(place);
     boolean[] over = {false};
     Consumer<Boolean> end =

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -135,10 +137,7 @@ public final class TreeProgram implements ProgramDocument.Listener {
   /** Why the tree cannot be changed; empty if it can. */
   Optional<String> whyNotChanged() {
     return readOnly
-        ? Optional.of(
-            document.name()
-                + " is a program of PolyScope X, which is shown and not changed;"
-                + " save it as a program of Pendant first")
+        ? Optional.of(text("polyscopeXIsNotChanged", document.name()))
         : Optional.empty();
   }
 
@@ -211,7 +210,7 @@ public final class TreeProgram implements ProgramDocument.Listener {
     ReadProgram read = read(document.text());
     if (read.problems().isEmpty()) {
       if (!readOnly) {
-        history.changing("Change the text", 0, tree);
+        history.changing(text("changeTheText"), 0, tree);
       }
       take(KeptKeys.of(written, read.tree()));
     }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -58,6 +60,6 @@ record TreeRow(ProgramNode node, int number, int depth, boolean off, boolean fol
 
   @Override
   public String toString() {
-    return number + " " + StepNames.label(node) + (off ? ", suppressed" : "");
+    return number + " " + StepNames.label(node) + (off ? ", " + text("suppressed") : "");
   }
 }

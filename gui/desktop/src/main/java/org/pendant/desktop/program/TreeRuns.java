@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.state.ControllerState;
@@ -38,14 +40,14 @@ public final class TreeRuns {
     }
     Optional<TreeProgram> program = trees.of(document);
     if (program.isEmpty()) {
-      return Optional.of("The program is a script");
+      return Optional.of(text("theProgramIsAScript"));
     }
     ProgramTree tree = program.get().tree();
     if (tree.find(from).isEmpty()) {
-      return Optional.of("Select a node on the Program screen first");
+      return Optional.of(text("selectANodeOnTheProgram"));
     }
     return document.readOnly() && !isMain(tree, from)
-        ? Optional.of("A program of PolyScope X runs from its beginning")
+        ? Optional.of(text("aProgramOfPolyscopeXRuns"))
         : PlayFrom.whyNot(tree, from);
   }
 
@@ -53,10 +55,10 @@ public final class TreeRuns {
   public Optional<String> whyNot(long selected) {
     Optional<TreeProgram> program = trees.current();
     if (program.isEmpty()) {
-      return Optional.of("The program is a script");
+      return Optional.of(text("theProgramIsAScript"));
     }
     return selected == 0
-        ? Optional.of("Select a node on the Program screen first")
+        ? Optional.of(text("selectANodeOnTheProgram"))
         : whyNot(program.get().document(), selected);
   }
 

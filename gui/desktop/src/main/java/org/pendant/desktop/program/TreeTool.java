@@ -1,20 +1,22 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.Locale;
 import org.pendant.kit.icon.SvgIcon;
 
 /** Tool of the tree: the buttons above it, in their order. */
 enum TreeTool {
-  UNDO("undo", "Undo"),
-  REDO("redo", "Do again"),
-  UP("move-up", "Move up"),
-  DOWN("move-down", "Move down"),
-  CUT("cut", "Cut"),
-  COPY("copy", "Copy"),
-  PASTE("paste", "Paste"),
-  DELETE("delete", "Delete"),
-  SUPPRESS("suppress", "Suppress, or use again"),
-  FOLLOW("follow", "Follow");
+  UNDO("undo", text("undo")),
+  REDO("redo", text("doAgain")),
+  UP("move-up", text("moveUp")),
+  DOWN("move-down", text("moveDown")),
+  CUT("cut", text("cut")),
+  COPY("copy", text("copy")),
+  PASTE("paste", text("paste")),
+  DELETE("delete", text("delete")),
+  SUPPRESS("suppress", text("suppressOrUseAgain")),
+  FOLLOW("follow", text("follow"));
 
   private final String action;
   private final String title;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.awt.BorderLayout;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -41,10 +43,10 @@ final class ValuesPane extends JPanel {
     super(new BorderLayout());
     setName("program-variables-pane");
     table.setName("program-variables");
-    table.getAccessibleContext().setAccessibleName("Variables of the program");
+    table.getAccessibleContext().setAccessibleName(text("variablesOfTheProgram"));
     table.setFillsViewportHeight(true);
     none.setBorder(BorderFactory.createEmptyBorder(8, 10, 8, 10));
-    none.setText("<html>Nodes such as Assignment and Timer give variables a value.");
+    none.setText(text("nodesGiveVariablesValues"));
     none.setForeground(Palette.quiet());
     add(none, BorderLayout.NORTH);
     add(new JScrollPane(table));
@@ -86,7 +88,7 @@ final class ValuesPane extends JPanel {
   /** Names and values. */
   private static final class Values extends RowsModel<Named> {
     Values() {
-      super(List.of("Variable", "Value"));
+      super(List.of(text("variable"), text("value")));
     }
 
     void show(Set<String> names, Map<String, String> known) {
