@@ -4,12 +4,14 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.safety.SafetyConfiguration;
+import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.PoseForm;
@@ -33,7 +35,7 @@ final class MovePresenter {
   private final ToolPresenter tool;
   private PoseForm form;
   private ArmDescription arm;
-  private SafetyConfiguration safety;
+  private final Supplier<SafetyConfiguration> safety;
   private Optional<ControllerState> state = Optional.empty();
   private Optional<Obstacle> obstacle = Optional.empty();
 
@@ -44,7 +46,7 @@ final class MovePresenter {
    * @param executor runs what replies lead to in the thread that uses this object
    * @param settings remembers units, home, frame and TCPs
    * @param arm what is moved
-   * @param safety limits the joints, too
+   * @param safety what holds now; it limits the joints, too
    * @param ghost shows goals
    */
   MovePresenter(
@@ -52,7 +54,7 @@ final class MovePresenter {
       Executor executor,
       Settings settings,
       ArmDescription arm,
-      SafetyConfiguration safety,
+      Supplier<SafetyConfiguration> safety,
       GhostArm ghost) {
     this.submit = submit;
     this.settings = settings;
@@ -83,11 +85,10 @@ final class MovePresenter {
   }
 
   /** Another robot has been switched on. */
-  void setArm(ArmDescription other, SafetyConfiguration limits) {
+  void setArm(ArmDescription other) {
     jog.release();
     freedrive.release();
     arm = other;
-    safety = limits;
     goals.setArm(other);
     home.setRobot(other.id());
     tool.setArm(other);
@@ -224,10 +225,10 @@ final class MovePresenter {
 
   /** What arm and safety limits leave to a joint, 0 to 5. */
   JointRange range(int joint) {
+    boolean reduced = state.map(now -> now.safety().reduced()).orElse(false);
+    SafetyLimits limits = reduced ? safety.get().reduced() : safety.get().normal();
     return JointRange.of(
-        arm.joints().get(joint),
-        safety.normal().jointMinRad().get(joint),
-        safety.normal().jointMaxRad().get(joint));
+        arm.joints().get(joint), limits.jointMinRad().get(joint), limits.jointMaxRad().get(joint));
   }
 
   /** Where a joint is, rad. */

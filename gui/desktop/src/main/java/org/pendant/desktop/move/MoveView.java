@@ -59,7 +59,7 @@ public final class MoveView implements View {
             EventQueue::invokeLater,
             workbench.settings(),
             workbench.session().options().arm(),
-            workbench.session().options().safety(),
+            workbench.session()::safety,
             ghost);
     this.insertWaypoint = insertWaypoint;
     content.setName("move-view");
@@ -223,7 +223,7 @@ public final class MoveView implements View {
     String now = workbench.session().options().robotId();
     if (!now.equals(robotId)) {
       robotId = now;
-      presenter.setArm(workbench.session().options().arm(), workbench.session().options().safety());
+      presenter.setArm(workbench.session().options().arm());
     }
   }
 }

@@ -34,12 +34,19 @@ final class NumberField extends JTextField {
     }
   }
 
-  /** Shows the number as it is now, except where the user has selected text to type over. */
+  /**
+   * Shows the number as it is now. Where the user has selected all of it to type over, all of the
+   * new one is selected; where a part of it is, it stays.
+   */
   void refresh() {
-    if (!getText().equals(draft.text(index)) && (!isFocusOwner() || !selected())) {
+    if (!getText().equals(draft.text(index)) && (!isFocusOwner() || !selected() || allSelected())) {
+      boolean all = isFocusOwner() && allSelected();
       showing = true;
       setText(draft.text(index));
       showing = false;
+      if (all) {
+        selectAll();
+      }
     }
     String problem = draft.problem(index);
     Object outline = problem.isEmpty() ? null : "error";
@@ -55,5 +62,9 @@ final class NumberField extends JTextField {
 
   private boolean selected() {
     return getSelectionStart() != getSelectionEnd();
+  }
+
+  private boolean allSelected() {
+    return selected() && getSelectionEnd() - getSelectionStart() == getDocument().getLength();
   }
 }

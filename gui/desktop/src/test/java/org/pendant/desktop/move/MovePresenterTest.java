@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.DebugCommand;
+import org.pendant.controller.InstallationCommand;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.Pace;
 import org.pendant.controller.ProgramCommand;
@@ -20,12 +21,14 @@ import org.pendant.controller.TestController;
 import org.pendant.controller.box.BoxCommand;
 import org.pendant.controller.box.BoxSetup;
 import org.pendant.controller.command.Command;
+import org.pendant.controller.installation.Installation;
 import org.pendant.controller.jog.JogDirection;
 import org.pendant.controller.jog.JogFrame;
 import org.pendant.controller.jog.JogMove;
 import org.pendant.controller.safety.SafetyCommand;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyInput;
+import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.unit.PoseForm;
@@ -59,7 +62,7 @@ final class MovePresenterTest {
         Runnable::run,
         settings,
         ArmLibrary.load("ur5e"),
-        SafetyConfiguration.standard(ArmLibrary.load("ur5e")),
+        () -> controller.safety(),
         ghosts::add);
   }
 
@@ -404,6 +407,37 @@ final class MovePresenterTest {
   }
 
   @Test
+  void rangesAreThoseOfTheSafetyLimitsThatHoldNow() {
+    refresh(1);
+    SafetyConfiguration standard = controller.safety();
+    SafetyConfiguration narrow =
+        standard.withLimits(from(standard.normal(), -3), from(standard.reduced(), -2));
+    Installation narrowed = Installation.NONE.withSafety(Optional.of(narrow));
+    var _ = controller.submit(new InstallationCommand.ApplyInstallation(narrowed));
+    refresh(1);
+    assertEquals(-3, presenter.range(2).minRad());
+    var _ = controller.submit(new SafetyCommand.SetSafetyInput(SafetyInput.REDUCED_MODE, true));
+    refresh(10);
+    assertEquals(-2, presenter.range(2).minRad());
+  }
+
+  /** With another end of the range of the elbow, rad. */
+  private static SafetyLimits from(SafetyLimits limits, double minRad) {
+    return new SafetyLimits(
+        limits.powerW(),
+        limits.momentumKgMPerS(),
+        limits.stoppingTimeS(),
+        limits.stoppingDistanceM(),
+        limits.toolSpeedMPerS(),
+        limits.toolForceN(),
+        limits.elbowSpeedMPerS(),
+        limits.elbowForceN(),
+        limits.jointSpeedRadPerS(),
+        limits.jointMinRad().with(2, minRad),
+        limits.jointMaxRad());
+  }
+
+  @Test
   void aStepBeyondTheRangeOfAJointIsToldAndNotDone() {
     controller =
         new Controller(
@@ -460,7 +494,7 @@ final class MovePresenterTest {
     presenter = presenter();
     assertEquals(BoxSetup.START_RAD.with(0, 0.2), presenter.home().homeRad());
     ArmDescription other = ArmLibrary.load("ur10e");
-    presenter.setArm(other, SafetyConfiguration.standard(other));
+    presenter.setArm(other);
     assertEquals(BoxSetup.START_RAD, presenter.home().homeRad());
   }
 
