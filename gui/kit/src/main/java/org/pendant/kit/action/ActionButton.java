@@ -4,12 +4,11 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Point;
 import java.awt.event.MouseEvent;
 import javax.swing.Icon;
-import javax.swing.JButton;
 import javax.swing.JToolTip;
 
 /** A button that does an action of the table and shows whether it can be done, and why not. */
 @SuppressWarnings("serial") // never written to a stream
-public final class ActionButton extends JButton {
+public final class ActionButton extends RoomyButton {
   private static final int GAP = 4;
 
   private final transient ActionTable actions;

@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell.run;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -96,6 +97,9 @@ public final class RunView implements View {
             button(actions, "program.run", "Run", Glyph.PLAY.icon(28, Palette.ok())),
             button(actions, "program.pause", "Pause", Glyph.PAUSE.icon(28)),
             button(actions, "program.stop", "Stop", Glyph.STOP.icon(28, Palette.error())));
+    buttons
+        .getFirst()
+        .reserve(Arrays.stream(ProgramPhase.values()).map(ProgramPhase::runWord).toList());
     scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.setName("run-view");
     scroll.getAccessibleContext().setAccessibleName(title());

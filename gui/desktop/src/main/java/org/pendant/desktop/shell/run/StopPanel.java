@@ -1,5 +1,6 @@
 package org.pendant.desktop.shell.run;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
@@ -18,6 +19,7 @@ import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.session.ArmReadiness;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.kit.action.RoomyButton;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.theme.Card;
 import org.pendant.kit.theme.Palette;
@@ -32,7 +34,7 @@ final class StopPanel {
   private final JPanel facts =
       new JPanel(new MigLayout("insets 0, gap 16 4, wrap 2", "[][grow, 0::]", ""));
   private final JTextArea suggestion = text("stop-suggestion", "What to do");
-  private final JButton remedy = new JButton();
+  private final RoomyButton remedy = new RoomyButton("", null);
   private final JButton source = new JButton();
   private final JButton recording = new JButton("Show recording");
   private Optional<StopCard> shown = Optional.empty();
@@ -98,6 +100,8 @@ final class StopPanel {
             .orElse(OptionalDouble.empty());
     if (!card.equals(shown)) {
       shown = card;
+      // It counts seconds at first.
+      remedy.reserve(List.of(ArmReadiness.of(state).remedy()));
       card.ifPresent(this::show);
       panel.setVisible(card.isPresent());
     }
