@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
@@ -225,7 +227,16 @@ public record SafetySight(
       addChanged(holds.normal(), proposed.get().normal(), ranges);
       addChanged(holds.reduced(), proposed.get().reduced(), ranges);
     }
-    return ranges;
+    // Those of one joint lie on each other: where one is typed, it is the one to be seen, and once.
+    Set<Integer> typed =
+        ranges.stream()
+            .filter(each -> each.state() == State.PROPOSED)
+            .map(Range::joint)
+            .collect(Collectors.toSet());
+    return ranges.stream()
+        .filter(each -> each.state() != State.HOLDS || !typed.contains(each.joint()))
+        .distinct()
+        .toList();
   }
 
   private static void addChanged(SafetyLimits before, SafetyLimits after, List<Range> ranges) {

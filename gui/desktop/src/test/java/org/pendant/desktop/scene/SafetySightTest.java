@@ -149,6 +149,20 @@ final class SafetySightTest {
   }
 
   @Test
+  void aRangeThatIsTypedForBothModesIsSeenOnceInThePlaceOfTheOneThatHolds() {
+    SafetyConfiguration holds =
+        STANDARD.withLimits(
+            range(STANDARD.normal(), 2, -3, 3), range(STANDARD.reduced(), 2, -3, 3));
+    SafetyConfiguration typed =
+        STANDARD.withLimits(
+            range(STANDARD.normal(), 2, -2, 2), range(STANDARD.reduced(), 2, -2, 2));
+
+    SafetySight sight = sight(holds, Optional.of(typed), Optional.empty(), false, ALL);
+
+    assertEquals(List.of(new SafetySight.Range(2, -2, 2, State.PROPOSED)), sight.joints());
+  }
+
+  @Test
   void aJointThatWasStoppedAtItsLimitIsSeen() {
     SafetyStop stop =
         stop(150, 4, OptionalInt.of(4), "wrist 2 (joint 4) comes too close to its position limit");
