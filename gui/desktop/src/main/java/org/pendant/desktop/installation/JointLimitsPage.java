@@ -22,7 +22,7 @@ import org.pendant.models.arm.Joints;
 /** Joint limits page: speeds and ranges of the joints, normal and reduced. */
 final class JointLimitsPage implements Page {
   private static final String NONE = "none";
-  private static final List<String> NAMES =
+  static final List<String> NAMES =
       List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
 
   private final SafetyDraft draft;

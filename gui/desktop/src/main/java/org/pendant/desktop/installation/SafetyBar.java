@@ -37,11 +37,19 @@ final class SafetyBar {
     state = new Remark(page + "-lock-state", Palette::quiet);
     summary = new Remark(page + "-changes", Palette::warning);
     TitledCard.named(unlock, page + "-unlock", "Change the safety configuration");
-    unlock.addActionListener(event -> draft.unlock());
+    unlock.addActionListener(
+        event -> {
+          draft.unlock();
+          discard.requestFocusInWindow();
+        });
     TitledCard.named(apply, page + "-apply", "Show what changes, then apply it");
     apply.addActionListener(event -> ask(true));
     TitledCard.named(discard, page + "-discard", "Forget the changes, and lock");
-    discard.addActionListener(event -> draft.discard());
+    discard.addActionListener(
+        event -> {
+          draft.discard();
+          unlock.requestFocusInWindow();
+        });
     TitledCard.named(really, page + "-apply-really", "Apply the changes; the arm is powered off");
     really.addActionListener(
         event -> {

@@ -49,7 +49,7 @@ final class SafetyChanges {
     Measure speed = measures.of(Measure.DEGREE_PER_S);
     Measure angle = measures.of(Measure.DEGREE);
     for (int i = 0; i < Joints.COUNT; i++) {
-      String joint = set + " joint " + i;
+      String joint = set + " " + JointLimitsPage.NAMES.get(i).toLowerCase(Locale.ROOT);
       if (before.jointSpeedRadPerS().get(i) != after.jointSpeedRadPerS().get(i)) {
         lines.add(
             joint

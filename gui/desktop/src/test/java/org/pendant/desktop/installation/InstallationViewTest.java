@@ -21,6 +21,7 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JList;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -202,6 +203,24 @@ final class InstallationViewTest {
           press(view, "planes-apply-really");
           assertEquals(1, active.current().safety().orElseThrow().planes().size());
         });
+  }
+
+  @Test
+  void keysStayInTheBarWhenSafetyIsUnlockedAndLocked()
+      throws InterruptedException, InvocationTargetException {
+    show(
+        view -> {
+          choose(view, "planes");
+          press(view, "planes-unlock");
+          assertEquals("planes-discard", keysGoTo(view));
+          press(view, "planes-discard");
+          assertEquals("planes-unlock", keysGoTo(view));
+        });
+  }
+
+  /** What gets the keys in the window of the view, or gets them when that comes to the front. */
+  private static String keysGoTo(InstallationView view) {
+    return SwingUtilities.getWindowAncestor(view.component()).getMostRecentFocusOwner().getName();
   }
 
   @Test

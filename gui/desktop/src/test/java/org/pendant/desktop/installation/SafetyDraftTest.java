@@ -67,6 +67,26 @@ final class SafetyDraftTest {
   }
 
   @Test
+  void tellsChangesOfJointsByTheNamesThatTheFormHas() {
+    SafetyLimits normal = STANDARD.normal();
+    SafetyLimits narrower =
+        LimitKind.limits(
+            LimitKind.values(normal),
+            normal.jointSpeedRadPerS().with(3, 1),
+            normal.jointMinRad().with(2, Math.toRadians(-130)),
+            normal.jointMaxRad());
+    draft.unlock();
+    draft.edit(LimitsPage.withNormal(STANDARD, narrower));
+    assertEquals(
+        List.of(
+            "Normal elbow range: [-363, 363] deg to [-130, 363] deg",
+            "Normal wrist 1 speed: 190.8 to 57.296 deg/s",
+            "Reduced elbow range: [-363, 363] deg to [-130, 363] deg",
+            "Reduced wrist 1 speed: 95.4 to 57.296 deg/s"),
+        draft.changes());
+  }
+
+  @Test
   void theStandardConfigurationIsNotWritten() {
     active.set(Installation.NONE.withSafety(Optional.of(slow())));
     draft.unlock();
