@@ -8,7 +8,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
 
 /**
@@ -42,29 +41,32 @@ final class InstalledTree {
     finish(tree, time);
   }
 
-  private void linkRuntime() throws IOException {
+  private void linkRuntime() throws IOException, InterruptedException {
     Files.createDirectories(library);
     // What jdeps finds in the jars, and the charsets of other computers' files.
     String modules = Files.readString(project.resolve(".build/packages/modules")).strip();
-    ToolProvider jlink =
-        ToolProvider.findFirst("jlink")
-            .orElseThrow(() -> new IOException("this Java has no jlink, which a JDK has"));
-    int code =
-        jlink.run(
-            System.out,
-            System.err,
-            "--add-modules",
-            modules,
-            "--strip-debug",
-            "--no-man-pages",
-            "--no-header-files",
-            "--compress",
-            "zip-6",
-            "--output",
-            library.resolve("runtime").toString());
-    if (code != 0) {
-      throw new IOException("jlink ended with " + code);
+    Path jlink = Path.of(System.getProperty("java.home"), "bin/jlink");
+    if (!Files.isExecutable(jlink)) {
+      throw new IOException("this Java has no jlink, which a JDK has: " + jlink);
     }
+    // jlink keeps its plugins in a map by identity, hence runs those of one kind in an order that
+    // changes: all of them get the same hash. Of a JDK without jmods it takes folders in the order
+    // in which this process has looked at them first: resources get an order of their own.
+    ExternalProgram.run(
+        jlink.toString(),
+        "-J-XX:+UseSerialGC",
+        "-J-XX:+UnlockExperimentalVMOptions",
+        "-J-XX:hashCode=2",
+        "--order-resources=**",
+        "--add-modules",
+        modules,
+        "--strip-debug",
+        "--no-man-pages",
+        "--no-header-files",
+        "--compress",
+        "zip-6",
+        "--output",
+        library.resolve("runtime").toString());
   }
 
   private void copyJars() throws IOException, InterruptedException {

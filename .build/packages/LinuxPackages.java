@@ -9,8 +9,7 @@ import java.util.List;
 /**
  * Makes the packages for Linux from what Maven has built: an archive, and a Debian package where
  * there is {@code dpkg-deb}; docs/packages.md says what is in them. They are for the processor that
- * this runs on. Built twice, the same sources give the same packages, as far as jlink gives the
- * same runtime.
+ * this runs on. Built twice by the same JDK, the same sources give the same packages.
  */
 final class LinuxPackages {
   private LinuxPackages() {}
