@@ -362,7 +362,7 @@ class TreeProgramsTest {
     write("ask.pendant", OWN + "  operator-input variable=\"n\" kind=integer message=\"How?\"\n");
     assertEquals(0, pendant("convert", "ask.pendant", "ask.urp"));
     assertEquals(
-        "ask.urp: note: node 3, OperatorInput is written in a form of Pendant's own, which no"
+        "ask.urp: note: node 3, Operator input is written in a form of Pendant's own, which no"
             + " robot knows",
         complaints().getLast());
   }

@@ -18,6 +18,7 @@ import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.ForeignStep;
 import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.NodeKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.Section;
@@ -76,7 +77,7 @@ final class UrpProgramWriter {
     List<String> forms = new ArrayList<>();
     for (int i = 0; i < all.size(); i++) {
       if (own.contains(all.get(i).key())) {
-        forms.add("node " + (i + 1) + ", " + all.get(i).step().getClass().getSimpleName());
+        forms.add("node " + (i + 1) + ", " + NodeKind.of(all.get(i).step()).title());
       }
     }
     return forms;
