@@ -1,6 +1,7 @@
 package org.pendant.desktop.scene;
 
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.pendant.recording.lines.Margin;
 
 /**
@@ -89,6 +90,11 @@ public final class TcpTrace {
   /** Whether no line leads from the point before to point {@code i}. */
   public boolean begins(int i) {
     return i == 0 || points[STRIDE * i + 3] < 0;
+  }
+
+  /** Whether there is a line to be seen: single points are none. */
+  public boolean hasLine() {
+    return IntStream.range(0, size()).anyMatch(i -> !begins(i));
   }
 
   /** Speed on the way to point {@code i} as a share, 0 to 1, of {@link #scaleMPerS}. */

@@ -101,6 +101,17 @@ final class TraceRingTest {
   }
 
   @Test
+  void aToolThatIsExchangedWhereTheArmStandsLeavesNoLine() {
+    TraceRing ring = new TraceRing(10);
+    add(ring, 0, 0);
+    ring.add(new Pose(0, 0, 0.1, 0, 0, 0), new Pose(0, 0, 0.1, 0, 0, 0), 1, 7);
+    assertFalse(ring.trace().hasLine());
+
+    ring.add(new Pose(0.1, 0, 0.1, 0, 0, 0), new Pose(0, 0, 0.1, 0, 0, 0), 2, 7);
+    assertTrue(ring.trace().hasLine());
+  }
+
+  @Test
   void anotherToolBeginsAnotherLine() {
     TraceRing ring = new TraceRing(10);
     add(ring, 0, 0);

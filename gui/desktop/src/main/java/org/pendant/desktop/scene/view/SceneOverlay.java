@@ -138,7 +138,7 @@ final class SceneOverlay {
   }
 
   private Optional<Rectangle2D> legendBox(SceneModel model) {
-    if (model.trace().size() < 2 || width < MIN_WIDTH_FOR_LEGEND) {
+    if (!model.trace().hasLine() || width < MIN_WIDTH_FOR_LEGEND) {
       return Optional.empty();
     }
     int wide =
