@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +19,7 @@ import org.pendant.desktop.scene.OtherArm;
 import org.pendant.desktop.session.CellSetup;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.session.StillArm;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Poses;
 
@@ -30,6 +32,7 @@ final class CellScene {
   private final RobotSession session;
   private final BooleanSupplier ofFile;
   private final BeltTravel belts = new BeltTravel();
+  private final Map<String, StillArm> stillArms = new HashMap<>();
 
   /**
    * @param ofFile whether people look at a recording of a file, which has one controller
@@ -90,7 +93,10 @@ final class CellScene {
     List<OtherArm> others = new ArrayList<>();
     for (SessionMember each : session.members()) {
       if (!each.armless() && !each.name().equals(seen.name())) {
-        ControllerState state = state(each, ofSeen, past);
+        ControllerState state =
+            stillArms
+                .computeIfAbsent(each.name(), name -> new StillArm())
+                .shown(state(each, ofSeen, past));
         others.add(
             new OtherArm(
                 each.name(),
