@@ -43,6 +43,7 @@ final class CellArms implements SwitchListener {
   private Optional<Kept> kept = Optional.empty();
 
   private Runnable alone = () -> {};
+  private Consumer<ProgramDocument> showProgram = program -> {};
   private String showing;
   private String heldLast = "";
   private boolean choosing;
@@ -76,6 +77,11 @@ final class CellArms implements SwitchListener {
     installation.setOfArm(session.inCell());
     session.addSwitchListener(this);
     programs.addListener(this::chosen);
+  }
+
+  /** {@code how} shows the program in front when a cell brings programs of its own. */
+  void showBy(Consumer<ProgramDocument> how) {
+    showProgram = how;
   }
 
   /** The next cell that is switched on begins with this; any thread. */
@@ -144,6 +150,9 @@ final class CellArms implements SwitchListener {
     if (session.inCell()) {
       showing = "";
       show();
+      if (start.filter(each -> !each.programs().isEmpty()).isPresent()) {
+        showProgram.accept(programs.current());
+      }
     } else if (wasInCell) {
       showing = "";
       programOf.clear();

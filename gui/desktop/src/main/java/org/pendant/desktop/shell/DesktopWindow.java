@@ -17,8 +17,10 @@ import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.cell.CellView;
 import org.pendant.desktop.help.HelpActions;
 import org.pendant.desktop.help.WelcomeCard;
+import org.pendant.desktop.program.ProgramView;
 import org.pendant.desktop.session.InstallationLink;
 import org.pendant.desktop.session.OpenFiles;
 import org.pendant.desktop.session.ProgramDocument;
@@ -131,6 +133,7 @@ final class DesktopWindow {
     status.alsoTell(views::told);
     // before whoever sets controllers up
     arms = new CellArms(session, programs, views.installation(), runner, this::showRobot);
+    arms.showBy(this::showOfCell);
     CellActions.addTo(actions, session, arms, runner, status::tell);
     armBar = new ArmBar(actions, session::show, CellActions.TOGETHER);
     var _ =
@@ -187,6 +190,7 @@ final class DesktopWindow {
             workbench.usedFolder(),
             docks.component(),
             robot::surround);
+    scenes.showBy(() -> docks.show(CellView.ID));
     autosave =
         new Autosave(
             programs, views.installation(), views.sceneDraft(), recovery, notices, this::warn);
@@ -434,6 +438,7 @@ final class DesktopWindow {
   /** Takes the installation that the controller has begun with. */
   void begin(StartInstallation start) {
     if (session.inCell()) {
+      scenes.belongTo(start.file());
       arms.whenAlone(() -> installationFiles.begin(start));
     } else {
       installationFiles.begin(start);
@@ -444,6 +449,13 @@ final class DesktopWindow {
   void begin(CellStart start) {
     arms.begin(start);
     start.troubles().forEach(this::warn);
+  }
+
+  /** A script says nothing on the screen of nodes. */
+  private void showOfCell(ProgramDocument program) {
+    if (views.showing(ProgramView.ID)) {
+      views.showOpened(workbench, program);
+    }
   }
 
   /** Takes the scene that the controller has begun with. */

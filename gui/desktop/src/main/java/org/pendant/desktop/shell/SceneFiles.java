@@ -59,6 +59,7 @@ final class SceneFiles {
   private Optional<Path> wanted = Optional.empty();
   private DiskChange change = new DiskChange();
   private boolean looking;
+  private Runnable show = () -> {};
 
   /**
    * Nothing is around the arm yet.
@@ -94,6 +95,11 @@ final class SceneFiles {
     installation.addFileListener(this::followInstallation);
     ofCurrent = draft.document();
     draft.addListener(this::followDraft);
+  }
+
+  /** {@code how} shows the scene that people have made and are going to change. */
+  void showBy(Runnable how) {
+    show = how;
   }
 
   /** What can be done with them. */
@@ -146,8 +152,22 @@ final class SceneFiles {
     }
   }
 
+  /**
+   * Scenes are remembered for an installation that is not open yet, as those of the arms of a cell
+   * are in its place.
+   */
+  void belongTo(Path coming) {
+    if (InstallationFiles.isOurs(coming)) {
+      knownFile = Optional.of(coming);
+    }
+  }
+
   private void create() {
-    unsaved.before(() -> draft.open(SceneFile.NONE));
+    unsaved.before(
+        () -> {
+          draft.open(SceneFile.NONE);
+          show.run();
+        });
   }
 
   /** Whether what people change is not around the arm. */

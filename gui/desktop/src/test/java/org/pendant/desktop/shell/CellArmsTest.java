@@ -42,6 +42,7 @@ final class CellArmsTest {
   private final Programs programs = new Programs(own);
   private final ActiveInstallation installation = new ActiveInstallation();
   private final List<String> told = new ArrayList<>();
+  private final List<String> shown = new ArrayList<>();
   private RobotSession session;
   private ProgramRunner runner;
   private CellArms arms;
@@ -54,6 +55,7 @@ final class CellArmsTest {
     session = RobotSession.start(ControllerOptions.headless());
     runner = new ProgramRunner(session, programs, told::add, (line, column) -> {});
     arms = new CellArms(session, programs, installation, runner, id -> {});
+    arms.showBy(program -> shown.add(program.name()));
     CellStart start = CellStart.of(SceneFile.read(scene), new MemorySettings());
     arms.expect(start);
     session.restart(start.setup());
@@ -79,6 +81,7 @@ final class CellArmsTest {
         List.of("own.script", "left.script", "cell.script"),
         programs.all().stream().map(ProgramDocument::name).toList());
     assertEquals("left.script", programs.current().name());
+    assertEquals(List.of("left.script"), shown);
   }
 
   @Test

@@ -127,6 +127,27 @@ final class SceneFilesTest {
   }
 
   @Test
+  void aCellThatIsLeftDoesNotComeBackWithTheInstallationOfItsStart() throws Exception {
+    ActionTable actions = new ActionTable(settings);
+    ProgramDocument alone = installed("alone.pinst");
+    Optional<Path> path = alone.file();
+    new SceneMemory(settings).put(path, Optional.of(file));
+    DispatchThread.run(
+        () -> {
+          scenes.addActions(actions);
+          installation.setOfArm(true);
+          scenes.begin(StartScene.of(Optional.of(file)));
+          scenes.belongTo(path.get());
+          actions.run("scene-file.close");
+          installation.setOfArm(false);
+          installation.open(alone);
+        });
+
+    assertTrue(scenes.current().isNone());
+    assertEquals(Optional.of(Path.of("")), remembered(path));
+  }
+
+  @Test
   void devicesThatAreWishedForAreAChangeOfTheSceneThatIsNotSaved() throws Exception {
     StartScene start = StartScene.of(Optional.of(file), List.of("two-finger"));
     DispatchThread.run(() -> scenes.begin(start));
@@ -205,6 +226,18 @@ final class SceneFilesTest {
           assertEquals(List.of(draft.scene()), surroundings);
           assertFalse(scenes.canApply());
           assertEquals("Around the arm: untitled.scene.json, 0 objects and a load", told.getLast());
+        });
+  }
+
+  @Test
+  void aNewSceneIsShownWhereItIsChanged() throws Exception {
+    ActionTable actions = new ActionTable(settings);
+    DispatchThread.run(
+        () -> {
+          scenes.addActions(actions);
+          scenes.showBy(() -> told.add("shown"));
+          actions.run("scene-file.new");
+          assertEquals(List.of("shown"), told);
         });
   }
 
