@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
@@ -86,7 +88,7 @@ public final class ArmBar extends JPanel {
     this.choose = choose;
     setName("arm-bar");
     setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
-    JLabel title = new JLabel("Controller");
+    JLabel title = new JLabel(text("controller"));
     title.setForeground(Palette.quiet());
     add(title);
     add(row, "wmin 0");
@@ -97,7 +99,7 @@ public final class ArmBar extends JPanel {
   }
 
   private JButton button(String id) {
-    JButton button = new JButton(id.endsWith("run-all") ? "Run all" : "Stop all");
+    JButton button = new JButton(id.endsWith("run-all") ? text("runAll") : text("stopAll"));
     button.setName("arm-bar-" + id.replace('.', '-'));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     button.setFocusable(true);
@@ -174,14 +176,16 @@ public final class ArmBar extends JPanel {
             };
     choice.button.setSelected(shown);
     String keys = keys("controllers.show-" + (choices.indexOf(choice) + 1));
-    String robot =
-        choice.member.armless()
-            ? "the script of the cell, without an arm"
-            : choice.member.options().arm().displayName();
-    String safety =
-        choice.member.armless() ? "" : ", safety " + StateWords.of(state.safety().safetyMode());
     String words =
-        choice.member.name() + ": " + robot + ", program " + phase.word() + safety + keys;
+        choice.member.armless()
+            ? text("scriptOfTheCell", choice.member.name(), phase.word(), keys)
+            : text(
+                "armOfTheCell",
+                choice.member.name(),
+                choice.member.options().arm().displayName(),
+                phase.word(),
+                StateWords.of(state.safety().safetyMode()),
+                keys);
     if (!words.equals(choice.button.getToolTipText())) {
       choice.button.setToolTipText(words);
       choice.button.getAccessibleContext().setAccessibleName(words);

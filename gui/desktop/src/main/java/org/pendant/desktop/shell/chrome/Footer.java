@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.awt.Component;
 import java.awt.Graphics;
 import java.util.List;
@@ -35,7 +37,8 @@ public final class Footer extends JPanel {
 
   private static final String WORDLESS = "cell 4 0, w 44!, h 36:36:";
   private static final String TINY = "cell 4 0, w 34!, h 36:36:";
-  private static final List<String> WORDS = List.of("Run", "Pause", "Step", "Stop");
+  private static final List<String> WORDS =
+      List.of(text("run"), text("pause"), text("step"), text("stop"));
 
   private final transient RobotSession session;
   private final transient ActionTable actions;
@@ -72,16 +75,19 @@ public final class Footer extends JPanel {
             percent -> session.submit(new BoxCommand.SetSpeedFraction(percent / 100.0)));
     setUpPace();
     frameStep = new ActionButton(actions, "clock.step-frame", "", Glyph.STEP.icon(16));
-    run = new ActionButton(actions, "program.run", "Run", Glyph.PLAY.icon(16, Palette.ok()));
-    ActionButton pause = new ActionButton(actions, "program.pause", "Pause", Glyph.PAUSE.icon(16));
-    ActionButton step = new ActionButton(actions, "program.step", "Step", Glyph.STEP.icon(16));
+    run = new ActionButton(actions, "program.run", text("run"), Glyph.PLAY.icon(16, Palette.ok()));
+    ActionButton pause =
+        new ActionButton(actions, "program.pause", text("pause"), Glyph.PAUSE.icon(16));
+    ActionButton step =
+        new ActionButton(actions, "program.step", text("step"), Glyph.STEP.icon(16));
     ActionButton stop =
-        new ActionButton(actions, "program.stop", "Stop", Glyph.STOP.icon(16, Palette.error()));
+        new ActionButton(
+            actions, "program.stop", text("stop"), Glyph.STOP.icon(16, Palette.error()));
     buttons = List.of(run, pause, step, stop);
     run.setComponentPopupMenu(runMenu());
     more.setName("footer-more");
-    more.setToolTipText("Speed, pace of robot time and what else has no room here");
-    more.getAccessibleContext().setAccessibleName("More of the footer");
+    more.setToolTipText(text("speedPaceOfRobotTimeAnd"));
+    more.getAccessibleContext().setAccessibleName(text("moreOfTheFooter"));
     more.putClientProperty("JButton.buttonType", "toolBarButton");
     more.addActionListener(
         event -> {
@@ -120,8 +126,8 @@ public final class Footer extends JPanel {
     PaceChoice.ALL.forEach(pace::addItem);
     pace.setName("pace");
     pace.setMaximumRowCount(PaceChoice.ALL.size());
-    pace.setToolTipText("How fast robot time goes by");
-    pace.getAccessibleContext().setAccessibleName("Pace of robot time");
+    pace.setToolTipText(text("howFastRobotTimeGoesBy"));
+    pace.getAccessibleContext().setAccessibleName(text("paceOfRobotTime"));
     pace.setPrototypeDisplayValue(PaceChoice.of(new Pace.Unlimited()));
     pace.setSelectedItem(PaceChoice.of(session.pace()));
     pace.addActionListener(
@@ -151,7 +157,7 @@ public final class Footer extends JPanel {
     JPopupMenu menu = new JPopupMenu();
     for (int percent : new int[] {100, 75, 50, 25, 10, 0}) {
       JMenuItem item =
-          new JRadioButtonMenuItem("Speed " + percent + " %", speed.percent() == percent);
+          new JRadioButtonMenuItem(text("speedIs", percent), speed.percent() == percent);
       item.addActionListener(event -> speed.choose(percent));
       menu.add(item);
     }
@@ -159,7 +165,7 @@ public final class Footer extends JPanel {
     for (PaceChoice each : PaceChoice.ALL) {
       JMenuItem item =
           new JRadioButtonMenuItem(
-              "Robot time: " + each.title(), each.pace().equals(session.pace()));
+              text("robotTimeIs", each.title()), each.pace().equals(session.pace()));
       item.addActionListener(event -> session.setPace(each.pace()));
       menu.add(item);
     }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -34,11 +36,11 @@ import org.pendant.models.arm.ArmLibrary;
 public final class Header extends JPanel {
   private final ProgramButton program;
   private final JComboBox<RobotChoice> robot = new JComboBox<>();
-  private final Badge robotMode = new Badge("robot-mode", "Robot mode");
-  private final Badge safetyMode = new Badge("safety-mode", "Safety mode");
+  private final Badge robotMode = new Badge("robot-mode", text("robotMode"));
+  private final Badge safetyMode = new Badge("safety-mode", text("safetyMode"));
   private final Badge checksum =
-      new Badge("safety-checksum", "Checksum of the safety configuration");
-  private final Badge programState = new Badge("program-state", "Program state");
+      new Badge("safety-checksum", text("checksumOfTheSafetyConfiguration"));
+  private final Badge programState = new Badge("program-state", text("programState"));
   private final JLabel time = new SteadyLabel();
   private final transient Squeeze squeeze;
   private transient ControllerState state;
@@ -81,8 +83,8 @@ public final class Header extends JPanel {
     setName("header");
     program = new ProgramButton(menu);
     robot.setName("robot");
-    robot.setToolTipText("The simulated robot; another one starts a new controller");
-    robot.getAccessibleContext().setAccessibleName("Robot");
+    robot.setToolTipText(text("theSimulatedRobotAnotherOneStarts"));
+    robot.getAccessibleContext().setAccessibleName(text("robot"));
     ArmLibrary.ids().forEach(id -> robot.addItem(new RobotChoice(id, title(id))));
     robot.setMaximumRowCount(ArmLibrary.ids().size());
     robot.addActionListener(
@@ -107,14 +109,12 @@ public final class Header extends JPanel {
             showRobot(there);
           }
         });
-    checksum.setToolTipText(
-        "Checksum of the safety configuration: equal ones mean equal safety settings, any change"
-            + " makes another one");
+    checksum.setToolTipText(text("checksumOfTheSafetyConfigurationEqual"));
     time.setName("robot-time");
     time.setText(clock(0));
     time.putClientProperty("FlatLaf.styleClass", "monospaced");
-    time.setToolTipText("Robot time since the controller was switched on");
-    time.getAccessibleContext().setAccessibleName("Robot time");
+    time.setToolTipText(text("robotTimeSinceTheControllerWas"));
+    time.getAccessibleContext().setAccessibleName(text("robotTime"));
     add(program, "wmin 90");
     for (JComponent each : List.of(robot, robotMode, safetyMode, checksum, programState, time)) {
       add(each, "wmin pref");
@@ -221,21 +221,21 @@ public final class Header extends JPanel {
 
   private void showModes(ControllerState now) {
     RobotMode mode = now.safety().robotMode();
-    robotMode.show(words("Robot ", StateWords.of(mode)), color(mode));
+    robotMode.show(words("robotIs", StateWords.of(mode)), color(mode));
     SafetyMode safety = now.safety().safetyMode();
     safetyMode.show(safetyText(safety), color(safety));
     checksum.show(now.safety().checksum().toString(), Palette::quiet);
     ProgramPhase program = ProgramPhase.of(now);
-    programState.show(words("Program ", program.word()), color(program));
+    programState.show(words("programIs", program.word()), color(program));
   }
 
-  private String words(String what, String how) {
-    return worded ? what + how : StateWords.capital(how);
+  private String words(String key, String how) {
+    return worded ? text(key, how) : StateWords.capital(how);
   }
 
   private String safetyText(SafetyMode mode) {
     return switch (mode) {
-      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION -> words("Safety ", StateWords.of(mode));
+      case NORMAL, REDUCED, RECOVERY, FAULT, VIOLATION -> words("safetyIs", StateWords.of(mode));
       default -> StateWords.capital(StateWords.of(mode));
     };
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.math.BigDecimal;
 import java.util.List;
 import org.pendant.controller.Pace;
@@ -13,14 +15,14 @@ public record PaceChoice(String title, Pace pace) {
   /** Slowest first. */
   public static final List<PaceChoice> ALL =
       List.of(
-          new PaceChoice("Paused", new Pace.Paused()),
+          new PaceChoice(text("paused"), new Pace.Paused()),
           new PaceChoice("x 0.1", new Pace.Times(0.1)),
           new PaceChoice("x 0.5", new Pace.Times(0.5)),
-          new PaceChoice("Real time", Pace.REAL_TIME),
+          new PaceChoice(text("realTime"), Pace.REAL_TIME),
           new PaceChoice("x 2", new Pace.Times(2)),
           new PaceChoice("x 5", new Pace.Times(5)),
           new PaceChoice("x 10", new Pace.Times(10)),
-          new PaceChoice("As fast as possible", new Pace.Unlimited()));
+          new PaceChoice(text("asFastAsPossible"), new Pace.Unlimited()));
 
   /** The choice for a pace; one that cannot be chosen shows its factor. */
   public static PaceChoice of(Pace pace) {
@@ -32,9 +34,9 @@ public record PaceChoice(String title, Pace pace) {
 
   private static String title(Pace pace) {
     return switch (pace) {
-      case Pace.Paused() -> "Paused";
+      case Pace.Paused() -> text("paused");
       case Pace.Times(double factor) -> "x " + BigDecimal.valueOf(factor).stripTrailingZeros();
-      case Pace.Unlimited() -> "As fast as possible";
+      case Pace.Unlimited() -> text("asFastAsPossible");
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.awt.Rectangle;
 import javax.swing.JButton;
 import javax.swing.JPopupMenu;
@@ -20,7 +22,7 @@ final class ProgramButton extends JButton {
     setHorizontalTextPosition(SwingConstants.LEADING);
     putClientProperty("JButton.buttonType", "toolBarButton");
     putClientProperty("FlatLaf.styleClass", "h3");
-    getAccessibleContext().setAccessibleName("Open program");
+    getAccessibleContext().setAccessibleName(text("openProgram"));
     addActionListener(event -> open());
   }
 
@@ -34,8 +36,8 @@ final class ProgramButton extends JButton {
   void show(ProgramDocument document) {
     String name = document.name() + (document.modified() ? " \u2022" : "");
     setText(name);
-    String place = document.file().map(Object::toString).orElse("not saved yet");
-    setToolTipText(place + (document.modified() ? ", modified" : ""));
+    String place = document.file().map(Object::toString).orElse(text("notSavedYet"));
+    setToolTipText(document.modified() ? text("modified", place) : place);
     getAccessibleContext().setAccessibleDescription(name + ", " + getToolTipText());
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -30,7 +32,7 @@ public record ProgramMenu(
     menu.setName("program-menu");
     for (ProgramDocument each : programs.all()) {
       JMenuItem item = new JRadioButtonMenuItem(name(each), each == programs.current());
-      item.setToolTipText(each.file().map(Object::toString).orElse("not saved yet"));
+      item.setToolTipText(each.file().map(Object::toString).orElse(text("notSavedYet")));
       item.addActionListener(event -> programs.select(each));
       menu.add(item);
     }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -62,8 +64,8 @@ public final class Rail extends JPanel {
     setName("rail");
     setLayout(new Stack());
     more.setName("rail-more");
-    more.setToolTipText("More screens");
-    more.getAccessibleContext().setAccessibleName("More screens");
+    more.setToolTipText(text("moreScreens"));
+    more.getAccessibleContext().setAccessibleName(text("moreScreens"));
     more.putClientProperty("JButton.buttonType", "toolBarButton");
     more.addActionListener(event -> hidden().show(more, more.getWidth(), 0));
     add(more);
@@ -78,7 +80,7 @@ public final class Rail extends JPanel {
     button.setHorizontalTextPosition(SwingConstants.CENTER);
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     button.putClientProperty("FlatLaf.styleClass", "small");
-    button.getAccessibleContext().setAccessibleName(view.title() + " screen");
+    button.getAccessibleContext().setAccessibleName(text("screen", view.title()));
     button.addActionListener(event -> show.accept(view.id()));
     button.setComponentPopupMenu(menu.apply(view.id()));
     group.add(button);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.awt.Color;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -16,7 +18,7 @@ import org.pendant.kit.theme.Palette;
 /** Readiness bar: whether the arm is ready, and the button that makes it so. */
 @SuppressWarnings("serial") // never written to a stream
 final class ReadinessBar extends JPanel {
-  private final Badge light = new Badge("readiness", "Whether the arm is ready for programs");
+  private final Badge light = new Badge("readiness", text("whetherTheArmIsReadyFor"));
   private final JButton remedy = new JButton(Glyph.POWER.icon(16));
   private transient ArmReadiness shown;
   private boolean worded = true;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
+import static org.pendant.desktop.shell.chrome.ChromeTexts.text;
+
 import java.util.concurrent.CompletableFuture;
 import java.util.function.IntFunction;
 import javax.swing.JLabel;
@@ -23,9 +25,9 @@ final class SpeedSlider extends JPanel {
   SpeedSlider(IntFunction<CompletableFuture<Reply>> ask) {
     super(new MigLayout("insets 0, gap 4", "[][grow, 60:150:150][right]", "[center]"));
     slider.setName("speed-slider");
-    slider.setToolTipText("Speed of programs; at 0 % the arm stands still and continues later");
-    slider.getAccessibleContext().setAccessibleName("Speed of programs in percent");
-    JLabel title = new JLabel("Speed");
+    slider.setToolTipText(text("speedOfProgramsAt0The"));
+    slider.getAccessibleContext().setAccessibleName(text("speedOfProgramsInPercent"));
+    JLabel title = new JLabel(text("speed"));
     title.setLabelFor(slider);
     value.setName("speed-value");
     value.setHorizontalAlignment(JLabel.RIGHT);

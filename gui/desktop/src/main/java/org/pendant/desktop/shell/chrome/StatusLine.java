@@ -44,7 +44,7 @@ public final class StatusLine extends JPanel {
   private static final double KEPT = 0.95;
 
   private final JLabel told = new JLabel(" ");
-  private final JButton whole = new JButton("More");
+  private final JButton whole = new JButton(ChromeTexts.text("more"));
   private final JButton earlier = new JButton("\u25b4");
   private final Consumer<String> showWhole;
   private final JLabel punctual = new JLabel(" ");
@@ -69,13 +69,13 @@ public final class StatusLine extends JPanel {
         new MigLayout(
             "insets 2 12 2 12, gap 16, hidemode 3", "[]8[0::, fill]8[][grow][right]", "[center]"));
     told.setName("status-text");
-    told.getAccessibleContext().setAccessibleName("Last notice");
+    told.getAccessibleContext().setAccessibleName(ChromeTexts.text("lastNotice"));
     punctual.setName("status-frames");
-    punctual.getAccessibleContext().setAccessibleName("Pace of robot time");
+    punctual.getAccessibleContext().setAccessibleName(ChromeTexts.text("paceOfRobotTime"));
     whole.setName("status-more");
     whole.setVisible(false);
-    whole.setToolTipText("Shows the notice as a whole");
-    whole.getAccessibleContext().setAccessibleName("Show the notice as a whole");
+    whole.setToolTipText(ChromeTexts.text("showsTheNoticeAsAWhole"));
+    whole.getAccessibleContext().setAccessibleName(ChromeTexts.text("showTheNoticeAsAWhole"));
     whole.putClientProperty("JButton.buttonType", "toolBarButton");
     whole.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
     whole.addActionListener(event -> showWhole.accept(text()));
@@ -83,8 +83,8 @@ public final class StatusLine extends JPanel {
     fading.setRepeats(false);
     earlier.setName("status-earlier");
     earlier.setVisible(false);
-    earlier.setToolTipText("What was told before");
-    earlier.getAccessibleContext().setAccessibleName("What was told before");
+    earlier.setToolTipText(ChromeTexts.text("whatWasToldBefore"));
+    earlier.getAccessibleContext().setAccessibleName(ChromeTexts.text("whatWasToldBefore"));
     earlier.putClientProperty("JButton.buttonType", "toolBarButton");
     earlier.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
     earlier.addActionListener(event -> showEarlier());
@@ -191,9 +191,7 @@ public final class StatusLine extends JPanel {
   static String explanation(Lateness lateness, double behindS) {
     return String.format(
         Locale.ROOT,
-        "Robot time takes longer than it should: the computer is busy. %.1f %% of all frames began"
-            + " more than 1 ms late, the latest %.1f ms; robot time is %.2f s behind the wall"
-            + " clock",
+        ChromeTexts.text("computerIsBusy"),
         lateness.frames() > 0 ? 100.0 * lateness.lateFrames() / lateness.frames() : 0,
         lateness.worstNs() / 1e6,
         behindS);
@@ -210,8 +208,9 @@ public final class StatusLine extends JPanel {
     }
     return String.format(
         Locale.ROOT,
-        "robot time at %.0f %% of %s: computer busy",
-        Math.floor(100 * share),
-        pace.equals(Pace.REAL_TIME) ? "real time" : "its pace");
+        pace.equals(Pace.REAL_TIME)
+            ? ChromeTexts.text("shareOfRealTime")
+            : ChromeTexts.text("shareOfItsPace"),
+        Math.floor(100 * share));
   }
 }

@@ -29,17 +29,17 @@ record Prompt(
         Optional.empty(),
         popup.severity(),
         popup.blocking(),
-        title.isBlank() ? "Popup" : title,
+        title.isBlank() ? PromptTexts.text("popup") : title,
         ByteText.decoded(popup.text()));
   }
 
   static Prompt of(Question question) {
     String title =
         switch (question.kind()) {
-          case BOOLEAN -> "The program asks: yes or no?";
-          case INTEGER -> "The program asks for a whole number";
-          case FLOAT -> "The program asks for a number";
-          case STRING -> "The program asks for a text";
+          case BOOLEAN -> PromptTexts.text("theProgramAsksYesOrNo");
+          case INTEGER -> PromptTexts.text("theProgramAsksForAWhole");
+          case FLOAT -> PromptTexts.text("theProgramAsksForANumber");
+          case STRING -> PromptTexts.text("theProgramAsksForAText");
         };
     return new Prompt(
         question.number(),

@@ -38,15 +38,15 @@ final class PromptForm {
       new JPanel(new MigLayout("insets 0, gap 0, wrap 1, hidemode 3", "[grow, fill, 0::]", ROWS));
   private final JLabel title = new JLabel();
   private final JLabel place = new JLabel();
-  private final JButton next = button("popup-next", "Next");
+  private final JButton next = button("popup-next", PromptTexts.text("next"));
   private final JTextArea text = new JTextArea(MIN_ROWS, 44);
   private final JTextField field = new JTextField();
   private final JTextArea error = words("popup-error");
   private final JLabel hint = new JLabel();
-  private final JButton stop = button("popup-stop", "Stop program");
-  private final JButton no = button("popup-no", "No");
-  private final JButton yes = button("popup-yes", "Yes");
-  private final JButton go = button("popup-continue", "Continue");
+  private final JButton stop = button("popup-stop", PromptTexts.text("stopProgram"));
+  private final JButton no = button("popup-no", PromptTexts.text("no"));
+  private final JButton yes = button("popup-yes", PromptTexts.text("yes"));
+  private final JButton go = button("popup-continue", PromptTexts.text("continue"));
   private final List<JButton> buttons = List.of(next, stop, no, yes, go);
   private JComponent safeChoice = go;
 
@@ -60,14 +60,14 @@ final class PromptForm {
     text.setEditable(false);
     text.setLineWrap(true);
     text.setWrapStyleWord(true);
-    text.setToolTipText("What the program says");
-    text.getAccessibleContext().setAccessibleName("What the program says");
+    text.setToolTipText(PromptTexts.text("whatTheProgramSays"));
+    text.getAccessibleContext().setAccessibleName(PromptTexts.text("whatTheProgramSays"));
     // Tab leaves it, as there is nothing to type.
     text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
     text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     field.setName("popup-field");
-    field.getAccessibleContext().setAccessibleName("Answer");
-    field.setToolTipText("Enter gives the answer");
+    field.getAccessibleContext().setAccessibleName(PromptTexts.text("answer"));
+    field.setToolTipText(PromptTexts.text("enterGivesTheAnswer"));
     field.addActionListener(event -> gestures.enter(field.getText()));
     field
         .getDocument()
@@ -79,12 +79,12 @@ final class PromptForm {
                   }
                 }));
     next.addActionListener(event -> gestures.next());
-    tip(next, "Shows the next one; this one stays open");
+    tip(next, PromptTexts.text("showsTheNextOneThisOne"));
     stop.addActionListener(event -> gestures.stop());
     no.addActionListener(event -> gestures.answer(false));
-    tip(no, "Answers no (N)");
+    tip(no, PromptTexts.text("answersNoN"));
     yes.addActionListener(event -> gestures.answer(true));
-    tip(yes, "Answers yes (Y)");
+    tip(yes, PromptTexts.text("answersYesY"));
     go.addActionListener(
         event -> {
           if (field.isVisible()) {
@@ -193,13 +193,27 @@ final class PromptForm {
     field.setVisible(prompt.typed());
     field.getAccessibleContext().setAccessibleName(prompt.text());
     showError("");
-    stop.setText(question ? "Cancel and stop program" : "Stop program");
-    tip(stop, question ? "Ends the program without an answer" : "Ends the program, which waits");
+    stop.setText(
+        question ? PromptTexts.text("cancelAndStopProgram") : PromptTexts.text("stopProgram"));
+    tip(
+        stop,
+        question
+            ? PromptTexts.text("endsTheProgramWithoutAnAnswer")
+            : PromptTexts.text("endsTheProgramWhichWaits"));
     stop.setVisible(prompt.waits());
     no.setVisible(prompt.yesOrNo());
     yes.setVisible(prompt.yesOrNo());
-    go.setText(question ? "OK" : prompt.waits() ? "Continue" : "Close");
-    tip(go, question ? "Gives the answer" : prompt.waits() ? "The program continues" : "Closes it");
+    go.setText(
+        question
+            ? "OK"
+            : prompt.waits() ? PromptTexts.text("continue") : PromptTexts.text("close"));
+    tip(
+        go,
+        question
+            ? PromptTexts.text("givesTheAnswer")
+            : prompt.waits()
+                ? PromptTexts.text("theProgramContinues")
+                : PromptTexts.text("closesIt"));
     go.setVisible(!prompt.yesOrNo());
     safeChoice = prompt.yesOrNo() ? no : prompt.typed() ? field : go;
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.prompt;
 
+import static org.pendant.desktop.shell.prompt.PromptTexts.text;
+
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.util.Optional;
@@ -46,11 +48,11 @@ public final class PromptPanel {
     actions.add(
         new Action(
             ANSWER,
-            "Answer the popup or question",
+            text("answerThePopupOrQuestion"),
             "F7",
             () -> prompts.shown().isPresent(),
             this::focus),
-        () -> "No popup or question is open");
+        () -> text("noPopupOrQuestionIsOpen"));
   }
 
   /** What people do with the form. */
@@ -159,11 +161,11 @@ public final class PromptPanel {
   private String hint() {
     if (overlay.focusWithin()) {
       return shown.filter(Prompt::waits).isPresent()
-          ? "Esc leaves this open and goes back to where you were"
-          : "Esc closes it";
+          ? text("escLeavesThisOpenAndGoes")
+          : text("escClosesIt");
     }
     String keys = KeyText.shown(actions.keysOf(ANSWER));
-    return keys.isEmpty() ? "A click in here brings the keyboard here" : keys + " to answer by key";
+    return keys.isEmpty() ? text("aClickInHereBringsThe") : text("toAnswerByKey", keys);
   }
 
   /** Whether the user types: a key meant for the text must not answer a popup. */

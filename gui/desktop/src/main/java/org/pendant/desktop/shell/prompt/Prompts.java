@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.prompt;
 
+import static org.pendant.desktop.shell.prompt.PromptTexts.text;
+
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -136,7 +138,7 @@ final class Prompts {
       long number = asked.get().number();
       return new Entry(command(Optional.of(new MessageCommand.AnswerQuestion(number, answer))), "");
     } catch (IllegalArgumentException e) {
-      return new Entry(Optional.empty(), "Must be " + kind.expected());
+      return new Entry(Optional.empty(), text("mustBe", kind.expected()));
     }
   }
 }

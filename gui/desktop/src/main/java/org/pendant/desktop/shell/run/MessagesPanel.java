@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.run;
 
+import static org.pendant.desktop.shell.run.RunTexts.text;
+
 import java.awt.Color;
 import java.util.List;
 import java.util.Optional;
@@ -17,7 +19,7 @@ final class MessagesPanel {
   private final RecentMessages messages = new RecentMessages();
   private final JPanel card =
       new Card(new MigLayout("insets 16, gap 8 4, wrap 2", "[right][grow, fill, 0::]", ""));
-  private final JLabel heading = new JLabel("Messages");
+  private final JLabel heading = new JLabel(text("messages"));
 
   MessagesPanel() {
     card.setName("run-messages");
@@ -55,7 +57,7 @@ final class MessagesPanel {
     card.removeAll();
     card.add(heading, "span 2, alignx left");
     if (messages.messages().isEmpty()) {
-      JLabel none = new JLabel("What programs and the controller say appears here.");
+      JLabel none = new JLabel(text("whatProgramsAndTheControllerSay"));
       none.setForeground(Palette.quiet());
       card.add(none, "span 2, alignx left");
     }

@@ -1,10 +1,12 @@
 package org.pendant.desktop.shell.run;
 
+import static org.pendant.desktop.shell.run.RunTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.desktop.program.RunNode;
@@ -43,7 +45,13 @@ record RunFacts(
     List<String> joints) {
   /** Names of the joints, base first. */
   static final List<String> JOINTS =
-      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+      List.of(
+          text("base"),
+          text("shoulder"),
+          text("elbow"),
+          text("wrist1"),
+          text("wrist2"),
+          text("wrist3"));
 
   /** Names of a pose's components where they are not read. */
   static final List<String> POSE = List.of("x", "y", "z", "rx", "ry", "rz");
@@ -80,16 +88,17 @@ record RunFacts(
 
   private static String title(ControllerState state, RunProgram run) {
     boolean stopped = ProgramPhase.of(state) == ProgramPhase.STOPPED;
-    return run.next().filter(next -> stopped).map("Will run: "::concat).orElse(run.name(state));
+    return run.next()
+        .filter(next -> stopped)
+        .map(next -> text("willRun", next))
+        .orElse(run.name(state));
   }
 
   private static String pausedText(double pausedS) {
     if (pausedS < 1) {
       return "";
     }
-    return pausedS < 60
-        ? String.format(Locale.ROOT, "paused %d s", (int) pausedS)
-        : "paused " + clock(pausedS);
+    return pausedS < 60 ? text("pausedSeconds", (int) pausedS) : text("paused", clock(pausedS));
   }
 
   static String clock(double seconds) {
@@ -102,8 +111,8 @@ record RunFacts(
       return "";
     }
     return text.isBlank()
-        ? "Line " + line
-        : "Line " + line + ":  " + ByteText.decoded(text.strip());
+        ? text("line", line)
+        : text("lineAndText", line, ByteText.decoded(text.strip()));
   }
 
   /** Why the last run has failed, in place of a line that is not reached any more. */
@@ -116,19 +125,14 @@ record RunFacts(
   }
 
   private static String waiting(int popups, int questions) {
-    String open =
-        Stream.of(counted(popups, "popup"), counted(questions, "question"))
-            .filter(each -> !each.isEmpty())
-            .collect(Collectors.joining(" and "));
-    return open.isEmpty() ? "" : StateWords.capital(open) + " open";
-  }
-
-  private static String counted(int count, String word) {
-    return switch (count) {
-      case 0 -> "";
-      case 1 -> "a " + word;
-      default -> count + " " + word + "s";
-    };
+    String popup = popups == 1 ? text("onePopup") : text("popupCount", popups);
+    String question = questions == 1 ? text("oneQuestion") : text("questionCount", questions);
+    if (popups > 0 && questions > 0) {
+      return StateWords.capital(text("bothOpen", popup, question));
+    }
+    return popups == 0 && questions == 0
+        ? ""
+        : StateWords.capital(text("open", popups > 0 ? popup : question));
   }
 
   private static String stateText(ControllerState state, RunProgram run) {
@@ -136,35 +140,34 @@ record RunFacts(
     String word = StateWords.capital(phase.word());
     return switch (phase) {
       case RUNNING -> word;
-      case PAUSED -> word + pausedPlace(state, run);
+      case PAUSED -> pausedAt(state, run).map(place -> text("pausedAt", place)).orElse(word);
       case STOPPED ->
           state
               .program()
               .ending()
               .filter(ending -> !run.left(state))
-              .map(ending -> "Last run: " + run.name(state) + ", " + ended(ending, run))
+              .map(ending -> text("lastRun", run.name(state), ended(ending, run)))
               .orElse(word);
     };
   }
 
-  private static String pausedPlace(ControllerState state, RunProgram run) {
+  private static Optional<String> pausedAt(ControllerState state, RunProgram run) {
     int line = state.debug().stop().map(DebugState.Stop::line).orElse(state.program().line());
-    String place = place(line, run);
-    return place.isEmpty() ? "" : " at " + place;
+    return Optional.of(place(line, run)).filter(place -> !place.isEmpty());
   }
 
   /** A node where there is one: people who build programs of nodes know no lines. */
   private static String place(int line, RunProgram run) {
     int shown = run.shownLine(line);
-    return run.nodeAt(line).map(RunNode::words).orElse(shown == 0 ? "" : "line " + shown);
+    return run.nodeAt(line).map(RunNode::words).orElse(shown == 0 ? "" : text("inLine", shown));
   }
 
   private static String ended(Ending ending, RunProgram run) {
     return switch (ending) {
-      case Ending.Finished finished -> "finished";
-      case Ending.Halted halted -> "ended by halt";
-      case Ending.Stopped stopped -> "stopped";
-      case Ending.Failed failed -> "failed in " + place(failed.failure().line(), run);
+      case Ending.Finished finished -> text("finished");
+      case Ending.Halted halted -> text("endedByHalt");
+      case Ending.Stopped stopped -> text("stopped");
+      case Ending.Failed failed -> text("failedIn", place(failed.failure().line(), run));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.run;
 
+import static org.pendant.desktop.shell.run.RunTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.util.Arrays;
 import java.util.List;
@@ -65,8 +67,9 @@ public final class RunView implements View {
   private final StopPanel stop;
   private final VariablesPanel variables;
   private final MessagesPanel messages = new MessagesPanel();
-  private final NumbersPanel tcp = new NumbersPanel("run-tcp", "TCP in the base", RunFacts.POSE);
-  private final NumbersPanel joints = new NumbersPanel("run-joints", "Joints", RunFacts.JOINTS);
+  private final NumbersPanel tcp = new NumbersPanel("run-tcp", text("tcpInTheBase"), RunFacts.POSE);
+  private final NumbersPanel joints =
+      new NumbersPanel("run-joints", text("joints"), RunFacts.JOINTS);
   private Optional<RunNode> shownNode = Optional.empty();
   private final List<ActionButton> buttons;
   private boolean narrow;
@@ -94,9 +97,9 @@ public final class RunView implements View {
     stop = new StopPanel(send, run, () -> workbench.session().options().scene(), showBefore);
     buttons =
         List.of(
-            button(actions, "program.run", "Run", Glyph.PLAY.icon(28, Palette.ok())),
-            button(actions, "program.pause", "Pause", Glyph.PAUSE.icon(28)),
-            button(actions, "program.stop", "Stop", Glyph.STOP.icon(28, Palette.error())));
+            button(actions, "program.run", text("run"), Glyph.PLAY.icon(28, Palette.ok())),
+            button(actions, "program.pause", text("pause"), Glyph.PAUSE.icon(28)),
+            button(actions, "program.stop", text("stop"), Glyph.STOP.icon(28, Palette.error())));
     buttons
         .getFirst()
         .reserve(Arrays.stream(ProgramPhase.values()).map(ProgramPhase::runWord).toList());
@@ -136,17 +139,17 @@ public final class RunView implements View {
     name.putClientProperty("FlatLaf.styleClass", "h1");
     state.putClientProperty("FlatLaf.styleClass", "h3");
     elapsed.putClientProperty("FlatLaf.styleClass", "h2");
-    elapsed.setToolTipText("Robot time that the program has run, without its pauses");
+    elapsed.setToolTipText(text("robotTimeThatTheProgramHas"));
     line.putClientProperty("FlatLaf.styleClass", "monospaced");
-    name("run-name", name, "Program");
-    name("run-state", state, "Program state");
-    name("run-elapsed", elapsed, "Running time");
+    name("run-name", name, text("program"));
+    name("run-state", state, text("programState"));
+    name("run-elapsed", elapsed, text("runningTime"));
     paused.putClientProperty("FlatLaf.styleClass", "h2");
-    paused.setToolTipText("Robot time in the pauses of this run");
-    name("run-paused", paused, "Paused time");
+    paused.setToolTipText(text("robotTimeInThePausesOf"));
+    name("run-paused", paused, text("pausedTime"));
     turns.putClientProperty("FlatLaf.styleClass", "h2");
-    turns.setToolTipText("How many times the main program has begun");
-    name("run-turns", turns, "Turns of the main program");
+    turns.setToolTipText(text("howManyTimesTheMainProgram"));
+    name("run-turns", turns, text("turnsOfTheMainProgram"));
     node.setName("run-node");
     node.putClientProperty("FlatLaf.styleClass", "h3");
     node.putClientProperty("FlatLaf.style", "toolbar.margin: 2,0,2,4");
@@ -154,8 +157,8 @@ public final class RunView implements View {
     node.setVisible(false);
     node.setHorizontalAlignment(SwingConstants.LEADING);
     node.addActionListener(event -> shownNode.ifPresent(run::show));
-    name("run-line", line, "Line");
-    name("run-waiting", waiting, "Popups");
+    name("run-line", line, text("lineOfTheProgram"));
+    name("run-waiting", waiting, text("popups"));
     waiting.setIcon(Glyph.WARNING.icon(16, Palette.warning()));
     card.add(name, "wmin 0");
     card.add(state, "wmin 0");
@@ -186,7 +189,7 @@ public final class RunView implements View {
 
   @Override
   public String title() {
-    return "Run";
+    return text("run");
   }
 
   @Override
@@ -229,7 +232,7 @@ public final class RunView implements View {
   }
 
   private static String turnText(OptionalLong turns) {
-    return turns.isPresent() && turns.getAsLong() > 0 ? "Turn " + turns.getAsLong() : "";
+    return turns.isPresent() && turns.getAsLong() > 0 ? text("turn", turns.getAsLong()) : "";
   }
 
   private void showNode(Optional<RunNode> now) {
@@ -240,8 +243,8 @@ public final class RunView implements View {
       String words = now.map(each -> each.number() + "  " + each.label()).orElse(" ");
       node.setText(words);
       node.setEnabled(now.isPresent());
-      node.setToolTipText(now.isPresent() ? "Shows the node in the program: " + words : null);
-      node.getAccessibleContext().setAccessibleName("Node " + words);
+      node.setToolTipText(now.isPresent() ? text("showsTheNodeInTheProgram", words) : null);
+      node.getAccessibleContext().setAccessibleName(text("node", words));
     }
   }
 

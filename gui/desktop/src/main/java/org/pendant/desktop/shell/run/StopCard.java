@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.run;
 
+import static org.pendant.desktop.shell.run.RunTexts.text;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -29,7 +31,13 @@ import org.pendant.desktop.unit.PoseForm;
 public record StopCard(
     String title, String message, List<Fact> facts, int line, String suggestion) {
   private static final List<String> JOINTS =
-      List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
+      List.of(
+          text("ofBase"),
+          text("ofShoulder"),
+          text("ofElbow"),
+          text("ofWrist1"),
+          text("ofWrist2"),
+          text("ofWrist3"));
   private static final MathContext DIGITS = new MathContext(4);
 
   /** What sentences of the controller say in its own words; names that people gave are quoted. */
@@ -76,45 +84,46 @@ public record StopCard(
             joint ->
                 facts.add(
                     new Fact(
-                        "Joint",
-                        joint
-                            + ", "
-                            + JOINTS.get(joint)
-                            + place.map(each -> at(each, joint, form)).orElse(""))));
+                        text("joint"),
+                        place
+                            .map(
+                                each ->
+                                    text(
+                                        "jointAt",
+                                        joint,
+                                        JOINTS.get(joint),
+                                        form.angle().reading(each.positionRad().get(joint))))
+                            .orElseGet(() -> joint + ", " + JOINTS.get(joint)))));
     if (!stop.unit().isEmpty()) {
-      String found = TRAVEL.contains(stop.code()) ? "It would come to rest at" : "Found";
+      String found = TRAVEL.contains(stop.code()) ? text("itWouldComeToRestAt") : text("found");
       facts.add(new Fact(found, measured(stop.value(), stop.unit(), form)));
-      facts.add(new Fact("Limit", measured(stop.limit(), stop.unit(), form)));
+      facts.add(new Fact(text("limit"), measured(stop.limit(), stop.unit(), form)));
     }
     for (Contact each : touched) {
       facts.add(
           new Fact(
-              "Tool touches",
-              each.object() + ", " + form.length().reading(each.depthM()) + " deep"));
+              text("toolTouches"),
+              text("deep", each.object(), form.length().reading(each.depthM()))));
     }
-    String tcp = stop.aboutTarget() ? "TCP in the base, as commanded" : "TCP in the base";
+    String tcp = stop.aboutTarget() ? text("tcpInTheBaseAsCommanded") : text("tcpInTheBase");
     place.ifPresent(each -> facts.add(new Fact(tcp, form.place(each.tcpInBase()))));
     facts.add(
-        new Fact("Robot time", BigDecimal.valueOf(Math.round(stop.timeS() * 1000), 3) + " s"));
+        new Fact(text("robotTime"), BigDecimal.valueOf(Math.round(stop.timeS() * 1000), 3) + " s"));
     return new StopCard(
         StateWords.capital(StateWords.of(stop.mode())) + " " + stop.codeText(),
         StateWords.capital(words(stop.sentence(), form)),
         facts,
         place.map(StopPlace::line).orElse(0),
-        ranInto(touched) + StopAdvice.of(stop.code()));
+        withWhatItTouched(touched, StopAdvice.of(stop.code())));
   }
 
   /** What explains a stop better than the joint that was the first to notice. */
-  private static String ranInto(List<Contact> touched) {
-    return touched.isEmpty()
-        ? ""
-        : "The tool ran into "
-            + touched.stream().map(Contact::object).collect(Collectors.joining(", "))
-            + ". ";
-  }
-
-  private static String at(StopPlace place, int joint, PoseForm form) {
-    return ", at " + form.angle().reading(place.positionRad().get(joint));
+  private static String withWhatItTouched(List<Contact> touched, String advice) {
+    if (touched.isEmpty()) {
+      return advice;
+    }
+    String objects = touched.stream().map(Contact::object).collect(Collectors.joining(", "));
+    return text("theToolRanInto", objects, advice);
   }
 
   /** A sentence of the controller with joints by name and numbers in the units of the screens. */

@@ -30,13 +30,13 @@ final class StopPanel {
       new Card(new MigLayout("insets 16, gap 8, wrap 1, hidemode 3", "[grow, fill, 0::]", ""));
   private final JLabel title =
       new JLabel("", Glyph.ERROR.icon(20, Palette.error()), JLabel.LEADING);
-  private final JTextArea message = text("stop-message", "What happened");
+  private final JTextArea message = text("stop-message", RunTexts.text("whatHappened"));
   private final JPanel facts =
       new JPanel(new MigLayout("insets 0, gap 16 4, wrap 2", "[][grow, 0::]", ""));
-  private final JTextArea suggestion = text("stop-suggestion", "What to do");
+  private final JTextArea suggestion = text("stop-suggestion", RunTexts.text("whatToDo"));
   private final RoomyButton remedy = new RoomyButton("", null);
   private final JButton source = new JButton();
-  private final JButton recording = new JButton("Show recording");
+  private final JButton recording = new JButton(RunTexts.text("showRecording"));
   private Optional<StopCard> shown = Optional.empty();
   private Optional<Command> command = Optional.empty();
   private OptionalDouble stopS = OptionalDouble.empty();
@@ -55,10 +55,10 @@ final class StopPanel {
     remedy.setName("stop-remedy");
     remedy.addActionListener(event -> command.ifPresent(send));
     source.setName("stop-source");
-    source.setToolTipText("Shows where the program was");
+    source.setToolTipText(RunTexts.text("showsWhereTheProgramWas"));
     source.addActionListener(event -> shown.ifPresent(this::showSource));
     recording.setName("stop-recording");
-    recording.setToolTipText("Shows the two seconds before the stop on the timeline");
+    recording.setToolTipText(RunTexts.text("showsTheTwoSecondsBeforeThe"));
     recording.getAccessibleContext().setAccessibleName(recording.getText());
     recording.addActionListener(event -> stopS.ifPresent(showBefore));
     panel.add(title);
@@ -123,14 +123,16 @@ final class StopPanel {
     }
     suggestion.setText(card.suggestion());
     source.setVisible(card.line() > 0);
-    source.setText("Show " + place(card.line()));
+    source.setText(RunTexts.text("show", place(card.line())));
     source.getAccessibleContext().setAccessibleName(source.getText());
     panel.revalidate();
   }
 
   /** The node of a tree, the line of a script. */
   private String place(int line) {
-    return run.nodeAt(line).map(RunNode::words).orElseGet(() -> "line " + run.shownLine(line));
+    return run.nodeAt(line)
+        .map(RunNode::words)
+        .orElseGet(() -> RunTexts.text("inLine", run.shownLine(line)));
   }
 
   private void showSource(StopCard card) {

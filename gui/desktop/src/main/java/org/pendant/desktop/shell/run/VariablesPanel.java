@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.run;
 
+import static org.pendant.desktop.shell.run.RunTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JButton;
@@ -18,9 +20,7 @@ import org.pendant.script.variables.VariableSamples;
 
 /** Variables panel: a card with the variables of the running or last program, favourites first. */
 final class VariablesPanel {
-  private static final String EMPTY =
-      "The variables of a program appear here while it runs, favourites first,"
-          + " and those of the installation at any time.";
+  private static final String EMPTY = text("theVariablesOfAProgramAppear");
 
   /** Least time between two changes of the texts, ms. */
   private static final long PERIOD_MS = 95;
@@ -54,14 +54,14 @@ final class VariablesPanel {
     hidden.addListener(() -> stale = true);
     favourites.addListener(() -> stale = true);
     card.setName("run-variables");
-    card.getAccessibleContext().setAccessibleName("Variables");
-    JLabel heading = new JLabel("Variables");
+    card.getAccessibleContext().setAccessibleName(text("variables"));
+    JLabel heading = new JLabel(text("variables"));
     heading.putClientProperty("FlatLaf.styleClass", "h4");
     none.say(EMPTY);
     more.setName("run-variables-more");
     more.putClientProperty("JButton.buttonType", "toolBarButton");
-    more.setToolTipText("Shows all variables, to filter, unfold and change them");
-    more.getAccessibleContext().setAccessibleName("All variables");
+    more.setToolTipText(text("showsAllVariablesToFilterUnfold"));
+    more.getAccessibleContext().setAccessibleName(text("allVariables"));
     more.addActionListener(event -> showAll.run());
     card.add(heading, "span 2, wmin 0");
     card.add(none, "span 2, " + Remark.LAYOUT);
@@ -118,24 +118,22 @@ final class VariablesPanel {
       }
     }
     more.setVisible(!facts.rows().isEmpty());
-    more.setText(facts.more() > 0 ? facts.more() + " more\u2026" : "All variables\u2026");
+    more.setText(facts.more() > 0 ? text("more", facts.more()) : text("allVariablesMore"));
   }
 
   private void show(int place, VariableFacts.Row row) {
     JLabel name = names.get(place);
     if (!row.name().equals(name.getText()) || row.favourite() != (name.getIcon() != null)) {
       name.setText(row.name());
-      name.setToolTipText(
-          row.name()
-              + (row.favourite() ? ", a favourite" : "")
-              + (row.installed() ? ", kept by the installation" : ""));
+      String what = row.favourite() ? text("favourite", row.name()) : row.name();
+      name.setToolTipText(row.installed() ? text("keptByTheInstallation", what) : what);
       name.setIcon(row.favourite() ? Star.of(true) : null);
     }
     JLabel value = values.get(place);
     if (!row.value().equals(value.getText())) {
       value.setText(row.value());
       value.setToolTipText(row.value());
-      value.getAccessibleContext().setAccessibleDescription("Value of " + row.name());
+      value.getAccessibleContext().setAccessibleDescription(text("valueOf", row.name()));
     }
   }
 }

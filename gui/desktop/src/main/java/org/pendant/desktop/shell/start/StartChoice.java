@@ -84,7 +84,7 @@ public final class StartChoice {
         phase = place.orElseThrow().reached(state) ? Phase.THERE : Phase.ASKING;
         distanceM = place.orElseThrow().distanceM(state);
         if (!arm.heldBecause().isEmpty() && phase == Phase.ASKING) {
-          remark = "The arm has stopped: " + arm.heldBecause();
+          remark = StartTexts.text("theArmHasStopped", arm.heldBecause());
         }
       }
     }
@@ -172,9 +172,9 @@ public final class StartChoice {
     String name = place.map(StartPlace::name).orElse("");
     return switch (phase) {
       case NOTHING -> "";
-      case ASKING -> "The arm is not at " + name;
-      case MOVING -> "The arm moves to " + name;
-      case THERE -> "The arm is at " + name;
+      case ASKING -> StartTexts.text("theArmIsNotAt", name);
+      case MOVING -> StartTexts.text("theArmMovesTo", name);
+      case THERE -> StartTexts.text("theArmIsAt", name);
     };
   }
 
@@ -187,17 +187,15 @@ public final class StartChoice {
               ? remark
               : place.map(StartPlace::problem).filter(each -> !each.isEmpty()).isPresent()
                   ? place.orElseThrow().problem()
-                  : "The program goes there first. The tool is "
-                      + distance()
-                      + " away, and the way there may not be free.";
-      case MOVING -> "The program starts when it is there. Speed, Pause and Stop work as usual.";
-      case THERE -> "The program can start.";
+                  : StartTexts.text("theProgramGoesThereFirstThe", distance());
+      case MOVING -> StartTexts.text("theProgramStartsWhenItIs");
+      case THERE -> StartTexts.text("theProgramCanStart");
     };
   }
 
   private String distance() {
     return distanceM < 0.001
-        ? "less than 1 mm"
+        ? StartTexts.text("lessThan1Mm")
         : String.format(Locale.ROOT, "%.0f mm", 1000 * distanceM);
   }
 }

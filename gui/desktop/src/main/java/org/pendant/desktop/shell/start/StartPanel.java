@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell.start;
 
+import static org.pendant.desktop.shell.start.StartTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
@@ -31,12 +33,12 @@ public final class StartPanel {
   private final Overlay overlay;
   private final JLabel title =
       new JLabel("", Glyph.WARNING.icon(20, Palette.warning()), JLabel.LEADING);
-  private final WrappedText text = new WrappedText("", "What happens first");
-  private final JButton move = button("start-move", "Move there");
+  private final WrappedText text = new WrappedText("", text("whatHappensFirst"));
+  private final JButton move = button("start-move", text("moveThere"));
   private final HoldButton hold;
-  private final JButton start = button("start-now", "Start anyway");
-  private final JButton cancel = button("start-cancel", "Cancel");
-  private final JCheckBox ask = new JCheckBox("Ask each time the arm is somewhere else");
+  private final JButton start = button("start-now", text("startAnyway"));
+  private final JButton cancel = button("start-cancel", text("cancel"));
+  private final JCheckBox ask = new JCheckBox(text("askEachTimeTheArmIs"));
   private final JPanel panel =
       new JPanel(
           new MigLayout(
@@ -51,22 +53,22 @@ public final class StartPanel {
    */
   public StartPanel(JComponent under, StartChoice choice) {
     this.choice = choice;
-    hold = new HoldButton("Hold to move", null, choice::hold, choice::release);
+    hold = new HoldButton(text("holdToMove"), null, choice::hold, choice::release);
     hold.setName("start-hold");
     panel.setOpaque(false);
     title.setName("start-title");
     title.putClientProperty("FlatLaf.styleClass", "h3");
     text.setName("start-text");
     text.setFocusable(false);
-    tip(move, "Moves the joints there, slowly, then starts the program");
-    tip(hold, "Moves the arm there as long as mouse button or space bar is held");
-    tip(cancel, "The program does not start (Escape)");
+    tip(move, text("movesTheJointsThereSlowlyThen"));
+    tip(hold, text("movesTheArmThereAsLong"));
+    tip(cancel, text("theProgramDoesNotStartEscape"));
     move.addActionListener(event -> act(choice::moveThere));
     start.addActionListener(event -> act(choice::startNow));
     cancel.addActionListener(event -> act(choice::cancel));
     ask.setName("start-ask");
     ask.setOpaque(false);
-    ask.setToolTipText("Otherwise programs start from wherever the arm is");
+    ask.setToolTipText(text("otherwiseProgramsStartFromWherever"));
     ask.addActionListener(event -> choice.setAsks(ask.isSelected()));
     JPanel buttons = new FlushRow(8);
     for (JButton each : new JButton[] {move, hold, start, cancel}) {
@@ -165,10 +167,10 @@ public final class StartPanel {
     hold.setVisible(!moving);
     hold.setEnabled(choice.canMove());
     start.setVisible(!moving);
-    start.setText(asking ? "Start anyway" : "Start");
-    tip(start, asking ? "Starts the program where the arm is" : "Starts the program");
-    cancel.setText(moving ? "Stop" : "Cancel");
-    tip(cancel, moving ? "Stops the arm (Escape)" : "The program does not start (Escape)");
+    start.setText(asking ? text("startAnyway") : text("start"));
+    tip(start, asking ? text("startsTheProgramWhereTheArm") : text("startsTheProgram"));
+    cancel.setText(moving ? text("stop") : text("cancel"));
+    tip(cancel, moving ? text("stopsTheArmEscape") : text("theProgramDoesNotStartEscape"));
     ask.setSelected(choice.asks());
     ask.setVisible(!moving);
     overlay.open();
