@@ -38,10 +38,10 @@ public record ArmReadiness(
     if (state.safety().shutDown()) {
       return new ArmReadiness(
           Light.OFF,
-          "Shut down",
+          SessionTexts.text("shutDown"),
           "",
           Optional.empty(),
-          "A program has switched the controller off; the menu Robot switches it on again");
+          SessionTexts.text("switchedOffByProgram"));
     }
     Optional<SafetyStop> stop = state.safety().stop();
     return stop.isPresent() ? stopped(stop.get(), state) : power(state);
@@ -55,16 +55,16 @@ public record ArmReadiness(
           new ArmReadiness(
               Light.STOPPED,
               text,
-              "Restart safety",
+              SessionTexts.text("restartSafety"),
               Optional.of(new SafetyCommand.RestartSafety()),
-              "Starts the safety functions again; the arm is without power then");
+              SessionTexts.text("startsTheSafetyFunctionsAgain"));
       default ->
           new ArmReadiness(
               Light.STOPPED,
               text,
               "",
               Optional.empty(),
-              "Lasts until its safety input is released, on the I/O screen");
+              SessionTexts.text("lastsUntilInputIsReleased"));
     };
   }
 
@@ -74,16 +74,16 @@ public record ArmReadiness(
       return new ArmReadiness(
           Light.STOPPED,
           text,
-          "Unlock in " + seconds + " s",
+          SessionTexts.text("unlockInS", seconds),
           Optional.empty(),
-          "A protective stop can be unlocked 5 s of robot time after it happened");
+          SessionTexts.text("unlockAfter5s"));
     }
     return new ArmReadiness(
         Light.STOPPED,
         text,
-        "Unlock",
+        SessionTexts.text("unlock"),
         Optional.of(new SafetyCommand.UnlockProtectiveStop(false)),
-        "Ends the protective stop; a program stays paused");
+        SessionTexts.text("endsTheStop"));
   }
 
   private static ArmReadiness power(ControllerState state) {
@@ -93,33 +93,37 @@ public record ArmReadiness(
           state.safety().safetyMode() == SafetyMode.RECOVERY
               ? new ArmReadiness(
                   Light.WAITING,
-                  "Recovery",
+                  SessionTexts.text("recovery"),
                   "",
                   Optional.empty(),
-                  "The arm is beyond a safety limit: bring it back by hand, on the Move screen")
+                  SessionTexts.text("beyondLimit"))
               : new ArmReadiness(
                   Light.READY,
-                  "Ready",
-                  "Switch off",
+                  SessionTexts.text("ready"),
+                  SessionTexts.text("switchOff"),
                   Optional.of(new SafetyCommand.PowerOff()),
-                  "Cuts the arm's power; a program ends");
+                  SessionTexts.text("cutsTheArmsPowerAProgram"));
       case POWER_OFF, IDLE ->
           new ArmReadiness(
               Light.OFF,
               text,
-              "Switch on",
+              SessionTexts.text("switchOn"),
               Optional.of(new SafetyCommand.ReleaseBrakes()),
-              "Powers the arm on and releases its brakes");
+              SessionTexts.text("powersTheArmOn"));
       case BACKDRIVE ->
           new ArmReadiness(
               Light.WAITING,
               text,
-              "End backdrive",
+              SessionTexts.text("endBackdrive"),
               Optional.of(new SafetyCommand.EndBackdrive()),
-              "Closes the brakes again");
+              SessionTexts.text("closesTheBrakesAgain"));
       case NO_CONTROLLER, DISCONNECTED, CONFIRM_SAFETY, BOOTING, POWER_ON, UPDATING_FIRMWARE ->
           new ArmReadiness(
-              Light.WAITING, text, "", Optional.empty(), "The arm is being switched on");
+              Light.WAITING,
+              text,
+              "",
+              Optional.empty(),
+              SessionTexts.text("theArmIsBeingSwitchedOn"));
     };
   }
 }

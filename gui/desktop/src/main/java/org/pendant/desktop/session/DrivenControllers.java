@@ -1,5 +1,7 @@
 package org.pendant.desktop.session;
 
+import static org.pendant.desktop.session.SessionTexts.text;
+
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -184,10 +186,7 @@ final class DrivenControllers implements AutoCloseable {
       return Optional.of(recording.atFrame(frame));
     } catch (UncheckedIOException e) {
       throw new RerunRefused(
-          "the recording of "
-              + other.name()
-              + " can no longer be read: "
-              + e.getCause().getMessage());
+          text("theRecordingOfCanNoLonger", other.name(), e.getCause().getMessage()));
     }
   }
 
@@ -225,7 +224,7 @@ final class DrivenControllers implements AutoCloseable {
 
   /** Leaves a command for the next frame. */
   CompletableFuture<Reply> submit(SessionMember member, Command command) {
-    loop.failure().ifPresent(fault -> member.end("has failed: " + fault.getMessage()));
+    loop.failure().ifPresent(fault -> member.end(text("controllerHasFailed", fault.getMessage())));
     return member.submit(command);
   }
 
@@ -233,7 +232,7 @@ final class DrivenControllers implements AutoCloseable {
   @Override
   public void close() {
     loop.close();
-    members.forEach(each -> each.end("is switched off"));
+    members.forEach(each -> each.end(text("controllerIsSwitchedOff")));
     if (loop.failure().isEmpty()) {
       frames.applyCommands();
     }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.session;
 
+import static org.pendant.desktop.session.SessionTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -86,7 +88,7 @@ public final class InstallationLink implements FrameListener, SwitchListener {
   private void answered(Installation wanted, Reply reply) {
     Optional<String> refusal = reply.complaint();
     if (refusal.isPresent() && wanted.equals(active.current())) {
-      tell.accept("The controller is not set up anew yet: " + refusal.get());
+      tell.accept(text("theControllerIsNotSetUp", refusal.get()));
       active.setWaiting(refusal.get());
       waiting = true;
     }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.session;
 
+import static org.pendant.desktop.session.SessionTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.safety.RobotMode;
 import org.pendant.controller.safety.SafetyMode;
@@ -26,25 +28,23 @@ public record ProgramControls(
     return switch (phase) {
       case STOPPED ->
           new ProgramControls(
-              phase, refusal, "No program is running", "No program is running", refusal);
-      case RUNNING -> new ProgramControls(phase, "The program is running", "", "", "");
+              phase, refusal, text("noProgramIsRunning"), text("noProgramIsRunning"), refusal);
+      case RUNNING -> new ProgramControls(phase, text("theProgramIsRunning"), "", "", "");
       case PAUSED ->
-          new ProgramControls(phase, refusal, "The program is paused already", "", refusal);
+          new ProgramControls(phase, refusal, text("theProgramIsPausedAlready"), "", refusal);
     };
   }
 
   private static Optional<String> refusal(ControllerState state) {
     if (state.safety().shutDown()) {
-      return Optional.of("A program has switched the controller off: switch it on again");
+      return Optional.of(text("switchItOnAgain"));
     }
     SafetyMode safety = state.safety().safetyMode();
     if (safety != SafetyMode.NORMAL && safety != SafetyMode.REDUCED) {
-      return Optional.of("Not during " + StateWords.of(safety));
+      return Optional.of(text("notDuring", StateWords.of(safety)));
     }
     RobotMode robot = state.safety().robotMode();
-    return robot == RobotMode.RUNNING
-        ? Optional.empty()
-        : Optional.of("The arm is not ready: switch it on first");
+    return robot == RobotMode.RUNNING ? Optional.empty() : Optional.of(text("armIsNotReady"));
   }
 
   /** Whether Run starts a program from its beginning. */

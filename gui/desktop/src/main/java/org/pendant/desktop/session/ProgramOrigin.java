@@ -1,5 +1,7 @@
 package org.pendant.desktop.session;
 
+import static org.pendant.desktop.session.SessionTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -16,7 +18,7 @@ import org.pendant.script.vm.ProgramEvent;
  * Program origin: tells the programs that the session has started from those that others have sent.
  */
 final class ProgramOrigin implements FrameListener {
-  private static final Reply NOT_YET = new Reply.Busy("not answered yet");
+  private static final Reply NOT_YET = new Reply.Busy(text("notAnsweredYet"));
 
   /** Starts that can be gone back to. */
   private static final int MAX_STARTS = 10_000;

@@ -1,6 +1,7 @@
 package org.pendant.desktop.session;
 
-import java.util.Locale;
+import static org.pendant.desktop.session.SessionTexts.text;
+
 import org.pendant.controller.state.ControllerState;
 
 /**
@@ -26,11 +27,15 @@ public enum ProgramPhase {
 
   /** Such as {@code paused}. */
   public String word() {
-    return name().toLowerCase(Locale.ROOT);
+    return switch (this) {
+      case STOPPED -> text("programStopped");
+      case RUNNING -> text("programRunning");
+      case PAUSED -> text("programPaused");
+    };
   }
 
   /** What stands on the buttons that run a program, or resume one that is paused. */
   public String runWord() {
-    return this == PAUSED ? "Resume" : "Run";
+    return this == PAUSED ? text("resume") : text("run");
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.session;
 
+import static org.pendant.desktop.session.SessionTexts.text;
+
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -175,8 +177,7 @@ public final class RobotSession implements AutoCloseable {
   }
 
   private void staysInMemory(IOException e) {
-    trouble.set(
-        "The recording stays in memory, its temporary file cannot be written: " + e.getMessage());
+    trouble.set(text("theRecordingStaysInMemoryIts", e.getMessage()));
   }
 
   /** How much of recordings is in a file rather than in memory, also of what nobody needs. */
@@ -526,7 +527,7 @@ public final class RobotSession implements AutoCloseable {
     try {
       if (closed || driven != from) {
         next.forEach(SwitchedOn::close);
-        throw new RerunRefused("the controller was switched off meanwhile");
+        throw new RerunRefused(text("theControllerWasSwitchedOffMeanwhile"));
       }
       exchange(cell, lent, () -> driveBranch(from, next));
     } finally {

@@ -78,21 +78,20 @@ public record SavedProgram(
   private static byte[] bytes(Path path) throws IOException {
     BasicFileAttributes attributes = Files.readAttributes(path, BasicFileAttributes.class);
     if (attributes.isDirectory()) {
-      throw new IOException("it is a folder");
+      throw new IOException(SessionTexts.text("itIsAFolder"));
     }
     // A pipe or a device may have no end.
     if (!attributes.isRegularFile()) {
-      throw new IOException("it is no file but a device or a pipe");
+      throw new IOException(SessionTexts.text("itIsNoFileButA"));
     }
     long mib = Math.ceilDiv(attributes.size(), MIB);
     if (mib > MAX_MIB) {
-      throw new IOException(
-          "it has " + mib + " MiB, a program may have at most " + MAX_MIB + " MiB");
+      throw new IOException(SessionTexts.text("itHasMibAProgramMay", mib, MAX_MIB));
     }
     byte[] bytes = Files.readAllBytes(path);
     for (int i = 0; i < bytes.length; i++) {
       if (bytes[i] == 0) {
-        throw new IOException("it is no text, byte " + (i + 1) + " is 0");
+        throw new IOException(SessionTexts.text("itIsNoTextByteIs", i + 1));
       }
     }
     return bytes;
@@ -140,11 +139,11 @@ public record SavedProgram(
   public void write() throws IOException {
     if (readOnly()) {
       throw new IOException(
-          path
-              + ": programs of PolyScope X are read and not written; must be called "
-              + ProgramDocument.TREE
-              + " or "
-              + ProgramDocument.SCRIPT);
+          SessionTexts.text(
+              "programsOfPolyscopeXAreNotWritten",
+              path,
+              ProgramDocument.TREE,
+              ProgramDocument.SCRIPT));
     }
     AtomicFile.write(path, bytes());
   }
@@ -152,11 +151,7 @@ public record SavedProgram(
   byte[] bytes() throws IOException {
     String onDisk = carriageReturns ? text.replace("\n", "\r\n") : text;
     if (!charset.newEncoder().canEncode(onDisk)) {
-      throw new IOException(
-          path
-              + ": it is written in "
-              + charset
-              + ", which lacks some of the characters; Save as writes UTF-8");
+      throw new IOException(SessionTexts.text("charsetLacksCharacters", path, charset));
     }
     return onDisk.getBytes(charset);
   }

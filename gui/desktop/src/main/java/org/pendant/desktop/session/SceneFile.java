@@ -158,15 +158,16 @@ public record SceneFile(String name, Optional<SavedProgram> onDisk, String text,
   public String words() {
     int devices = plan.equipment().devices().stream().mapToInt(each -> each.devices().size()).sum();
     List<String> controllers = plan.layout().names();
-    return name
-        + ", "
-        + count(scene().objects().size(), "object")
-        + (devices > 0 ? ", " + count(devices, "device") : "")
-        + (scene().load().isPresent() ? " and a load" : "")
-        + (controllers.isEmpty() ? "" : "; controllers: " + String.join(", ", controllers));
-  }
-
-  private static String count(int count, String what) {
-    return count + " " + what + (count == 1 ? "" : "s");
+    int objects = scene().objects().size();
+    String words = SessionTexts.text(objects == 1 ? "sceneOfOne" : "sceneOf", name, objects);
+    if (devices > 0) {
+      words = SessionTexts.text(devices == 1 ? "andOneDevice" : "andDevices", words, devices);
+    }
+    if (scene().load().isPresent()) {
+      words = SessionTexts.text("andALoad", words);
+    }
+    return controllers.isEmpty()
+        ? words
+        : SessionTexts.text("andControllers", words, String.join(", ", controllers));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.session;
 
+import static org.pendant.desktop.session.SessionTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -93,7 +95,7 @@ public record SceneMove(Path from, Path to) {
         missing.add(file);
       } else if (!Arrays.equals(
           Files.readAllBytes(from.resolve(file)), Files.readAllBytes(target))) {
-        throw new IOException(target + " is there already, and is another file");
+        throw new IOException(text("isAnotherFile", target));
       }
     }
     for (String file : missing) {

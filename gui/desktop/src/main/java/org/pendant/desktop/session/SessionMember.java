@@ -123,9 +123,7 @@ public final class SessionMember {
   public CompletableFuture<Reply> submit(Command command) {
     CompletableFuture<Reply> reply = robot().submit(command);
     // What was left too late for the last frame gets its answer here.
-    ended.ifPresent(
-        why ->
-            reply.complete(new Reply.Refused(Refusal.Code.SWITCHED_OFF, "the controller " + why)));
+    ended.ifPresent(why -> reply.complete(new Reply.Refused(Refusal.Code.SWITCHED_OFF, why)));
     return reply;
   }
 
@@ -146,7 +144,7 @@ public final class SessionMember {
     return runs;
   }
 
-  /** Whoever comes from now on is told that the controller {@code why}. */
+  /** Whoever comes from now on is told {@code why}. */
   void end(String why) {
     ended = Optional.of(why);
   }
