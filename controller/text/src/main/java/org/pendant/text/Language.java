@@ -29,6 +29,17 @@ public enum Language {
     return title;
   }
 
+  /**
+   * A title as it reads within a sentence: with a small letter in English, unless it begins with an
+   * abbreviation; as it is where nouns keep theirs, or letters have no case.
+   */
+  public String withinSentence(String title) {
+    boolean abbreviation = title.length() > 1 && Character.isUpperCase(title.charAt(1));
+    return this != ENGLISH || title.isEmpty() || abbreviation
+        ? title
+        : title.substring(0, 1).toLowerCase(Locale.ROOT) + title.substring(1);
+  }
+
   /** That of a locale; English for one that is not spoken here. */
   public static Language of(Locale locale) {
     for (Language each : values()) {

@@ -45,4 +45,12 @@ class TextsTest {
     assertEquals(Language.GERMAN, Language.of(Locale.forLanguageTag("de-AT")));
     assertEquals(Language.CHINESE, Language.of(Locale.SIMPLIFIED_CHINESE));
   }
+
+  @Test
+  void aTitleWithinASentenceHasASmallLetterWhereTheLanguageWantsIt() {
+    assertEquals("joint speed", Language.ENGLISH.withinSentence("Joint speed"));
+    assertEquals("TCP", Language.ENGLISH.withinSentence("TCP"));
+    assertEquals("", Language.ENGLISH.withinSentence(""));
+    assertEquals("Achsgeschwindigkeit", Language.GERMAN.withinSentence("Achsgeschwindigkeit"));
+  }
 }

@@ -17,6 +17,7 @@ import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.StepNames;
 import org.pendant.project.program.text.Clip;
 import org.pendant.project.program.text.ProgramText;
+import org.pendant.text.Language;
 
 /**
  * Tree commands: what people do with the selected nodes of the program in front. It has no Swing.
@@ -329,7 +330,10 @@ final class TreeCommands {
         .flatMap(each -> back ? each.undo() : each.redo())
         .ifPresent(
             key -> {
-              tell.accept(text(back ? "undone" : "doneAgain", what.orElse("")));
+              tell.accept(
+                  text(
+                      back ? "undone" : "doneAgain",
+                      Language.ofProcess().withinSentence(what.orElse(""))));
               selectChanged(before, key);
             });
   }

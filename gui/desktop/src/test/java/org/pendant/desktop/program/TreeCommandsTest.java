@@ -148,7 +148,7 @@ final class TreeCommandsTest {
     commands.undo();
     assertEquals("a F .b d", tree());
     assertEquals(Set.of(3L), selected);
-    assertTrue(told.getLast().startsWith("Undone: Delete "), told.toString());
+    assertTrue(told.getLast().startsWith("Undone: delete "), told.toString());
     commands.redo();
     assertEquals("a d", tree());
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -15,7 +17,7 @@ import org.pendant.project.program.WaitFor;
  * own.
  */
 final class ActionForms {
-  static final String NO_SIGNAL = "is no such signal";
+  static final String NO_SIGNAL = text("isNoSuchSignal");
   private static final String ANALOG = "analog_in[0]";
 
   private ActionForms() {}
@@ -26,13 +28,13 @@ final class ActionForms {
       case ActionStep.SetAction set -> SettingForm.of(context, set.setting());
       case ActionStep.Popup popup -> popup(context, popup);
       case ActionStep.Halt _ ->
-          new FormBuilder(context, "halt", "Halt", "Ends the program at once.")
-              .quiet("hint", "There is nothing to set.")
+          new FormBuilder(context, "halt", text("halt"), text("endsTheProgramAtOnce"))
+              .quiet("hint", text("thereIsNothingToSet"))
               .build();
       case ActionStep.Comment comment -> comment(context, comment);
       case ActionStep.Folder folder ->
-          new FormBuilder(context, "folder", "Folder", "Keeps nodes together; they run in order.")
-              .text("name", "Name", folder.name(), "such as Pick", ActionStep.Folder::new)
+          new FormBuilder(context, "folder", text("folder"), text("keepsNodesTogetherTheyRunIn"))
+              .text("name", text("name"), folder.name(), text("suchAsPick"), ActionStep.Folder::new)
               .build();
       case ActionStep.Assignment assignment -> assignment(context, assignment);
       case ActionStep.OperatorInput input -> operatorInput(context, input);
@@ -46,16 +48,16 @@ final class ActionForms {
   private static NodeForm waiting(FormContext context, WaitFor what) {
     context.kept().keep(what);
     FormBuilder form =
-        new FormBuilder(context, "wait", "Wait", "Continues when the time or signal has come.");
+        new FormBuilder(context, "wait", text("wait"), text("continuesWhenTheTimeOrSignal"));
     form.sides(
         "what",
-        "Wait for",
+        text("waitFor"),
         List.of(
-            new Option("nothing", "Nothing"),
-            new Option("time", "Time"),
-            new Option("digital", "Digital"),
-            new Option("analog", "Analog"),
-            new Option("expression", "Expression")),
+            new Option("nothing", text("nothing")),
+            new Option("time", text("time")),
+            new Option("digital", text("digital")),
+            new Option("analog", text("analog")),
+            new Option("expression", text("expression"))),
         switch (what) {
           case WaitFor.Nothing _ -> "nothing";
           case WaitFor.Time _ -> "time";
@@ -66,55 +68,55 @@ final class ActionForms {
         chosen -> new ActionStep.Wait(waitFor(context, chosen)));
     SignalChoices signals = context.signals();
     switch (what) {
-      case WaitFor.Nothing _ -> form.quiet("nothing", "The program continues at once.");
+      case WaitFor.Nothing _ -> form.quiet("nothing", text("theProgramContinuesAtOnce"));
       case WaitFor.Time(double timeS) ->
           form.number(
               NodeFields.WAIT_TIME,
-              "Time",
+              text("time"),
               timeS,
               value -> new ActionStep.Wait(new WaitFor.Time(value)));
       case WaitFor.Digital(String signal, boolean level) ->
           form.choice(
                   "what.signal",
-                  "Signal",
+                  text("signal"),
                   signals.digital(),
                   signal,
                   NO_SIGNAL,
                   value -> new ActionStep.Wait(new WaitFor.Digital(value, level)))
               .either(
                   "what.level",
-                  "To be",
-                  "High",
-                  "Low",
+                  text("toBe"),
+                  text("high"),
+                  text("low"),
                   level,
                   value -> new ActionStep.Wait(new WaitFor.Digital(signal, value)));
       case WaitFor.Analog(String signal, boolean above, double value) ->
           form.choice(
                   "what.signal",
-                  "Signal",
+                  text("signal"),
                   signals.analog(),
                   signal,
                   NO_SIGNAL,
                   chosen -> new ActionStep.Wait(new WaitFor.Analog(chosen, above, value)))
               .either(
                   "what.above",
-                  "To be",
-                  "Above",
-                  "Below",
+                  text("toBe"),
+                  text("above"),
+                  text("below"),
                   above,
                   chosen -> new ActionStep.Wait(new WaitFor.Analog(signal, chosen, value)))
               .number(
                   NodeFields.waitLevel(signal, context.installation().wiring()),
-                  "Value",
+                  text("value"),
                   value,
                   signals.range(signal),
                   chosen -> new ActionStep.Wait(new WaitFor.Analog(signal, above, chosen)));
       case WaitFor.Expression(String condition) ->
           form.condition(
               "what.condition",
-              "Condition",
+              text("condition"),
               condition,
-              "such as get_standard_digital_in(0)",
+              text("suchAsGetStandardDigitalIn"),
               value -> new ActionStep.Wait(new WaitFor.Expression(value)));
     }
     return form.build();
@@ -142,13 +144,13 @@ final class ActionForms {
 
   private static NodeForm popup(FormContext context, ActionStep.Popup popup) {
     FormBuilder form =
-        new FormBuilder(context, "popup", "Popup", "Shows a message and waits for Continue.");
+        new FormBuilder(context, "popup", text("popup"), text("showsAMessageAndWaitsFor"));
     context.kept().keep(popup.isExpression() ? "expression" : "words", popup.text());
-    form.part("Message")
+    form.part(text("message"))
         .sides(
             "isExpression",
-            "Says",
-            List.of(new Option("words", "A text"), new Option("expression", "An expression")),
+            text("says"),
+            List.of(new Option("words", "A text"), new Option("expression", text("anExpression"))),
             popup.isExpression() ? "expression" : "words",
             chosen ->
                 new ActionStep.Popup(
@@ -158,32 +160,37 @@ final class ActionForms {
                     popup.halts()));
     if (popup.isExpression()) {
       form.expression(
-          "text", "Expression", popup.text(), "such as count", text -> popup(popup, text));
+          "text",
+          text("expression"),
+          popup.text(),
+          text("suchAsCount"),
+          text -> popup(popup, text));
     } else {
       form.add(
-          new Item.Prose("text", "Text", popup.text(), text -> context.with(popup(popup, text))));
+          new Item.Prose(
+              "text", text("text"), popup.text(), text -> context.with(popup(popup, text))));
     }
     return form.oneOf(
             "kind",
-            "Kind",
+            text("kind"),
             popup.kind(),
             kind ->
                 switch (kind) {
-                  case MESSAGE -> "Message";
-                  case WARNING -> "Warning";
-                  case ERROR -> "Error";
+                  case MESSAGE -> text("message");
+                  case WARNING -> text("warning");
+                  case ERROR -> text("error");
                 },
             kind -> new ActionStep.Popup(popup.text(), popup.isExpression(), kind, popup.halts()))
         .check(
             "halts",
-            "End the program after it",
+            text("endTheProgramAfterIt"),
             popup.halts(),
             halts -> new ActionStep.Popup(popup.text(), popup.isExpression(), popup.kind(), halts))
-        .part("Preview")
+        .part(text("preview"))
         .drawing(
             "preview",
             new Sketch.Message(popup.text(), popup.kind(), popup.halts()),
-            "The popup as operators see it")
+            text("thePopupAsOperatorsSeeIt"))
         .build();
   }
 
@@ -192,21 +199,26 @@ final class ActionForms {
   }
 
   private static NodeForm comment(FormContext context, ActionStep.Comment comment) {
-    return new FormBuilder(context, "comment", "Comment", "A remark for people; nothing runs.")
+    return new FormBuilder(context, "comment", text("comment"), text("aRemarkForPeopleNothingRuns"))
         .add(
             new Item.Prose(
-                "text", "Text", comment.text(), text -> context.with(new ActionStep.Comment(text))))
+                "text",
+                text("text"),
+                comment.text(),
+                text -> context.with(new ActionStep.Comment(text))))
         .build();
   }
 
   private static FormBuilder source(FormContext context, String variable, boolean operator) {
     FormBuilder form =
-        new FormBuilder(context, "assignment", "Assignment", "Gives a variable a value.");
+        new FormBuilder(context, "assignment", text("assignment"), text("givesAVariableAValue"));
     return form.add(
         new Item.Choice(
             "source",
-            "Value from",
-            List.of(new Option("expression", "Expression"), new Option("operator", "Operator")),
+            text("valueFrom"),
+            List.of(
+                new Option("expression", text("expression")),
+                new Option("operator", text("operator"))),
             operator ? "operator" : "expression",
             true,
             "",
@@ -242,15 +254,15 @@ final class ActionForms {
     return source(context, step.variable(), false)
         .variable(
             "variable",
-            "Variable",
+            text("variable"),
             step.variable(),
             assignable(context),
             name -> new ActionStep.Assignment(name, step.expression()))
         .expression(
             "expression",
-            "Value",
+            text("value"),
             step.expression(),
-            "such as count + 1",
+            text("suchAsCountPlusOne"),
             text -> new ActionStep.Assignment(step.variable(), text))
         .build();
   }
@@ -260,26 +272,26 @@ final class ActionForms {
     return source(context, step.variable(), true)
         .variable(
             "variable",
-            "Variable",
+            text("variable"),
             step.variable(),
             assignable(context),
             name -> new ActionStep.OperatorInput(name, step.kind(), step.message()))
         .oneOf(
             "kind",
-            "Asks for",
+            text("asksFor"),
             step.kind(),
             kind ->
                 switch (kind) {
-                  case BOOLEAN -> "Yes or no";
-                  case INTEGER -> "Whole number";
-                  case FLOAT -> "Number";
-                  case TEXT -> "Text";
+                  case BOOLEAN -> text("yesOrNo");
+                  case INTEGER -> text("wholeNumber");
+                  case FLOAT -> text("number");
+                  case TEXT -> text("text");
                 },
             kind -> new ActionStep.OperatorInput(step.variable(), kind, step.message()))
         .add(
             new Item.Prose(
                 "message",
-                "Question",
+                text("question"),
                 step.message(),
                 text ->
                     context.with(new ActionStep.OperatorInput(step.variable(), step.kind(), text))))
@@ -289,16 +301,16 @@ final class ActionForms {
   private static NodeForm call(FormContext context, ActionStep.Call call) {
     List<String> subs = ProgramNames.subPrograms(context.tree());
     FormBuilder form =
-        new FormBuilder(context, "call", "Call", "Runs a sub program, then continues.")
+        new FormBuilder(context, "call", text("call"), text("runsASubProgramThenContinues"))
             .choice(
                 "subProgram",
-                "Sub program",
+                text("subProgram"),
                 FormContext.plain(subs),
                 call.subProgram(),
-                "is no sub program of this program",
+                text("isNoSubProgramOfThis"),
                 ActionStep.Call::new);
     if (subs.isEmpty()) {
-      form.quiet("none", "The program has no sub program yet: the palette adds one.");
+      form.quiet("none", text("theProgramHasNoSubProgram"));
     }
     context.tree().sections().stream()
         .filter(node -> isSub(node, call.subProgram()))
@@ -310,8 +322,8 @@ final class ActionForms {
                     "",
                     FormBuilder.press(
                         "show-sub",
-                        "Show it",
-                        "Select the sub program in the tree",
+                        text("showIt"),
+                        text("selectTheSubProgramInThe"),
                         true,
                         () -> context.host().select(node.key()))));
     return form.build();
@@ -322,12 +334,11 @@ final class ActionForms {
   }
 
   private static NodeForm scriptLine(FormContext context, ActionStep.ScriptLine line) {
-    return new FormBuilder(
-            context, "script-line", "Script", "URScript that runs as it is typed, one line.")
+    return new FormBuilder(context, "script-line", text("script"), text("urscriptThatRunsAsItIs"))
         .add(
             new Item.Code(
                 "code",
-                "Code",
+                text("code"),
                 line.code(),
                 true,
                 Optional.of(
@@ -336,23 +347,22 @@ final class ActionForms {
   }
 
   private static NodeForm timer(FormContext context, ActionStep.Timer timer) {
-    return new FormBuilder(
-            context, "timer", "Timer", "A stop watch: a variable that counts seconds.")
+    return new FormBuilder(context, "timer", text("timer"), text("aStopWatchAVariableThat"))
         .variable(
             "name",
-            "Timer",
+            text("timer"),
             timer.name(),
             ProgramNames.timers(context.tree()),
             name -> new ActionStep.Timer(name, timer.action()))
         .oneOf(
             "action",
-            "Do",
+            text("do"),
             timer.action(),
             action ->
                 switch (action) {
-                  case START -> "Start";
-                  case STOP -> "Stop";
-                  case RESET -> "Reset";
+                  case START -> text("timerStart");
+                  case STOP -> text("timerStop");
+                  case RESET -> text("timerReset");
                 },
             action -> new ActionStep.Timer(timer.name(), action))
         .build();

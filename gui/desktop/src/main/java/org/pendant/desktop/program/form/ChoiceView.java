@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
@@ -67,7 +69,7 @@ final class ChoiceView implements FieldView {
     List<Option> wanted = new ArrayList<>(item.options());
     String missing = item.problem();
     if (!missing.isEmpty()) {
-      wanted.add(0, new Option(item.value(), name(item.value()) + " (missing)"));
+      wanted.add(0, new Option(item.value(), text("missing", name(item.value()))));
     }
     if (!wanted.equals(options)) {
       options = List.copyOf(wanted);
@@ -90,7 +92,7 @@ final class ChoiceView implements FieldView {
   @Override
   public void setProblem(String problem) {
     String missing =
-        item.problem().isEmpty() ? "" : "'" + name(item.value()) + "' " + item.missing();
+        item.problem().isEmpty() ? "" : text("quoted", name(item.value()), item.missing());
     String said = panel.say(missing.isEmpty() ? problem : missing);
     box.putClientProperty("JComponent.outline", said.isEmpty() ? null : "error");
     String text = box.getSelectedItem() instanceof Option option ? option.text() : "";

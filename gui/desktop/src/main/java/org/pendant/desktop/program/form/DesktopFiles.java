@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.io.IOException;
@@ -56,7 +58,7 @@ final class DesktopFiles implements FormFiles {
           try {
             long size = Files.size(file);
             if (size > MAX_BYTES) {
-              later(failed, file + " has " + size + " bytes, must be at most " + MAX_BYTES);
+              later(failed, text("hasBytesMustBeAtMost", file, size, MAX_BYTES));
               return;
             }
             later(
@@ -66,11 +68,11 @@ final class DesktopFiles implements FormFiles {
                     .decode(ByteBuffer.wrap(Files.readAllBytes(file)))
                     .toString());
           } catch (NoSuchFileException e) {
-            later(failed, file + " cannot be read: there is no such file");
+            later(failed, text("cannotBeReadThereIsNo", file));
           } catch (CharacterCodingException e) {
-            later(failed, file + " cannot be read: it is no text in UTF-8");
+            later(failed, text("cannotBeReadItIsNo", file));
           } catch (IOException e) {
-            later(failed, file + " cannot be read: " + e.getMessage());
+            later(failed, text("cannotBeRead", file, e.getMessage()));
           }
         });
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -18,14 +20,11 @@ final class DirectionForm {
   static NodeForm of(FormContext context, MotionStep.Direction step) {
     FormBuilder form =
         new FormBuilder(
-            context,
-            "direction",
-            "Direction",
-            "Moves the tool straight on until one of the Until nodes below it says stop.");
-    form.part("Direction")
+            context, "direction", text("direction"), text("movesTheToolStraightOnUntil"));
+    form.part(text("direction"))
         .choice(
             "feature",
-            "Feature",
+            text("feature"),
             context.features(),
             step.feature(),
             MotionForms.NO_FEATURE,
@@ -37,34 +36,33 @@ final class DirectionForm {
         v -> along(step, v));
     form.expression(
         "expression",
-        "or computed",
+        text("orComputed"),
         step.expression(),
-        "such as [1, 0, -0.5]",
+        text("suchAsVector"),
         text -> computed(step, text));
     if (step.expression().isBlank()) {
       form.drawing(
           "direction-drawing",
           new Sketch.Arrow(step.x(), step.y(), step.z()),
-          "The direction in " + step.feature());
+          text("theDirectionIn", FormContext.shown(step.feature())));
     }
-    form.part("Motion")
+    form.part(text("motion"))
         .optional(
             NodeFields.DIRECTION_SPEED,
-            "Tool speed",
+            text("toolSpeed"),
             step.speedMPerS(),
-            "as the move",
+            text("asTheMove"),
             value -> motion(step, value, step.accelerationMPerS2()))
         .optional(
             NodeFields.DIRECTION_ACCELERATION,
-            "Acceleration",
+            text("acceleration"),
             step.accelerationMPerS2(),
-            "as the move",
+            text("asTheMove"),
             value -> motion(step, step.speedMPerS(), value));
     boolean ends =
         context.node().children().stream()
             .anyMatch(each -> each.step() instanceof MotionStep.Until && !each.suppressed());
-    return form.note(
-            "until", Item.Tone.WARNING, ends ? "" : "Nothing ends it: add an Until below it.")
+    return form.note("until", Item.Tone.WARNING, ends ? "" : text("nothingEndsItAddAnUntil"))
         .build();
   }
 
@@ -128,12 +126,12 @@ final class DirectionForm {
                     + (sign > 0 ? "plus-" : "minus-")
                     + AXES.get(axis).toLowerCase(Locale.ROOT),
                 text,
-                "Along " + (sign > 0 ? "" : "negative ") + AXES.get(axis) + " of the feature",
+                text(sign > 0 ? "alongAxis" : "alongNegativeAxis", AXES.get(axis)),
                 true,
-                () -> context.change("Change direction", context.with(step.step(unit)))));
+                () -> context.change(text("changeDirection"), context.with(step.step(unit)))));
       }
     }
-    form.add(new Item.Presses("axes", "Along", buttons));
+    form.add(new Item.Presses("axes", text("along"), buttons));
     List<Item.Quantity> numbers = new ArrayList<>();
     for (int axis = 0; axis < 3; axis++) {
       int changed = axis;
@@ -148,11 +146,8 @@ final class DirectionForm {
                 return step.step(vector);
               }));
     }
-    form.add(new Item.Grid("vector", "Vector", 3, numbers));
+    form.add(new Item.Grid("vector", text("vector"), 3, numbers));
     boolean none = now.stream().allMatch(each -> Math.abs(each) < 1e-9);
-    form.note(
-        "vector-zero",
-        Item.Tone.WARNING,
-        none ? "The direction has no length: at least one number must not be 0." : "");
+    form.note("vector-zero", Item.Tone.WARNING, none ? text("theDirectionHasNoLengthAt") : "");
   }
 }

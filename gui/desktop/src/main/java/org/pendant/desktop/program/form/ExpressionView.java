@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import javax.swing.JComponent;
 import org.pendant.desktop.debug.ConditionCheck;
 import org.pendant.desktop.debug.FieldCompletions;
@@ -103,6 +105,6 @@ final class ExpressionView implements FieldView {
     found = problem;
     String said = panel.say(problem);
     field.outline(!said.isEmpty());
-    FieldViews.describe(field, said, "An expression, " + item.hint() + ". Ctrl+Space completes");
+    FieldViews.describe(field, said, text("anExpressionCtrlSpaceCompletes", item.hint()));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -24,27 +26,24 @@ final class FileParts {
   static NodeForm scriptFile(FormContext context, ActionStep.ScriptFile step) {
     FormBuilder form =
         new FormBuilder(
-            context,
-            "script-file",
-            "Script file",
-            "URScript of a file. The program keeps a copy and runs that.");
-    form.part("File");
+            context, "script-file", text("scriptFile"), text("urscriptOfAFileTheProgram"));
+    form.part(text("file"));
     addFile(
         form,
         step.file(),
         ".script",
         (file, text) ->
             context.change(
-                "Read " + file,
+                text("read", file),
                 context
                     .host()
                     .tree()
                     .withStep(
                         context.key(),
                         new ActionStep.ScriptFile(file, text.stripTrailing().lines().toList()))));
-    form.part("Copy in the program");
+    form.part(text("copyInTheProgram"));
     if (step.lines().isEmpty()) {
-      form.quiet("empty", "Nothing has been read yet.");
+      form.quiet("empty", text("nothingHasBeenReadYet"));
     } else {
       form.add(new Item.Code("lines", "", String.join("\n", step.lines()), true, Optional.empty()));
     }
@@ -53,11 +52,8 @@ final class FileParts {
 
   static void addSubProgram(FormBuilder form, Section.SubProgram sub) {
     FormContext context = form.context();
-    form.part("Copy of a program");
-    form.quiet(
-        "file-hint",
-        "A program file can be copied in: the nodes of its main program take the place of those"
-            + " below.");
+    form.part(text("copyOfAProgram"));
+    form.quiet("file-hint", text("aProgramFileCanBeCopied"));
     addFile(
         form,
         sub.file(),
@@ -66,16 +62,14 @@ final class FileParts {
           ReadProgram read = ProgramText.read(text);
           if (read.problems().isEmpty()) {
             context.change(
-                "Copy " + file,
+                text("copy", file),
                 copied(
                     context.host().tree(),
                     context.key(),
                     new Section.SubProgram(sub.name(), file),
                     read.tree()));
           } else {
-            context
-                .host()
-                .notify(file + " cannot be read: " + read.problems().getFirst().message());
+            context.host().notify(text("cannotBeRead", file, read.problems().getFirst().message()));
           }
         });
   }
@@ -88,7 +82,7 @@ final class FileParts {
 
   private static void addFile(FormBuilder form, String file, String ending, Use use) {
     FormContext context = form.context();
-    form.quiet("file", file.isEmpty() ? "No file chosen." : "File: " + file);
+    form.quiet("file", file.isEmpty() ? text("noFileChosen") : text("fileNamed", file));
     Consumer<Path> read =
         path ->
             context
@@ -102,14 +96,14 @@ final class FileParts {
         "",
         FormBuilder.press(
             "file-choose",
-            "Choose\u2026",
-            "Choose a file and read it",
+            text("choose"),
+            text("chooseAFileAndReadIt"),
             true,
-            () -> context.files().choose("Choose a file", ending, read)),
+            () -> context.files().choose(text("chooseAFile"), ending, read)),
         FormBuilder.press(
             "file-reload",
-            "Read again",
-            "Read the file as it is now",
+            text("readAgain"),
+            text("readTheFileAsItIs"),
             !file.isEmpty(),
             () -> read.accept(path(context, file))));
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.List;
 import java.util.function.Predicate;
 import org.pendant.desktop.program.form.Item.Option;
@@ -11,7 +13,7 @@ import org.pendant.project.program.Step;
 
 /** Flow forms: those of nodes that decide which nodes run. */
 final class FlowForms {
-  private static final String CONDITION = "such as get_standard_digital_in(0)";
+  private static final String CONDITION = text("suchAsGetStandardDigitalIn");
 
   private FlowForms() {}
 
@@ -20,28 +22,26 @@ final class FlowForms {
       case FlowStep.If when -> when(context, when);
       case FlowStep.ElseIf other -> otherwise(context, other);
       case FlowStep.Else _ ->
-          new FormBuilder(
-                  context, "else", "Else", "Runs its nodes if nothing before it in the group did.")
-              .quiet("hint", "There is nothing to set.")
+          new FormBuilder(context, "else", text("else"), text("runsIfNothingBeforeDid"))
+              .quiet("hint", text("thereIsNothingToSet"))
               .build();
       case FlowStep.Loop(LoopRule rule) -> loop(context, rule);
       case FlowStep.Switch(String expression) -> choose(context, expression);
       case FlowStep.Case(String value) ->
-          new FormBuilder(context, "case", "Case", "Runs its nodes if the switch has this value.")
+          new FormBuilder(context, "case", text("case"), text("runsItsNodesIfTheSwitch"))
               .add(
                   new Item.Text(
                       "value",
-                      "Value",
+                      text("value"),
                       value,
-                      "a number, such as 1",
+                      text("aNumberSuchAsOne"),
                       List.of(),
                       FlowForms::noNumber,
                       text -> context.with(new FlowStep.Case(text.strip()))))
               .build();
       case FlowStep.DefaultCase _ ->
-          new FormBuilder(
-                  context, "default-case", "Default", "Runs its nodes if no case has the value.")
-              .quiet("hint", "There is nothing to set.")
+          new FormBuilder(context, "default-case", text("default"), text("runsItsNodesIfNoCase"))
+              .quiet("hint", text("thereIsNothingToSet"))
               .build();
     };
   }
@@ -50,23 +50,21 @@ final class FlowForms {
     if (text.isBlank()) {
       return "";
     }
-    return new FlowStep.Case(text).number().isPresent()
-        ? ""
-        : "'" + text.strip() + "' is not a number";
+    return new FlowStep.Case(text).number().isPresent() ? "" : text("isNotANumber", text.strip());
   }
 
   private static NodeForm when(FormContext context, FlowStep.If when) {
     FormBuilder form =
-        new FormBuilder(context, "if", "If", "Runs its nodes if the condition is true.")
+        new FormBuilder(context, "if", text("if"), text("runsItsNodesIfTheCondition"))
             .condition(
                 "condition",
-                "Condition",
+                text("condition"),
                 when.condition(),
                 CONDITION,
                 text -> new FlowStep.If(text, when.continuously()))
             .check(
                 "continuously",
-                "Check continuously",
+                text("checkContinuously"),
                 when.continuously(),
                 value -> new FlowStep.If(when.condition(), value));
     continuously(form, when.continuously());
@@ -75,20 +73,16 @@ final class FlowForms {
 
   private static NodeForm otherwise(FormContext context, FlowStep.ElseIf other) {
     FormBuilder form =
-        new FormBuilder(
-                context,
-                "else-if",
-                "Else if",
-                "Runs its nodes if nothing before it in the group did and the condition is true.")
+        new FormBuilder(context, "else-if", text("elseIf"), text("runsIfNothingBeforeDidAndTrue"))
             .condition(
                 "condition",
-                "Condition",
+                text("condition"),
                 other.condition(),
                 CONDITION,
                 text -> new FlowStep.ElseIf(text, other.continuously()))
             .check(
                 "continuously",
-                "Check continuously",
+                text("checkContinuously"),
                 other.continuously(),
                 value -> new FlowStep.ElseIf(other.condition(), value));
     continuously(form, other.continuously());
@@ -98,9 +92,7 @@ final class FlowForms {
   private static void continuously(FormBuilder form, boolean on) {
     form.quiet(
         "continuously-hint",
-        on
-            ? "The nodes below end as soon as the condition is no longer true."
-            : "The condition is looked at once, before the nodes below run.");
+        on ? text("theNodesBelowEndAsSoon") : text("theConditionIsLookedAtOnce"));
   }
 
   /** Buttons for more branches behind this one. */
@@ -111,15 +103,15 @@ final class FlowForms {
         "",
         form.edit(
             "add-else-if",
-            "Add Else if",
-            "Add a branch with another condition behind this one",
+            text("addElseIf"),
+            text("addABranchWithAnotherCondition"),
             tree -> behind(tree, context.key(), new FlowStep.ElseIf(""))),
         FormBuilder.press(
             "add-else",
-            "Add Else",
-            "Add a branch for when no condition is true",
+            text("addElse"),
+            text("addABranchForWhenNo"),
             !hasElse(context),
-            () -> context.change("Add Else", atEnd(context.host().tree(), context.key()))));
+            () -> context.change(text("addElse"), atEnd(context.host().tree(), context.key()))));
   }
 
   private static int place(ProgramTree tree, long key) {
@@ -170,14 +162,14 @@ final class FlowForms {
     Kept kept = context.kept();
     kept.keep(rule);
     FormBuilder form =
-        new FormBuilder(context, "loop", "Loop", "Runs its nodes again and again.")
+        new FormBuilder(context, "loop", text("loop"), text("runsItsNodesAgainAndAgain"))
             .sides(
                 "rule",
-                "Repeats",
+                text("repeats"),
                 List.of(
-                    new Option("forever", "For ever"),
-                    new Option("times", "A number of times"),
-                    new Option("while", "While")),
+                    new Option("forever", text("forEver")),
+                    new Option("times", text("aNumberOfTimes")),
+                    new Option("while", text("while"))),
                 switch (rule) {
                   case LoopRule.Forever _ -> "forever";
                   case LoopRule.Times _ -> "times";
@@ -197,31 +189,31 @@ final class FlowForms {
       case LoopRule.Times(String count, String variable) ->
           form.expression(
                   "rule.count",
-                  "How often",
+                  text("howOften"),
                   count,
-                  "such as 5",
+                  text("suchAsFive"),
                   text -> new FlowStep.Loop(new LoopRule.Times(text, variable)))
               .add(
                   new Item.Text(
                       "rule.variable",
-                      "Counter",
+                      text("counter"),
                       variable,
-                      "by itself",
+                      text("byItself"),
                       ProgramNames.ownVariables(context.tree()),
                       FormBuilder::nameRefusal,
                       text ->
                           context.with(new FlowStep.Loop(new LoopRule.Times(count, text.strip())))))
-              .quiet("counter-hint", "The counter begins at 0; without a name it gets one.");
+              .quiet("counter-hint", text("theCounterBeginsAt0Without"));
       case LoopRule.While(String condition, boolean continuously) -> {
         form.condition(
                 "rule.condition",
-                "Condition",
+                text("condition"),
                 condition,
-                "such as count < 10",
+                text("suchAsCountBelowTen"),
                 text -> new FlowStep.Loop(new LoopRule.While(text, continuously)))
             .check(
                 "rule.continuously",
-                "Check continuously",
+                text("checkContinuously"),
                 continuously,
                 value -> new FlowStep.Loop(new LoopRule.While(condition, value)));
         continuously(form, continuously);
@@ -234,27 +226,28 @@ final class FlowForms {
     Predicate<ProgramNode> isDefault = child -> child.step() instanceof FlowStep.DefaultCase;
     boolean whole = context.node().children().stream().anyMatch(isDefault);
     FormBuilder form =
-        new FormBuilder(context, "switch", "Switch", "Runs the case below it that has the value.");
+        new FormBuilder(context, "switch", text("switch"), text("runsTheCaseBelowItThat"));
     return form.expression(
-            "expression", "Value", expression, "such as part_kind", FlowStep.Switch::new)
+            "expression", text("value"), expression, text("suchAsPartKind"), FlowStep.Switch::new)
         .presses(
             "cases",
             "",
             form.edit(
                 "add-case",
-                "Add Case",
-                "Add a case before the default",
+                text("addCase"),
+                text("addACaseBeforeTheDefault"),
                 tree -> withCase(tree, context.key(), isDefault)),
             FormBuilder.press(
                 "add-default",
-                "Add Default",
-                "Add what runs if no case has the value",
+                text("addDefault"),
+                text("addWhatRunsIfNoCase"),
                 !whole,
                 () -> {
                   ProgramTree tree = context.host().tree();
                   int end = tree.childrenOf(context.key()).size();
                   context.change(
-                      "Add Default", within(tree, context.key(), end, new FlowStep.DefaultCase()));
+                      text("addDefault"),
+                      within(tree, context.key(), end, new FlowStep.DefaultCase()));
                 }))
         .build();
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
@@ -20,21 +22,17 @@ final class ForceForm {
     Force force = whole(step);
     boolean simple = force.kind() == ForceKind.SIMPLE;
     FormBuilder form =
-        new FormBuilder(
-            context,
-            "force",
-            "Force",
-            "Gives way along some axes and presses there while its nodes run.");
-    form.part("Frame")
+        new FormBuilder(context, "force", text("force"), text("givesWayAlongSomeAxesAnd"));
+    form.part(text("frame"))
         .add(
             new Item.Choice(
                 "kind",
-                "Kind",
+                text("kind"),
                 List.of(
-                    new Option(ForceKind.SIMPLE.name(), "Simple"),
-                    new Option(ForceKind.FRAME.name(), "Frame"),
-                    new Option(ForceKind.POINT.name(), "Point"),
-                    new Option(ForceKind.MOTION.name(), "Motion")),
+                    new Option(ForceKind.SIMPLE.name(), text("simple")),
+                    new Option(ForceKind.FRAME.name(), text("frame")),
+                    new Option(ForceKind.POINT.name(), text("point")),
+                    new Option(ForceKind.MOTION.name(), text("motion"))),
                 force.kind().name(),
                 true,
                 "",
@@ -49,7 +47,7 @@ final class ForceForm {
         .quiet("kind-hint", about(force.kind()))
         .choice(
             "feature",
-            "Feature",
+            text("feature"),
             context.features(),
             force.feature(),
             MotionForms.NO_FEATURE,
@@ -60,33 +58,25 @@ final class ForceForm {
             new Sketch.Axes(
                 simple ? List.of(false, false, true, false, false, false) : force.compliant(),
                 force.wrench()),
-            "The axes that give way, with the direction of the force");
-    form.part("Axes");
+            text("theAxesThatGiveWayWith"));
+    form.part(text("axes"));
     for (int axis = 0; axis < SIZE; axis++) {
       if (!simple || axis == Z) {
         axis(form, force, axis, simple);
       }
     }
     form.quiet(
-            "axes-hint",
-            simple
-                ? "The z axis of the feature gives way: the tool presses along it, at most this"
-                    + " fast."
-                : "A checked axis gives way: force or torque, and the largest speed. The others"
-                    + " stay on the path, with the largest deviation.")
-        .quiet(
-            "test-hint",
-            "To try it: run the program slowly with the tool just above the surface, and watch the"
-                + " force on the Plots screen.");
+            "axes-hint", simple ? text("theZAxisOfTheFeature") : text("aCheckedAxisGivesWayForce"))
+        .quiet("test-hint", text("toTryItRunTheProgram"));
     return form.build();
   }
 
   private static String about(ForceKind kind) {
     return switch (kind) {
-      case SIMPLE -> "Only the z axis of the feature gives way.";
-      case FRAME -> "The axes of the feature, as it is.";
-      case POINT -> "The y axis points from the TCP to the origin of the feature.";
-      case MOTION -> "The x axis points along the motion of the TCP.";
+      case SIMPLE -> text("onlyTheZAxisOfThe");
+      case FRAME -> text("theAxesOfTheFeatureAs");
+      case POINT -> text("theYAxisPointsFromThe");
+      case MOTION -> text("theXAxisPointsAlongThe");
     };
   }
 
@@ -135,7 +125,7 @@ final class ForceForm {
       items.add(
           form.numberOf(
               NodeFields.wrench(axis),
-              line ? "Force" : "Torque",
+              line ? text("force") : text("torque"),
               force.wrench().get(axis),
               value ->
                   lists(
@@ -147,7 +137,7 @@ final class ForceForm {
     items.add(
         form.numberOf(
             NodeFields.forceLimit(axis, free),
-            free ? "Speed" : "Deviation",
+            free ? text("speed") : text("deviation"),
             force.limits().get(axis),
             value ->
                 lists(

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.project.program.ExternalControl;
@@ -13,20 +15,18 @@ final class ForeignForms {
     return switch (step) {
       case ForeignStep.Contributed contributed -> contributed(context, contributed);
       case ForeignStep.Unknown(String element, List<String> data) ->
-          new FormBuilder(
-                  context,
-                  "unknown",
-                  "Unknown node",
-                  "Came from an imported file. It is kept as it was and does nothing.")
-              .quiet("element", "Element: " + element)
-              .add(new Item.Code("data", "Data", String.join("\n", data), false, Optional.empty()))
+          new FormBuilder(context, "unknown", text("unknownNode"), text("cameFromAnImportedFileIt"))
+              .quiet("element", text("element", element))
+              .add(
+                  new Item.Code(
+                      "data", text("data"), String.join("\n", data), false, Optional.empty()))
               .build();
     };
   }
 
   private static NodeForm contributed(FormContext context, ForeignStep.Contributed step) {
     return about(context, step)
-        .part("Script in its place")
+        .part(text("scriptInItsPlace"))
         .add(
             new Item.Code(
                 "stub",
@@ -38,7 +38,7 @@ final class ForeignForms {
                         context.with(
                             new ForeignStep.Contributed(
                                 step.source(), step.type(), step.data(), lines(text))))))
-        .part("Data")
+        .part(text("data"))
         .add(new Item.Code("data", "", String.join("\n", step.data()), false, Optional.empty()))
         .build();
   }
@@ -46,25 +46,16 @@ final class ForeignForms {
   private static FormBuilder about(FormContext context, ForeignStep.Contributed step) {
     if (ExternalControl.is(step)) {
       return new FormBuilder(
-              context,
-              "external-control",
-              ExternalControl.TYPE,
-              "Hands the arm over to a driver: when the program starts, that is asked for the"
-                  + " script that runs here.")
+              context, "external-control", ExternalControl.TYPE, text("aboutExternalControl"))
           .quiet(
               "driver",
-              "Asks "
-                  + context.installation().controlHost().text()
-                  + " (Installation, External Control)");
+              text("asksInstallationExternalControl", context.installation().controlHost().text()));
     }
     return new FormBuilder(
-            context,
-            "contributed",
-            "Contributed node",
-            "Belongs to a URCap. Its data are kept; the script below runs in its place.")
+            context, "contributed", text("contributedNode"), text("belongsToAUrcapItsData"))
         .quiet(
             "source",
-            (step.source().isEmpty() ? "Unknown source" : step.source())
+            (step.source().isEmpty() ? text("unknownSource") : step.source())
                 + (step.type().isEmpty() ? "" : ", " + step.type()));
   }
 

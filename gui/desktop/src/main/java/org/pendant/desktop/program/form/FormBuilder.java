@@ -146,7 +146,7 @@ final class FormBuilder {
         name,
         label,
         value,
-        "a name, such as count",
+        FormTexts.text("aNameSuchAsCount"),
         known,
         FormBuilder::nameRefusal,
         each -> context.with(step.apply(each.strip())));

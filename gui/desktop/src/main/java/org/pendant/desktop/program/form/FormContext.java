@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -97,9 +99,19 @@ record FormContext(FormHost host, ProgramTree tree, ProgramNode node, Kept kept,
   List<Option> features() {
     return options(
         List.of(
-            new Option(WaypointPosition.BASE, "Base"), new Option(WaypointPosition.TOOL, "Tool")),
+            new Option(WaypointPosition.BASE, text("base")),
+            new Option(WaypointPosition.TOOL, text("tool"))),
         installation().features(),
         each -> each.name());
+  }
+
+  /** How people read the name of a feature. */
+  static String shown(String feature) {
+    return switch (feature) {
+      case WaypointPosition.BASE -> text("base");
+      case WaypointPosition.TOOL -> text("tool");
+      default -> feature;
+    };
   }
 
   /** Options for things with names, behind some others. */

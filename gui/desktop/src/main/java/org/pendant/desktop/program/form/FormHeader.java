@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -15,7 +17,7 @@ final class FormHeader extends JPanel {
   private final FormText about = new FormText("form-about", Palette::quiet);
   private final FormText problems = new FormText("form-problems", Palette::error).keepingRoom();
   private final FormText suppressed = new FormText("form-suppressed", Palette::warning);
-  private final JButton again = new JButton("Use it again");
+  private final JButton again = new JButton(text("useItAgain"));
 
   /**
    * A header.
@@ -28,7 +30,7 @@ final class FormHeader extends JPanel {
     title.setName("form-title");
     title.putClientProperty("FlatLaf.styleClass", "h2");
     TitledCard.compact(again);
-    TitledCard.named(again, "form-use-again", "Let the node take part in the program again");
+    TitledCard.named(again, "form-use-again", text("letTheNodeTakePartIn"));
     again.addActionListener(event -> use.run());
     add(title, "wmin 0");
     for (FormText each : List.of(about, suppressed)) {
@@ -50,7 +52,7 @@ final class FormHeader extends JPanel {
   }
 
   void setSuppressed(boolean now) {
-    suppressed.say(now ? "Suppressed: this node and all below it do nothing." : "");
+    suppressed.say(now ? text("suppressedThisNodeAndAllBelow") : "");
     again.setVisible(now);
   }
 

@@ -1,8 +1,9 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
@@ -11,6 +12,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
+import org.pendant.text.Language;
 
 /**
  * Form presenter: what is shown of the selected node, and what becomes of what people type. One
@@ -80,7 +82,7 @@ final class FormPresenter {
         .ifPresent(
             node ->
                 change(
-                    "Use again",
+                    text("useAgain"),
                     host.tree().withNode(node.key(), each -> each.withSuppressed(false))));
   }
 
@@ -96,8 +98,11 @@ final class FormPresenter {
   }
 
   private void change(Item item, ProgramTree next) {
-    String label = item.label().isEmpty() ? "node" : item.label();
-    change("Change " + label.toLowerCase(Locale.ROOT), next);
+    change(
+        item.label().isEmpty()
+            ? text("changeNode")
+            : text("change", Language.ofProcess().withinSentence(item.label())),
+        next);
   }
 
   /**

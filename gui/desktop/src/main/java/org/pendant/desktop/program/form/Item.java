@@ -174,7 +174,7 @@ sealed interface Item {
     /** Why the value cannot stay; empty if it can. */
     String problem() {
       boolean known = options.stream().anyMatch(each -> each.value().equals(value));
-      return known || value.isEmpty() ? "" : "'" + value + "' " + missing;
+      return known || value.isEmpty() ? "" : FormTexts.text("quoted", value, missing);
     }
   }
 

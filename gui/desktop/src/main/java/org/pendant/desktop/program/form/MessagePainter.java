@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -55,7 +57,7 @@ final class MessagePainter {
     pen.setFont(font);
     int button = metrics.getHeight() + UIScale.scale(8);
     body(message.text(), left, pad + sign + UIScale.scale(6), x + wide - pad - left, button);
-    button(message.halts() ? "End program" : "Continue", x + wide - pad, button, color);
+    button(message.halts() ? text("endProgram") : text("continue"), x + wide - pad, button, color);
   }
 
   private void body(String text, int left, int top, int room, int button) {
@@ -63,7 +65,7 @@ final class MessagePainter {
     pen.setColor(text.isBlank() ? Palette.quiet() : foreground());
     int y = top + metrics.getAscent();
     int lowest = height - button - UIScale.scale(14);
-    for (String line : wrapped(text.isBlank() ? "No text yet" : text, metrics, room)) {
+    for (String line : wrapped(text.isBlank() ? text("noTextYet") : text, metrics, room)) {
       if (y > lowest) {
         break;
       }
@@ -120,9 +122,9 @@ final class MessagePainter {
 
   private static String title(ActionStep.PopupKind kind) {
     return switch (kind) {
-      case MESSAGE -> "Message";
-      case WARNING -> "Warning";
-      case ERROR -> "Error";
+      case MESSAGE -> text("message");
+      case WARNING -> text("warning");
+      case ERROR -> text("error");
     };
   }
 }

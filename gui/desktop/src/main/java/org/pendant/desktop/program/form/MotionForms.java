@@ -1,8 +1,9 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.pendant.controller.installation.NamedTool;
@@ -22,8 +23,10 @@ import org.pendant.project.program.UntilRule;
 
 /** Motion forms: those of moves and of what belongs to them, without waypoints. */
 final class MotionForms {
-  static final String NO_FEATURE = "is no feature of the installation";
+  static final String NO_FEATURE = text("isNoFeatureOfTheInstallation");
   private static final String NAMED = "tcp:";
+  private static final List<String> JOINTS =
+      List.of("baseAt", "shoulderAt", "elbowAt", "wrist1At", "wrist2At", "wrist3At");
 
   private MotionForms() {}
 
@@ -43,11 +46,11 @@ final class MotionForms {
 
     context.kept().keep(joint ? "joint" : "tool", move);
     FormBuilder form =
-        new FormBuilder(context, "move", words(move.kind()), about(move.kind())).part("Path");
+        new FormBuilder(context, "move", words(move.kind()), about(move.kind())).part(text("path"));
     form.add(
         new Item.Choice(
             "kind",
-            "Kind",
+            text("kind"),
             List.of(
                 new Option(MoveKind.JOINT.name(), "MoveJ"),
                 new Option(MoveKind.LINEAR.name(), "MoveL"),
@@ -58,34 +61,32 @@ final class MotionForms {
             kind -> withKind(context, move, MoveKind.valueOf(kind))));
     form.number(
             NodeFields.speed(move.kind()),
-            joint ? "Joint speed" : "Tool speed",
+            joint ? text("jointSpeed") : text("toolSpeed"),
             move.speed(),
             context.usualSpeed(move.kind()),
             value -> motion(move, value, move.acceleration()))
         .number(
             NodeFields.acceleration(move.kind()),
-            "Acceleration",
+            text("acceleration"),
             move.acceleration(),
             value -> motion(move, move.speed(), value));
     if (joint) {
       form.check(
           "byJoints",
-          "Go to the taught joint angles",
+          text("goToTheTaughtJointAngles"),
           move.byJoints(),
           value -> frame(move, move.tool(), move.feature(), value));
     }
-    form.part("Frame");
+    form.part(text("frame"));
     tool(form, move.tool(), tool -> frame(move, tool, move.feature(), move.byJoints()));
     form.choice(
         "feature",
-        "Feature",
+        text("feature"),
         context.features(),
         move.feature(),
         NO_FEATURE,
         feature -> frame(move, move.tool(), feature, move.byJoints()));
-    form.quiet(
-        "feature-hint",
-        "New waypoints are taught in the feature; those that are taught keep theirs.");
+    form.quiet("feature-hint", text("newWaypointsAreTaughtInThe"));
     return form.build();
   }
 
@@ -100,9 +101,9 @@ final class MotionForms {
 
   private static String about(MoveKind kind) {
     return switch (kind) {
-      case JOINT -> "Each joint goes its own way to the waypoints below; the quickest move.";
-      case LINEAR -> "The tool goes along straight lines to the waypoints below.";
-      case PROCESS -> "The tool goes at constant speed, with round corners and circles.";
+      case JOINT -> text("eachJointGoesItsOwnWay");
+      case LINEAR -> text("theToolGoesAlongStraightLines");
+      case PROCESS -> text("theToolGoesAtConstantSpeed");
     };
   }
 
@@ -166,8 +167,8 @@ final class MotionForms {
   /** Which TCP. */
   static void tool(FormBuilder form, ToolChoice tool, Function<ToolChoice, Step> step) {
     List<Option> options = new ArrayList<>();
-    options.add(new Option("active", "Active TCP"));
-    options.add(new Option("flange", "Flange, no TCP"));
+    options.add(new Option("active", text("activeTcp")));
+    options.add(new Option("flange", text("flangeNoTcp")));
     for (NamedTool each : form.context().installation().tools()) {
       options.add(new Option(NAMED + each.name(), each.name()));
     }
@@ -182,7 +183,7 @@ final class MotionForms {
         "TCP",
         options,
         value,
-        "is no TCP of the installation",
+        text("isNoTcpOfTheInstallation"),
         chosen ->
             step.apply(
                 switch (chosen) {
@@ -195,24 +196,20 @@ final class MotionForms {
   private static NodeForm circle(FormContext context, MotionStep.CircleMove circle) {
     FormBuilder form =
         new FormBuilder(
-                context,
-                "circle-move",
-                "Circle",
-                "An arc through the first waypoint below to the second.")
-            .part("Arc")
+                context, "circle-move", text("circle"), text("anArcThroughTheFirstWaypoint"))
+            .part(text("arc"))
             .either(
                 "fixedOrientation",
-                "Tool",
-                "Turns with the arc",
-                "Turns evenly",
+                text("tool"),
+                text("turnsWithTheArc"),
+                text("turnsEvenly"),
                 circle.fixedOrientation(),
                 value -> new MotionStep.CircleMove(value, circle.blendRadiusM()))
             .quiet(
                 "orientation-hint",
                 circle.fixedOrientation()
-                    ? "The tool keeps its orientation to the arc; the orientation of the end does"
-                        + " not count."
-                    : "The tool turns evenly to the orientation of the end.");
+                    ? text("theToolKeepsItsOrientationTo")
+                    : text("theToolTurnsEvenlyToThe"));
     blend(
         form,
         circle.blendRadiusM(),
@@ -221,7 +218,7 @@ final class MotionForms {
     return form.note(
             "points",
             Item.Tone.WARNING,
-            points == 2 ? "" : "It needs two waypoints below it and has " + points + ".")
+            points == 2 ? "" : text("itNeedsTwoWaypointsBelowIt", points))
         .build();
   }
 
@@ -237,12 +234,12 @@ final class MotionForms {
       Function<OptionalDouble, Step> step) {
     Kept kept = form.context().kept();
     radiusM.ifPresent(radius -> kept.keep("blend", radius));
-    form.part("Corner")
+    form.part(text("corner"))
         .either(
             "blend",
-            "Here",
-            "Stop",
-            "Blend",
+            text("here"),
+            text("stop"),
+            text("blend"),
             radiusM.isEmpty(),
             stop ->
                 step.apply(
@@ -252,25 +249,27 @@ final class MotionForms {
                             kept.recall("blend", Double.class).orElse(field.initialValue()))));
     if (radiusM.isPresent()) {
       form.number(
-          field, "Radius", radiusM.getAsDouble(), value -> step.apply(OptionalDouble.of(value)));
+          field,
+          text("radius"),
+          radiusM.getAsDouble(),
+          value -> step.apply(OptionalDouble.of(value)));
     }
   }
 
   private static NodeForm until(FormContext context, UntilRule rule) {
     context.kept().keep(rule);
     FormBuilder form =
-        new FormBuilder(
-            context, "until", "Until", "Ends the way early. The nodes below it run after that.");
+        new FormBuilder(context, "until", text("until"), text("endsTheWayEarlyTheNodes"));
     Kept kept = context.kept();
-    form.part("Ends when")
+    form.part(text("endsWhen"))
         .sides(
             "rule",
             "",
             List.of(
-                new Option("distance", "Distance"),
-                new Option("contact", "Contact"),
-                new Option("expression", "Expression"),
-                new Option("input", "Input")),
+                new Option("distance", text("distance")),
+                new Option("contact", text("contact")),
+                new Option("expression", text("expression")),
+                new Option("input", text("input"))),
             switch (rule) {
               case UntilRule.Distance _ -> "distance";
               case UntilRule.Contact _ -> "contact";
@@ -282,7 +281,7 @@ final class MotionForms {
       case UntilRule.Distance(double distanceM, OptionalDouble blendRadiusM) -> {
         form.number(
             NodeFields.UNTIL_DISTANCE,
-            "Distance",
+            text("distance"),
             distanceM,
             value -> new MotionStep.Until(new UntilRule.Distance(value, blendRadiusM)));
         blend(
@@ -294,38 +293,35 @@ final class MotionForms {
       case UntilRule.Contact(double retractM, double decelerationMPerS2) ->
           form.number(
                   NodeFields.RETRACTION,
-                  "Go back",
+                  text("goBack"),
                   retractM,
                   value -> new MotionStep.Until(new UntilRule.Contact(value, decelerationMPerS2)))
               .number(
                   NodeFields.CONTACT_DECELERATION,
-                  "Deceleration",
+                  text("deceleration"),
                   decelerationMPerS2,
                   value -> new MotionStep.Until(new UntilRule.Contact(retractM, value)))
-              .quiet(
-                  "contact-hint",
-                  "How far the tool goes back from where it touched; 0 stays there, a negative"
-                      + " number moves on past it.");
+              .quiet("contact-hint", text("howFarTheToolGoesBack"));
       case UntilRule.Expression(String condition) ->
           form.condition(
               "rule.condition",
-              "Condition",
+              text("condition"),
               condition,
-              "such as force() > 20",
+              text("suchAsForceAbove"),
               value -> new MotionStep.Until(new UntilRule.Expression(value)));
       case UntilRule.DigitalInput(String signal, boolean level) ->
           form.choice(
                   "rule.signal",
-                  "Input",
+                  text("input"),
                   context.signals().digitalInputs(),
                   signal,
-                  "is no digital input",
+                  text("isNoDigitalInput"),
                   value -> new MotionStep.Until(new UntilRule.DigitalInput(value, level)))
               .either(
                   "rule.level",
-                  "Becomes",
-                  "High",
-                  "Low",
+                  text("becomes"),
+                  text("high"),
+                  text("low"),
                   level,
                   value -> new MotionStep.Until(new UntilRule.DigitalInput(signal, value)));
     }
@@ -353,38 +349,34 @@ final class MotionForms {
 
   private static NodeForm home(FormContext context, MotionStep.Home home) {
     FormBuilder form =
-        new FormBuilder(
-                context,
-                "home",
-                "Home",
-                "Moves all joints to the home position of the installation.")
-            .part("Motion")
+        new FormBuilder(context, "home", text("home"), text("movesAllJointsToTheHome"))
+            .part(text("motion"))
             .number(
                 NodeFields.HOME_SPEED,
-                "Joint speed",
+                text("jointSpeed"),
                 home.speedRadPerS(),
                 context.usualSpeed(MoveKind.JOINT),
                 value -> new MotionStep.Home(value, home.accelerationRadPerS2(), home.timeS()))
             .number(
                 NodeFields.HOME_ACCELERATION,
-                "Acceleration",
+                text("acceleration"),
                 home.accelerationRadPerS2(),
                 value -> new MotionStep.Home(home.speedRadPerS(), value, home.timeS()))
             .optional(
                 NodeFields.HOME_TIME,
-                "Time",
+                text("time"),
                 home.timeS(),
-                "by speed",
+                text("bySpeed"),
                 value ->
                     new MotionStep.Home(home.speedRadPerS(), home.accelerationRadPerS2(), value))
-            .quiet("time-hint", "With a time, speed and acceleration do not count.");
+            .quiet("time-hint", text("withATimeSpeedAndAcceleration"));
     Joints at = context.installation().homeRad();
     List<String> places = new ArrayList<>();
     for (int i = 0; i < Joints.COUNT; i++) {
-      places.add(Taught.joint(i).toLowerCase(Locale.ROOT) + " " + Measure.DEGREE.text(at.get(i)));
+      places.add(text(JOINTS.get(i), Measure.DEGREE.text(at.get(i))));
     }
-    return form.part("Where it is")
-        .quiet("place", "Joints in deg: " + String.join(", ", places) + ".")
+    return form.part(text("whereItIs"))
+        .quiet("place", text("jointsInDeg", String.join(", ", places)))
         .build();
   }
 }

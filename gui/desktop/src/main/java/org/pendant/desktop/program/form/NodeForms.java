@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
@@ -31,9 +33,8 @@ import org.pendant.project.program.ProgramNode;
  * form-<kind>-<field>}. Only the dispatch thread calls it.
  */
 public final class NodeForms {
-  private static final String NOTHING = "Nothing is selected";
-  private static final String HOW =
-      "Choose a node of the program to see and change what it does, or add one from the palette.";
+  private static final String NOTHING = text("nothingIsSelected");
+  private static final String HOW = text("chooseANodeOfTheProgram");
 
   private final FormPresenter presenter;
   private final Supplier<ConditionCheck> checks;
@@ -66,7 +67,7 @@ public final class NodeForms {
               renderLater();
             });
     scroll.setName("node-form");
-    scroll.getAccessibleContext().setAccessibleName("What the selected node does");
+    scroll.getAccessibleContext().setAccessibleName(text("whatTheSelectedNodeDoes"));
     scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
     render();
@@ -238,7 +239,7 @@ public final class NodeForms {
         new FieldViews(
             presenter, checks, catalogue, form.kind(), this::showProblems, this::renderLater);
     for (NodeForm.Part part : form.parts()) {
-      String title = part.title().isEmpty() ? "Settings" : part.title();
+      String title = part.title().isEmpty() ? text("settings") : part.title();
       TitledCard card = new TitledCard(title, "[][grow, fill]");
       for (Item item : part.items()) {
         Shown old = before.remove(item.name());

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -97,9 +99,10 @@ final class NumberView implements FieldView {
       return "";
     }
     String max = item.measure().brief(usual.max());
-    String limits =
-        usual.min() == 0 ? "up to " + max : item.measure().brief(usual.min()) + " to " + max;
-    return usual.equals(item.field().range()) ? limits : limits + " here";
+    boolean everywhere = usual.equals(item.field().range());
+    return usual.min() == 0
+        ? text(everywhere ? "upTo" : "upToHere", max)
+        : text(everywhere ? "fromTo" : "fromToHere", item.measure().brief(usual.min()), max);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
@@ -20,40 +22,36 @@ final class PalletizingForm {
     Pattern pattern = step.pattern();
     context.kept().keep(pattern);
     FormBuilder form =
-        new FormBuilder(
-            context,
-            "palletizing",
-            "Palletizing",
-            "Goes to the next place of a pattern each time when it is reached.");
-    form.part("Pallet")
+        new FormBuilder(context, "palletizing", text("palletizing"), text("goesToTheNextPlaceOf"));
+    form.part(text("pallet"))
         .variable(
             "name",
-            "Name",
+            text("name"),
             step.name(),
             List.of(),
             name -> new Palletizing(name, pattern, step.feature(), step.remember()))
         .quiet("count-hint", TemplateForms.countHint(step.name()))
         .choice(
             "feature",
-            "Feature",
+            text("feature"),
             context.features(),
             step.feature(),
             MotionForms.NO_FEATURE,
             feature -> new Palletizing(step.name(), pattern, feature, step.remember()))
         .check(
             "remember",
-            "Keep the count for the next start",
+            text("keepTheCountForTheNext"),
             step.remember(),
             value -> new Palletizing(step.name(), pattern, step.feature(), value));
-    form.part("Pattern")
+    form.part(text("pattern"))
         .sides(
             "pattern",
-            "Kind",
+            text("kind"),
             List.of(
-                new Option("line", "Line"),
-                new Option("square", "Square"),
-                new Option("box", "Box"),
-                new Option("places", "List")),
+                new Option("line", text("line")),
+                new Option("square", text("square")),
+                new Option("box", text("box")),
+                new Option("places", text("list"))),
             switch (pattern) {
               case Pattern.Line _ -> "line";
               case Pattern.Square _ -> "square";
@@ -65,35 +63,35 @@ final class PalletizingForm {
       case Pattern.Line line ->
           form.count(
               NodeFields.LINE_PLACES,
-              "Places",
+              text("places"),
               line.count(),
               count -> with(step, new Pattern.Line(line.first(), line.last(), count)));
       case Pattern.Square square -> {
         form.count(
             NodeFields.COLUMNS,
-            "In a row",
+            text("inARow"),
             square.columns(),
             count -> with(step, new Pattern.Square(square.corners(), count, square.rows())));
         form.count(
             NodeFields.ROWS,
-            "Rows",
+            text("rows"),
             square.rows(),
             count -> with(step, new Pattern.Square(square.corners(), square.columns(), count)));
       }
       case Pattern.Box box -> {
         form.count(
             NodeFields.COLUMNS,
-            "In a row",
+            text("inARow"),
             box.columns(),
             n -> with(step, new Pattern.Box(box.corners(), n, box.rows(), box.layers())));
         form.count(
             NodeFields.ROWS,
-            "Rows",
+            text("rows"),
             box.rows(),
             n -> with(step, new Pattern.Box(box.corners(), box.columns(), n, box.layers())));
         form.count(
             NodeFields.LAYERS,
-            "Layers",
+            text("layers"),
             box.layers(),
             n -> with(step, new Pattern.Box(box.corners(), box.columns(), box.rows(), n)));
       }
@@ -110,11 +108,10 @@ final class PalletizingForm {
 
   private static String words(Pattern pattern) {
     return switch (pattern) {
-      case Pattern.Line line -> line.count() + " places on a line";
-      case Pattern.Square square -> square.rows() + " rows of " + square.columns() + " places";
-      case Pattern.Box box ->
-          box.layers() + " layers of " + box.rows() + " rows of " + box.columns() + " places";
-      case Pattern.Places places -> places.places().size() + " places";
+      case Pattern.Line line -> text("placesOnALine", line.count());
+      case Pattern.Square square -> text("rowsOfPlaces", square.rows(), square.columns());
+      case Pattern.Box box -> text("layersOfRowsOfPlaces", box.layers(), box.rows(), box.columns());
+      case Pattern.Places places -> text("severalPlaces", places.places().size());
     };
   }
 
@@ -170,22 +167,22 @@ final class PalletizingForm {
   private static void corners(FormBuilder form, Palletizing step, Pattern pattern) {
     form.part(
         switch (pattern) {
-          case Pattern.Line _ -> "Ends";
-          case Pattern.Square _, Pattern.Box _ -> "Corners";
-          case Pattern.Places _ -> "Places";
+          case Pattern.Line _ -> text("ends");
+          case Pattern.Square _, Pattern.Box _ -> text("corners");
+          case Pattern.Places _ -> text("places");
         });
     switch (pattern) {
       case Pattern.Line line -> {
         corner(
             form,
             "pattern.first",
-            "1, first",
+            text("firstEnd"),
             line.first(),
             (_, name) -> with(step, new Pattern.Line(name, line.last(), line.count())));
         corner(
             form,
             "pattern.last",
-            "2, last",
+            text("lastEnd"),
             line.last(),
             (_, name) -> with(step, new Pattern.Line(line.first(), name, line.count())));
       }
@@ -196,7 +193,7 @@ final class PalletizingForm {
           corner(
               form,
               "pattern.corners." + i,
-              "Corner " + (i + 1),
+              text("cornerNumbered", i + 1),
               corners.get(i),
               (_, name) ->
                   with(
@@ -212,7 +209,7 @@ final class PalletizingForm {
           corner(
               form,
               "pattern.corners." + i,
-              "Corner " + (i + 1) + (i < CORNERS ? ", bottom" : ", top"),
+              text(i < CORNERS ? "cornerAtTheBottom" : "cornerAtTheTop", i + 1),
               corners.get(i),
               (_, name) ->
                   with(
@@ -227,14 +224,14 @@ final class PalletizingForm {
 
   private static void places(FormBuilder form, Palletizing step, List<String> places) {
     if (places.isEmpty()) {
-      form.quiet("no-places", "No place yet.");
+      form.quiet("no-places", text("noPlaceYet"));
     }
     for (int i = 0; i < places.size(); i++) {
       int at = i;
       corner(
           form,
           "pattern.places." + i,
-          "Place " + (i + 1),
+          text("place", i + 1),
           places.get(i),
           (_, name) -> with(step, new Pattern.Places(replaced(places, at, name))));
     }
@@ -244,16 +241,16 @@ final class PalletizingForm {
     buttons.add(
         form.edit(
             "add-place",
-            "Add a place",
-            "Add a place at the end of the list",
+            text("addAPlace"),
+            text("addAPlaceAtTheEnd"),
             tree -> tree.withStep(form.context().key(), with(step, new Pattern.Places(more)))));
     if (!places.isEmpty()) {
       List<String> fewer = places.subList(0, places.size() - 1);
       buttons.add(
           form.edit(
               "remove-place",
-              "Remove the last",
-              "Take the last place out of the list",
+              text("removeTheLast"),
+              text("takeTheLastPlaceOutOf"),
               tree -> tree.withStep(form.context().key(), with(step, new Pattern.Places(fewer)))));
     }
     form.add(new Item.Presses("places", "", buttons));

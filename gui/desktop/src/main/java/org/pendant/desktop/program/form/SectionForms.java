@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -19,44 +21,42 @@ final class SectionForms {
       case Section.InitialValues values -> initialValues(context, values);
       case Section.BeforeStart _ ->
           new FormBuilder(
-                  context, "before-start", "Before start", "Runs once, before the main program.")
-              .quiet("hint", "Add nodes below it: the palette puts them there.")
+                  context,
+                  "before-start",
+                  text("beforeStart"),
+                  text("runsOnceBeforeTheMainProgram"))
+              .quiet("hint", text("addNodesBelowItThePalette"))
               .build();
       case Section.MainProgram main ->
           new FormBuilder(
-                  context, "main-program", "Main program", "What the robot does, from the top.")
+                  context, "main-program", text("mainProgram"), text("whatTheRobotDoesFromThe"))
               .check(
                   "forever",
-                  "Begin again at the end, for ever",
+                  text("beginAgainAtTheEndFor"),
                   main.forever(),
                   Section.MainProgram::new)
               .build();
       case Section.ThreadSection thread ->
-          new FormBuilder(context, "thread", "Thread", "Runs beside the main program.")
+          new FormBuilder(context, "thread", text("thread"), text("runsBesideTheMainProgram"))
               .text(
                   "name",
-                  "Name",
+                  text("name"),
                   thread.name(),
-                  "for people, such as Watch gripper",
+                  text("forPeopleSuchAsWatchGripper"),
                   name -> new Section.ThreadSection(name, thread.forever()))
               .check(
                   "forever",
-                  "Begin again at the end, for ever",
+                  text("beginAgainAtTheEndFor"),
                   thread.forever(),
                   forever -> new Section.ThreadSection(thread.name(), forever))
               .build();
       case Section.Event event ->
-          new FormBuilder(
-                  context,
-                  "event",
-                  "Event",
-                  "Runs its nodes once each time when the condition becomes true, beside the main"
-                      + " program.")
+          new FormBuilder(context, "event", text("event"), text("runsItsNodesOnceEachTime"))
               .condition(
                   "condition",
-                  "Condition",
+                  text("condition"),
                   event.condition(),
-                  "such as get_standard_digital_in(0)",
+                  text("suchAsGetStandardDigitalIn"),
                   Section.Event::new)
               .build();
       case Section.SubProgram sub -> subProgram(context, sub);
@@ -68,12 +68,12 @@ final class SectionForms {
         new FormBuilder(
             context,
             "initial-values",
-            "Initial values",
-            "Values that variables have before anything else runs.");
+            text("initialValues"),
+            text("valuesThatVariablesHaveBeforeAnything"));
     List<String> known = ProgramNames.ownVariables(context.tree());
     List<Section.InitialValue> all = values.values();
     if (all.isEmpty()) {
-      form.quiet("none", "No variable has an initial value yet.");
+      form.quiet("none", text("noVariableHasAnInitialValue"));
     }
     for (int i = 0; i < all.size(); i++) {
       form.add(row(form, all, i, known));
@@ -83,8 +83,8 @@ final class SectionForms {
             "",
             form.edit(
                 "add-value",
-                "Add a variable",
-                "Add a variable with a value at the start",
+                text("addAVariable"),
+                text("addAVariableWithAValue"),
                 with(context, list -> list.add(new Section.InitialValue("", "")))))
         .build();
   }
@@ -99,15 +99,15 @@ final class SectionForms {
         List.of(
             form.variableOf(
                 name + ".variable",
-                "Variable " + (index + 1),
+                text("variableNumbered", index + 1),
                 value.variable(),
                 known,
                 text -> replaced(all, index, new Section.InitialValue(text, value.expression()))),
             form.expressionOf(
                 name + ".expression",
-                "Value of variable " + (index + 1),
+                text("valueOfVariable", index + 1),
                 value.expression(),
-                "value, such as 0",
+                text("valueSuchAsZero"),
                 text -> replaced(all, index, new Section.InitialValue(value.variable(), text))),
             new Item.Presses(
                 name + "-buttons",
@@ -115,8 +115,8 @@ final class SectionForms {
                 List.of(
                     form.edit(
                         name + "-remove",
-                        "Remove",
-                        "Take variable " + (index + 1) + " out of the list",
+                        text("remove"),
+                        text("takeVariableOutOfTheList", index + 1),
                         with(form.context(), list -> list.remove(index)))))));
   }
 
@@ -144,13 +144,13 @@ final class SectionForms {
   private static NodeForm subProgram(FormContext context, Section.SubProgram sub) {
     FormBuilder form =
         new FormBuilder(
-            context, "sub-program", "Sub program", "Nodes that Call nodes run, by its name.");
+            context, "sub-program", text("subProgram"), text("nodesThatCallNodesRunBy"));
     form.add(
         new Item.Text(
             "name",
-            "Name",
+            text("name"),
             sub.name(),
-            "such as Pick",
+            text("suchAsPick"),
             List.of(),
             text -> nameRefusal(context, sub, text.strip()),
             text -> renamed(context, sub, text.strip())));
@@ -158,18 +158,18 @@ final class SectionForms {
     form.quiet(
         "calls",
         calls == 0
-            ? "Nothing calls it yet."
-            : calls == 1 ? "One node calls it." : calls + " nodes call it.");
+            ? text("nothingCallsItYet")
+            : calls == 1 ? text("oneNodeCallsIt") : text("nodesCallIt", calls));
     FileParts.addSubProgram(form, sub);
     return form.build();
   }
 
   private static String nameRefusal(FormContext context, Section.SubProgram sub, String name) {
     if (name.isEmpty()) {
-      return "empty, must be a name";
+      return text("emptyMustBeAName");
     }
     return !name.equals(sub.name()) && ProgramNames.subPrograms(context.tree()).contains(name)
-        ? "'" + name + "' is another sub program already"
+        ? text("isAnotherSubProgramAlready", name)
         : "";
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.installation.InstallationVariable;
@@ -22,25 +24,25 @@ final class SettingForm {
   static NodeForm of(FormContext context, Setting setting) {
     context.kept().keep(setting);
     FormBuilder form =
-        new FormBuilder(context, "set", "Set", "Sets an output, the payload or the TCP.");
+        new FormBuilder(context, "set", text("set"), text("setsAnOutputThePayloadOr"));
     form.choice(
         "setting",
-        "Set",
+        text("set"),
         List.of(
-            new Option("nothing", "Nothing"),
-            new Option("digital", "Digital output"),
-            new Option("analog", "Analog output"),
-            new Option("pulse", "Pulse on an output"),
-            new Option("expression", "Output by expression"),
-            new Option("named", "Payload of the installation"),
-            new Option("payload", "Payload"),
+            new Option("nothing", text("nothing")),
+            new Option("digital", text("digitalOutput")),
+            new Option("analog", text("analogOutput")),
+            new Option("pulse", text("pulseOnAnOutput")),
+            new Option("expression", text("outputByExpression")),
+            new Option("named", text("payloadOfTheInstallation")),
+            new Option("payload", text("payload")),
             new Option("tcp", "TCP"),
-            new Option("increment", "Add one to a variable")),
+            new Option("increment", text("addOneToAVariable"))),
         word(setting),
         "",
         chosen -> step(setting(context, chosen)));
     switch (setting) {
-      case Setting.Nothing _ -> form.quiet("nothing", "The program continues at once.");
+      case Setting.Nothing _ -> form.quiet("nothing", text("theProgramContinuesAtOnce"));
       case Setting.Digital digital -> digital(form, digital);
       case Setting.Analog analog -> analog(form, analog);
       case Setting.Pulse pulse -> pulse(form, pulse);
@@ -48,22 +50,22 @@ final class SettingForm {
       case Setting.NamedPayload(String name) ->
           form.choice(
               "setting.name",
-              "Payload",
+              text("payload"),
               FormContext.options(
                   List.of(), context.installation().payloads(), each -> each.name()),
               name,
-              "is no payload of the installation",
+              text("isNoPayloadOfTheInstallation"),
               chosen -> step(new Setting.NamedPayload(chosen)));
       case Setting.Payload payload -> payload(form, payload);
       case Setting.Tcp tcp -> tcp(form, tcp);
       case Setting.Increment(String variable) ->
           form.choice(
               "setting.variable",
-              "Variable",
+              text("variable"),
               FormContext.options(
                   List.of(), context.installation().variables(), InstallationVariable::name),
               variable,
-              "is no variable of the installation",
+              text("isNoVariableOfTheInstallation"),
               chosen -> step(new Setting.Increment(chosen)));
     }
     empty(form, setting);
@@ -74,9 +76,9 @@ final class SettingForm {
     boolean payloads = form.context().installation().payloads().isEmpty();
     boolean variables = form.context().installation().variables().isEmpty();
     if (setting instanceof Setting.NamedPayload && payloads) {
-      form.quiet("none", "The installation has no payloads yet.");
+      form.quiet("none", text("theInstallationHasNoPayloadsYet"));
     } else if (setting instanceof Setting.Increment && variables) {
-      form.quiet("none", "The installation has no variables yet.");
+      form.quiet("none", text("theInstallationHasNoVariablesYet"));
     }
   }
 
@@ -133,16 +135,16 @@ final class SettingForm {
   private static void digital(FormBuilder form, Setting.Digital digital) {
     form.choice(
             "setting.signal",
-            "Output",
+            text("output"),
             form.context().signals().digitalOutputs(),
             digital.signal(),
             ActionForms.NO_SIGNAL,
             chosen -> step(new Setting.Digital(chosen, digital.level())))
         .either(
             "setting.level",
-            "To",
-            "High",
-            "Low",
+            text("to"),
+            text("high"),
+            text("low"),
             digital.level(),
             level -> step(new Setting.Digital(digital.signal(), level)));
   }
@@ -151,14 +153,14 @@ final class SettingForm {
     SignalChoices signals = form.context().signals();
     form.choice(
             "setting.signal",
-            "Output",
+            text("output"),
             signals.analogOutputs(),
             analog.signal(),
             ActionForms.NO_SIGNAL,
             chosen -> step(new Setting.Analog(chosen, analog.value())))
         .number(
             NodeFields.analogOutput(analog.signal(), form.context().installation().wiring()),
-            "To",
+            text("to"),
             analog.value(),
             signals.range(analog.signal()),
             value -> step(new Setting.Analog(analog.signal(), value)));
@@ -167,14 +169,14 @@ final class SettingForm {
   private static void pulse(FormBuilder form, Setting.Pulse pulse) {
     form.choice(
             "setting.signal",
-            "Output",
+            text("output"),
             form.context().signals().digitalOutputs(),
             pulse.signal(),
             ActionForms.NO_SIGNAL,
             chosen -> step(new Setting.Pulse(chosen, pulse.timeS())))
         .number(
             NodeFields.PULSE_TIME,
-            "High for",
+            text("highFor"),
             pulse.timeS(),
             time -> step(new Setting.Pulse(pulse.signal(), time)));
   }
@@ -182,57 +184,55 @@ final class SettingForm {
   private static void expression(FormBuilder form, Setting.Expression expression) {
     form.choice(
             "setting.signal",
-            "Output",
+            text("output"),
             form.context().signals().outputs(),
             expression.signal(),
             ActionForms.NO_SIGNAL,
             chosen -> step(new Setting.Expression(chosen, expression.expression())))
         .expression(
             "setting.expression",
-            "To",
+            text("to"),
             expression.expression(),
-            "such as count > 3",
+            text("suchAsCountAboveThree"),
             text -> step(new Setting.Expression(expression.signal(), text)));
   }
 
   private static void payload(FormBuilder form, Setting.Payload was) {
     form.number(
         NodeFields.PAYLOAD_MASS,
-        "Mass",
+        text("mass"),
         was.massKg(),
         mass -> step(new Setting.Payload(mass, was.cogXM(), was.cogYM(), was.cogZM())));
 
     form.number(
             NodeFields.PAYLOAD_X,
-            "Centre, X",
+            text("centreX"),
             was.cogXM(),
             x -> step(new Setting.Payload(was.massKg(), x, was.cogYM(), was.cogZM())))
         .number(
             NodeFields.PAYLOAD_Y,
-            "Centre, Y",
+            text("centreY"),
             was.cogYM(),
             y -> step(new Setting.Payload(was.massKg(), was.cogXM(), y, was.cogZM())))
         .number(
             NodeFields.PAYLOAD_Z,
-            "Centre, Z",
+            text("centreZ"),
             was.cogZM(),
             z -> step(new Setting.Payload(was.massKg(), was.cogXM(), was.cogYM(), z)));
-    form.quiet(
-        "payload-hint",
-        "All that hangs on the flange, and where its centre of gravity is from there.");
+    form.quiet("payload-hint", text("allThatHangsOnTheFlange"));
   }
 
   private static void tcp(FormBuilder form, Setting.Tcp was) {
     List<NamedTool> tools = form.context().installation().tools();
     List<Option> options = new ArrayList<>();
     tools.forEach(each -> options.add(new Option(NAMED + each.name(), each.name())));
-    options.add(new Option(OTHER, "Another one, typed below"));
+    options.add(new Option(OTHER, text("anotherOneTypedBelow")));
     form.choice(
         "setting.tcp",
         "TCP",
         options,
         was.name().isEmpty() ? OTHER : NAMED + was.name(),
-        "is no TCP of the installation",
+        text("isNoTcpOfTheInstallation"),
         chosen ->
             step(
                 chosen.equals(OTHER)
@@ -257,7 +257,7 @@ final class SettingForm {
                 return step(new Setting.Tcp("", shown.pose(typed)));
               }));
     }
-    form.add(new Item.Grid("setting.inFlange", "From the flange", 2, numbers));
+    form.add(new Item.Grid("setting.inFlange", text("fromTheFlange"), 2, numbers));
   }
 
   private static Pose poseOf(List<NamedTool> tools, Setting.Tcp tcp) {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
@@ -83,7 +85,7 @@ record SignalChoices(Installation installation) {
   private void addModbus(List<Option> options, Predicate<ModbusSetup> which) {
     installation.modbus().stream()
         .filter(which)
-        .forEach(each -> options.add(new Option(each.name(), each.name() + " (Modbus)")));
+        .forEach(each -> options.add(new Option(each.name(), text("modbus", each.name()))));
   }
 
   private Option option(String signal) {

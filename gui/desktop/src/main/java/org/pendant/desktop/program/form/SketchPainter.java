@@ -187,7 +187,7 @@ final class SketchPainter {
     Point2D start = at(-0.95 * x, -0.95 * y, -0.15 - 0.95 * z);
     arrow(start, end, Palette.warning(), 3);
     dot(start, Palette.accent(), 3.5);
-    text("Start", start, 26, 0, Palette.quiet());
+    text(FormTexts.text("seekStart"), start, 26, 0, Palette.quiet());
   }
 
   private void plate(double z, boolean missing) {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.FeaturePoses;
@@ -22,7 +24,13 @@ public final class Taught {
   private static final double NEAR_RAD = Math.toRadians(5);
 
   private static final List<String> JOINTS =
-      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+      List.of(
+          text("base"),
+          text("shoulder"),
+          text("elbow"),
+          text("wrist1"),
+          text("wrist2"),
+          text("wrist3"));
 
   private Taught() {}
 
@@ -96,26 +104,27 @@ public final class Taught {
       JointLimits limits = arm.joints().get(i);
       double q = position.jointsRad().get(i);
       if (!limits.contains(q)) {
-        return joint(i) + " would be outside its range, " + range(limits) + ".";
+        return text("wouldBeOutsideItsRange", joint(i), range(limits));
       }
     }
     Reach reach = reach(position, arm, installation);
     if (reach.q().isEmpty()) {
-      return reach.text() + ".";
+      return text("sentence", reach.text());
     }
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits limits = arm.joints().get(i);
       double q = position.jointsRad().get(i);
       if (q - limits.lowestRad() < NEAR_RAD || limits.highestRad() - q < NEAR_RAD) {
-        return joint(i) + " is within 5 deg of the end of its range, " + range(limits) + ".";
+        return text("isWithin5DegOfThe", joint(i), range(limits));
       }
     }
-    return reach.text().isEmpty() ? "" : reach.text() + ".";
+    return reach.text().isEmpty() ? "" : text("sentence", reach.text());
   }
 
   private static String range(JointLimits limits) {
-    return Measure.DEGREE.text(limits.lowestRad())
-        + " to "
-        + Measure.DEGREE.words(limits.highestRad());
+    return text(
+        "fromTo",
+        Measure.DEGREE.text(limits.lowestRad()),
+        Measure.DEGREE.words(limits.highestRad()));
   }
 }

@@ -1,13 +1,15 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.WaypointPosition;
+import org.pendant.text.Language;
 
 /**
  * Teachable place that a node refers to by the name of a waypoint: chosen, set, taught and gone to.
@@ -30,7 +32,7 @@ record Teachable(
     List<Option> options = new ArrayList<>();
     for (String each : WaypointNames.of(context.tree())) {
       boolean taught = context.tree().waypoints().containsKey(each);
-      options.add(new Option(each, taught ? each : each + " (not taught)"));
+      options.add(new Option(each, taught ? each : text("notTaught", each)));
     }
     return new Item.Choice(
         name,
@@ -38,7 +40,7 @@ record Teachable(
         options,
         waypoint,
         false,
-        "is no waypoint of this program",
+        text("isNoWaypointOfThisProgram"),
         each -> set.apply(context.tree(), each));
   }
 
@@ -50,27 +52,28 @@ record Teachable(
   /** Sets it, teaches it, goes there. */
   Item.Presses buttons() {
     boolean taught = context.tree().waypoints().containsKey(waypoint);
-    String what = label.isEmpty() ? "the waypoint" : label.toLowerCase(Locale.ROOT);
+    String what =
+        label.isEmpty() ? text("theWaypoint") : Language.ofProcess().withinSentence(label);
     return new Item.Presses(
         name + "-buttons",
         "",
         List.of(
             FormBuilder.press(
                 name + "-here",
-                "Set here",
-                "Put " + what + " where the tool is now",
+                text("setHere"),
+                text("putWhereTheToolIsNow", what),
                 true,
                 this::setHere),
             FormBuilder.press(
                 name + "-teach",
-                "Teach\u2026",
-                "Move the arm to where " + what + " shall be",
+                text("teach"),
+                text("moveTheArmToWhereShall", what),
                 true,
                 this::teach),
             new Item.Press(
                 name + "-go",
-                "Hold to go there",
-                "Move the arm to " + what + " for as long as this is held",
+                text("holdToGoThere"),
+                text("moveTheArmToForAs", what),
                 taught,
                 () -> context.host().holdToGo(waypoint),
                 Optional.of(context.host()::release))));
@@ -89,13 +92,13 @@ record Teachable(
     String chosen = named();
     WaypointPosition here =
         Taught.here(context.host().state(), context.installation(), context.teachFeature());
-    context.change("Set " + chosen + " here", with(chosen).withWaypoint(chosen, here));
+    context.change(text("setPlaceHere", chosen), with(chosen).withWaypoint(chosen, here));
   }
 
   private void teach() {
     String chosen = named();
     if (!chosen.equals(waypoint)) {
-      context.change("Name " + chosen, with(chosen));
+      context.change(text("namePlace", chosen), with(chosen));
     }
     context.host().teach(chosen);
   }

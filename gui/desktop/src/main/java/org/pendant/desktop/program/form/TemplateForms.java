@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.controller.installation.ConveyorSetup;
@@ -32,24 +34,24 @@ final class TemplateForms {
   private static NodeForm point(FormContext context, PatternPoint point) {
     String title =
         switch (point.role()) {
-          case APPROACH -> "Approach";
-          case POINT -> "Pattern point";
-          case EXIT -> "Exit";
+          case APPROACH -> text("approach");
+          case POINT -> text("patternPoint");
+          case EXIT -> text("exit");
         };
     String about =
         switch (point.role()) {
-          case APPROACH -> "Where the tool comes from, seen from the place of the pattern.";
-          case POINT -> "The place of the pattern itself; taught at one of them.";
-          case EXIT -> "Where the tool goes afterwards, seen from the place of the pattern.";
+          case APPROACH -> text("whereTheToolComesFromSeen");
+          case POINT -> text("thePlaceOfThePatternItself");
+          case EXIT -> text("whereTheToolGoesAfterwardsSeen");
         };
     FormBuilder form = new FormBuilder(context, "pattern-point", title, about);
-    form.part("Place");
+    form.part(text("placePart"));
     new Teachable(
             context,
             "waypoint",
-            "Waypoint",
+            text("waypoint"),
             point.waypoint(),
-            title.replace(' ', '_') + "_",
+            prefix(point.role()),
             (now, chosen) ->
                 now.withStep(
                     context.key(),
@@ -64,26 +66,26 @@ final class TemplateForms {
     form.quiet(
         "teach-hint",
         point.role() == TemplateStep.PatternRole.POINT
-            ? "Teach it with the tool at an item."
-            : "Teach it for the same item at which the pattern point is taught.");
+            ? text("teachItWithTheToolAt")
+            : text("teachItForTheSameItem"));
     boolean joint = point.kind() == MoveKind.JOINT;
     context.kept().keep(joint ? "joint" : "tool", point);
-    form.part("Motion")
+    form.part(text("motion"))
         .oneOf(
             "kind",
-            "Kind",
+            text("kind"),
             point.kind(),
             MotionForms::words,
             kind -> withKind(context, point, kind))
         .number(
             NodeFields.speed(point.kind()),
-            joint ? "Joint speed" : "Tool speed",
+            joint ? text("jointSpeed") : text("toolSpeed"),
             point.speed(),
             context.usualSpeed(point.kind()),
             value -> motion(point, point.kind(), value, point.acceleration(), point.blendRadiusM()))
         .number(
             NodeFields.acceleration(point.kind()),
-            "Acceleration",
+            text("acceleration"),
             point.acceleration(),
             value -> motion(point, point.kind(), point.speed(), value, point.blendRadiusM()));
     MotionForms.blend(
@@ -118,15 +120,16 @@ final class TemplateForms {
   }
 
   private static NodeForm part(FormContext context, TemplateStep.Part part) {
-    return new FormBuilder(context, "part", "Part of a template", "When the nodes below it run.")
+    return new FormBuilder(context, "part", text("partOfATemplate"), text("whenTheNodesBelowItRun"))
         .add(
             new Item.Choice(
                 "kind",
-                "Runs",
+                text("runs"),
                 List.of(
-                    new Option(TemplateStep.PartKind.BEFORE_START.name(), "Before the first item"),
-                    new Option(TemplateStep.PartKind.AFTER_END.name(), "After the last item"),
-                    new Option(TemplateStep.PartKind.SEQUENCE.name(), "At each item")),
+                    new Option(
+                        TemplateStep.PartKind.BEFORE_START.name(), text("beforeTheFirstItem")),
+                    new Option(TemplateStep.PartKind.AFTER_END.name(), text("afterTheLastItem")),
+                    new Option(TemplateStep.PartKind.SEQUENCE.name(), text("atEachItem"))),
                 part.kind().name(),
                 false,
                 "",
@@ -138,34 +141,37 @@ final class TemplateForms {
   private static NodeForm seek(FormContext context, Seek seek) {
     SeekChange change = new SeekChange(seek);
     FormBuilder form =
-        new FormBuilder(
-            context,
-            "seek",
-            "Seek",
-            "Searches for the next item of a stack and runs its sequence there.");
-    form.part("Stack")
-        .either("destack", "Task", "Take from it", "Put on it", seek.destack(), change::destack)
-        .variable("name", "Name", seek.name(), List.of(), change::name)
+        new FormBuilder(context, "seek", text("seek"), text("searchesForTheNextItemOf"));
+    form.part(text("stack"))
+        .either(
+            "destack",
+            text("task"),
+            text("takeFromIt"),
+            text("putOnIt"),
+            seek.destack(),
+            change::destack)
+        .variable("name", text("name"), seek.name(), List.of(), change::name)
         .quiet("count-hint", countHint(seek.name()))
         .number(
             NodeFields.ITEM_HEIGHT,
-            "Item height",
+            text("itemHeight"),
             seek.itemHeightM(),
             value -> change.lengths(seek.limitM(), value))
-        .condition("found", "Found when", seek.found(), "such as force() > 20", change::found)
-        .part("Start");
+        .condition(
+            "found", text("foundWhen"), seek.found(), text("suchAsForceAbove"), change::found)
+        .part(text("seekStart"));
     new Teachable(
             context,
             "start",
-            "Start",
+            text("seekStart"),
             seek.start(),
             "Seek_start_",
             (now, chosen) -> now.withStep(context.key(), change.start(chosen)))
         .addTo(form);
-    form.part("Search")
+    form.part(text("search"))
         .choice(
             "feature",
-            "Feature",
+            text("feature"),
             context.features(),
             seek.feature(),
             MotionForms.NO_FEATURE,
@@ -185,48 +191,60 @@ final class TemplateForms {
     form.drawing(
         "stack",
         new Sketch.Stack(seek.destack(), way.get(0), way.get(1), way.get(2)),
-        "The stack and the direction of the search");
+        text("theStackAndTheDirectionOf"));
     form.number(
             NodeFields.SEEK_LIMIT,
-            "At most",
+            text("atMost"),
             seek.limitM(),
             value -> change.lengths(value, seek.itemHeightM()))
         .number(
             NodeFields.SEEK_SPEED,
-            "Tool speed",
+            text("toolSpeed"),
             seek.speedMPerS(),
             value -> change.motion(value, seek.accelerationMPerS2()))
         .number(
             NodeFields.SEEK_ACCELERATION,
-            "Acceleration",
+            text("acceleration"),
             seek.accelerationMPerS2(),
             value -> change.motion(seek.speedMPerS(), value));
     return form.build();
   }
 
+  /** How names of waypoints begin that are made for a point, in any language of the window. */
+  private static String prefix(TemplateStep.PatternRole role) {
+    return switch (role) {
+      case APPROACH -> "Approach_";
+      case POINT -> "Pattern_point_";
+      case EXIT -> "Exit_";
+    };
+  }
+
   static String countHint(String name) {
     return name.isEmpty()
-        ? "The variable that counts is called by the name."
-        : "The variable " + name + "_count counts.";
+        ? text("theVariableThatCountsIsCalled")
+        : text("theVariableCountCounts", name);
   }
 
   private static NodeForm screwdriving(FormContext context, Screwdriving was) {
     context.kept().keep(was.byForce() ? "force" : "speed", was.value());
     FormBuilder form =
         new FormBuilder(
-            context,
-            "screwdriving",
-            "Screwdriving",
-            "Follows a screw along the tool's z axis while the nodes below run.");
-    form.part("Screw")
-        .either("loosen", "Task", "Loosen", "Tighten", was.loosen(), value -> task(was, value));
+            context, "screwdriving", text("screwdriving"), text("followsAScrewAlongTheTools"));
+    form.part(text("screw"))
+        .either(
+            "loosen",
+            text("task"),
+            text("loosen"),
+            text("tighten"),
+            was.loosen(),
+            value -> task(was, value));
     MotionForms.tool(form, was.tool(), tool -> screw(was, tool, was.byForce(), was.value()));
-    form.part("Follow")
+    form.part(text("follow"))
         .either(
             "byForce",
-            "By",
-            "Force",
-            "Speed",
+            text("by"),
+            text("force"),
+            text("speed"),
             was.byForce(),
             byForce ->
                 screw(
@@ -239,34 +257,34 @@ final class TemplateForms {
                         .orElse(NodeFields.screwValue(byForce).initialValue())))
         .number(
             NodeFields.screwValue(was.byForce()),
-            was.byForce() ? "Force" : "Speed",
+            was.byForce() ? text("force") : text("speed"),
             was.value(),
             value -> screw(was, was.tool(), was.byForce(), value));
     List<Option> outputs =
         FormContext.options(
-            List.of(new Option("", "None")),
+            List.of(new Option("", text("none"))),
             context.signals().digitalOutputs(),
             each -> each.value());
-    form.part("Driver")
+    form.part(text("driver"))
         .choice(
             "start",
-            "Switched by",
+            text("switchedBy"),
             outputs,
             was.start(),
-            "is no digital output",
+            text("isNoDigitalOutput"),
             start -> control(was, start, was.until(), was.timeoutS()))
         .condition(
             "until",
-            "Done when",
+            text("doneWhen"),
             was.until(),
-            "such as get_standard_digital_in(0)",
+            text("suchAsGetStandardDigitalIn"),
             until -> control(was, was.start(), until, was.timeoutS()))
         .number(
             NodeFields.SCREW_TIMEOUT,
-            "Error after",
+            text("errorAfter"),
             was.timeoutS(),
             value -> control(was, was.start(), was.until(), value))
-        .quiet("timeout-hint", "0 waits for ever.");
+        .quiet("timeout-hint", text("zeroWaitsForEver"));
     return form.build();
   }
 
@@ -293,12 +311,12 @@ final class TemplateForms {
         new FormBuilder(
                 context,
                 "conveyor-tracking",
-                "Conveyor tracking",
-                "The arm goes along with a conveyor while the nodes below run.")
+                text("conveyorTracking"),
+                text("theArmGoesAlongWithA"))
             .sides(
                 "conveyor",
-                "Conveyor",
-                List.of(new Option("1", "Conveyor 1"), new Option("2", "Conveyor 2")),
+                text("conveyor"),
+                List.of(new Option("1", text("conveyor1")), new Option("2", text("conveyor2"))),
                 Integer.toString(conveyor),
                 chosen -> new TemplateStep.ConveyorTracking(Integer.parseInt(chosen)));
     String found =
@@ -311,13 +329,13 @@ final class TemplateForms {
         .note(
             "missing",
             Item.Tone.WARNING,
-            found.isEmpty() ? "Conveyor " + conveyor + " is not set up in the installation." : "")
+            found.isEmpty() ? text("conveyorIsNotSetUpIn", conveyor) : "")
         .build();
   }
 
   private static String words(ConveyorSetup setup) {
     return setup.circular()
-        ? "Turns about the z axis of " + setup.feature() + ", encoder " + setup.encoder() + "."
-        : "Goes along the y axis of " + setup.feature() + ", encoder " + setup.encoder() + ".";
+        ? text("turnsAboutTheZAxisOf", FormContext.shown(setup.feature()), setup.encoder())
+        : text("goesAlongTheYAxisOf", FormContext.shown(setup.feature()), setup.encoder());
   }
 }

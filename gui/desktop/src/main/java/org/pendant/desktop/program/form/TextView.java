@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import javax.swing.JButton;
@@ -28,7 +30,7 @@ final class TextView implements FieldView {
             String::strip,
             views.refused());
     views.named(field, text);
-    TitledCard.named(more, field.getName() + "-more", "Choose one that there is, Down");
+    TitledCard.named(more, field.getName() + "-more", text("chooseOneThatThereIsDown"));
     more.setFocusable(false);
     more.addActionListener(event -> choose());
     field.addKeyListener(

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program.form;
 
+import static org.pendant.desktop.program.form.FormTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -31,15 +33,15 @@ final class WaypointForm {
     kept.keep(waypoint.target());
     kept.keep(waypoint.timing());
     FormBuilder form =
-        new FormBuilder(context, "waypoint", "Waypoint", "A place that the move goes to.");
-    form.part("Waypoint")
+        new FormBuilder(context, "waypoint", text("waypoint"), text("aPlaceThatTheMoveGoes"));
+    form.part(text("waypoint"))
         .sides(
             "target",
-            "Kind",
+            text("kind"),
             List.of(
-                new Option("fixed", "Fixed"),
-                new Option("relative", "Relative"),
-                new Option("variable", "Variable")),
+                new Option("fixed", text("fixed")),
+                new Option("relative", text("relative")),
+                new Option("variable", text("variable"))),
             switch (waypoint.target()) {
               case WaypointTarget.Fixed _ -> "fixed";
               case WaypointTarget.Relative _ -> "relative";
@@ -52,13 +54,13 @@ final class WaypointForm {
       case WaypointTarget.Variable(String expression) ->
           form.expression(
                   "target.expression",
-                  "Position",
+                  text("position"),
                   expression,
-                  "such as pick_pose",
+                  text("suchAsPickPose"),
                   text -> at(waypoint, new WaypointTarget.Variable(text)))
               .quiet(
                   "variable-hint",
-                  "A pose in " + context.moveFeature() + ", or a list of six joint positions.");
+                  text("aPoseInOrAList", FormContext.shown(context.moveFeature())));
     }
     timing(form, waypoint);
     MotionForms.blend(
@@ -94,9 +96,9 @@ final class WaypointForm {
     form.add(
         new Item.Text(
             "target.name",
-            "Name",
+            text("name"),
             name,
-            "such as Waypoint_1",
+            text("suchAsWaypoint"),
             List.of(),
             text -> nameRefusal(tree, name, text.strip()),
             text -> renamed(context, waypoint, name, text.strip())));
@@ -104,7 +106,7 @@ final class WaypointForm {
         new Teachable(
             context,
             "position",
-            "Position of",
+            text("positionOf"),
             name,
             "Waypoint_",
             (now, chosen) ->
@@ -112,23 +114,20 @@ final class WaypointForm {
     form.add(place.choice());
     long uses = WaypointNames.uses(tree, name);
     if (uses > 1) {
-      form.quiet("shared", uses + " nodes share this position and its name.");
+      form.quiet("shared", text("nodesShareThisPositionAndIts", uses));
       form.presses(
           "own",
           "",
           form.edit(
               "make-own",
-              "Make a position of its own",
-              "Copy the position under a new name, for this node alone",
+              text("makeAPositionOfItsOwn"),
+              text("copyThePositionUnderANew"),
               now -> own(context, waypoint, now, name)));
     }
-    form.part("Position").add(withoutLabel(place.buttons()));
+    form.part(text("position")).add(withoutLabel(place.buttons()));
     WaypointPosition position = tree.waypoints().get(name);
     if (position == null) {
-      form.note(
-          "untaught",
-          Item.Tone.WARNING,
-          "Not taught yet. Put the tool there and press Set here, or Teach\u2026");
+      form.note("untaught", Item.Tone.WARNING, text("notTaughtYetPutTheTool"));
     } else {
       position(form, name, position);
     }
@@ -141,10 +140,10 @@ final class WaypointForm {
   /** Why a name cannot be given to a place; empty if it can. */
   static String nameRefusal(ProgramTree tree, String was, String name) {
     if (name.isEmpty()) {
-      return "empty, must be a name";
+      return text("emptyMustBeAName");
     }
     if (!name.equals(was) && WaypointNames.of(tree).contains(name)) {
-      return "'" + name + "' is another waypoint; choose it under Position of to share its place";
+      return text("isAnotherWaypointChooseItUnder", name);
     }
     return Identifiers.formRefusal(name).orElse("");
   }
@@ -183,7 +182,7 @@ final class WaypointForm {
                   Taught.withJoints(
                       position, position.jointsRad().with(joint, value), arm, installation)));
     }
-    form.add(new Item.Grid("joints", "Joints", 2, joints));
+    form.add(new Item.Grid("joints", text("joints"), 2, joints));
     form.add(
         pose(
             context,
@@ -193,19 +192,14 @@ final class WaypointForm {
     boolean known = Taught.frame(installation, position.feature()).isPresent();
     form.quiet(
         "frame",
-        "In "
-            + position.feature()
-            + ", with the TCP at "
-            + context.host().poseForm().place(position.toolInFlange())
-            + " from the flange.");
+        text(
+            "inWithTheTcpAtFrom",
+            FormContext.shown(position.feature()),
+            context.host().poseForm().place(position.toolInFlange())));
     form.note(
         "frame-missing",
         Item.Tone.WARNING,
-        known
-            ? ""
-            : "'"
-                + position.feature()
-                + "' is missing in the installation, or not taught: the place is unknown.");
+        known ? "" : text("isMissingInTheInstallationOr", position.feature()));
     form.note("reach", Item.Tone.WARNING, known ? Taught.remark(position, arm, installation) : "");
   }
 
@@ -234,7 +228,7 @@ final class WaypointForm {
                 return position.position(form.pose(typed));
               }));
     }
-    return new Item.Grid("pose", "Pose", 2, numbers);
+    return new Item.Grid("pose", text("pose"), 2, numbers);
   }
 
   /** A position for a number. */
@@ -265,19 +259,17 @@ final class WaypointForm {
     FormContext context = form.context();
     form.text(
             "target.name",
-            "Name",
+            text("name"),
             relative.name(),
-            "for people",
+            text("forPeople"),
             name -> at(waypoint, new WaypointTarget.Relative(name, relative.from(), relative.to())))
-        .quiet(
-            "relative-hint",
-            "Goes as far from where the tool is as the second place is from the first.");
+        .quiet("relative-hint", text("goesAsFarFromWhereThe"));
     String prefix = Identifiers.wellFormed(relative.name()) ? relative.name() : "Waypoint";
-    form.part("Places");
+    form.part(text("places"));
     new Teachable(
             context,
             "target.from",
-            "From",
+            text("fromPlace"),
             relative.from(),
             prefix + "_from_",
             (now, chosen) ->
@@ -290,7 +282,7 @@ final class WaypointForm {
     new Teachable(
             context,
             "target.to",
-            "To",
+            text("toPlace"),
             relative.to(),
             prefix + "_to_",
             (now, chosen) ->
@@ -307,14 +299,14 @@ final class WaypointForm {
     Kept kept = context.kept();
     MoveKind kind = context.moveKind();
 
-    form.part("Speed")
+    form.part(text("speed"))
         .sides(
             "timing",
             "",
             List.of(
-                new Option("move", "As the move"),
-                new Option("own", "Own speed"),
-                new Option("time", "In a time")),
+                new Option("move", text("asTheMoveOption")),
+                new Option("own", text("ownSpeed")),
+                new Option("time", text("inATime"))),
             switch (waypoint.timing()) {
               case Timing.AsMove _ -> "move";
               case Timing.Own _ -> "own";
@@ -336,19 +328,19 @@ final class WaypointForm {
       case Timing.Own(double speed, double acceleration) ->
           form.number(
                   NodeFields.waypointSpeed(kind),
-                  kind == MoveKind.JOINT ? "Joint speed" : "Tool speed",
+                  kind == MoveKind.JOINT ? text("jointSpeed") : text("toolSpeed"),
                   speed,
                   context.usualSpeed(kind),
                   value -> timed(waypoint, new Timing.Own(value, acceleration)))
               .number(
                   NodeFields.waypointAcceleration(kind),
-                  "Acceleration",
+                  text("acceleration"),
                   acceleration,
                   value -> timed(waypoint, new Timing.Own(speed, value)));
       case Timing.Duration(double timeS) ->
           form.number(
               NodeFields.WAYPOINT_TIME,
-              "Time",
+              text("time"),
               timeS,
               value -> timed(waypoint, new Timing.Duration(value)));
     }
