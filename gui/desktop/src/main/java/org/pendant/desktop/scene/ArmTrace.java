@@ -19,6 +19,7 @@ public final class ArmTrace {
 
   private static final int POSITION = 9;
 
+  private final int capacity;
   private final double[][] frames = new double[Joints.COUNT][Transforms.SIZE];
   private final TraceRing tool;
   private final TraceRing elbow;
@@ -30,6 +31,7 @@ public final class ArmTrace {
    * @param capacity points of each that are remembered, at least 2
    */
   public ArmTrace(int capacity) {
+    this.capacity = capacity;
     tool = new TraceRing(capacity);
     elbow = new TraceRing(capacity);
   }
@@ -56,6 +58,24 @@ public final class ArmTrace {
   public void clear() {
     tool.clear();
     elbow.clear();
+  }
+
+  /** The next place begins a new line: it is not known what was before it. */
+  void interrupt() {
+    tool.interrupt();
+    elbow.interrupt();
+  }
+
+  /**
+   * How many points of the tool there were since it was made or cleared, forgotten ones included.
+   */
+  long count() {
+    return tool.count();
+  }
+
+  /** Whether no point of the tool is forgotten. */
+  boolean whole() {
+    return tool.count() <= capacity;
   }
 
   /**

@@ -150,7 +150,7 @@ final class PastViews {
 
   /** Looks at a moment and says why the arm moved so; tells when it is not kept any more. */
   void explain(double timeS) {
-    if (lookBack.ofFile() || timeS < lookBack.recording().firstS()) {
+    if (timeS < lookBack.recording().firstS()) {
       workbench.notify("That moment is not in the recording that is shown");
       return;
     }
@@ -176,6 +176,20 @@ final class PastViews {
   /** Whether that is of a recording of a file. */
   boolean ofFile() {
     return lookBack.ofFile();
+  }
+
+  /** The recording of a file that people look at; empty for none. */
+  Optional<Recording> opened() {
+    return ofFile() ? Optional.of(recording()) : Optional.empty();
+  }
+
+  /** Whether lines are those of the program that was started last: now, or as it ran. */
+  boolean ofLastRun() {
+    if (!lookBack.back()) {
+      return true;
+    }
+    Optional<RecordedProgram> last = recording().programs().stream().reduce((first, next) -> next);
+    return !lookBack.ofFile() && lookBack.program().equals(last);
   }
 
   /** A view in which people act on the robot, which they cannot in the past. */

@@ -12,7 +12,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.BooleanSupplier;
 import java.util.function.DoubleConsumer;
 import java.util.function.IntConsumer;
 import java.util.function.IntFunction;
@@ -28,7 +27,6 @@ import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.disk.AtomicFile;
 import org.pendant.controller.installation.Feature;
 import org.pendant.controller.installation.FeaturePoses;
-import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ArmState;
 import org.pendant.controller.state.ControllerState;
@@ -39,7 +37,6 @@ import org.pendant.controller.world.Scene;
 import org.pendant.desktop.move.ArmPull;
 import org.pendant.desktop.move.BodyPull;
 import org.pendant.desktop.move.GhostArm;
-import org.pendant.desktop.scene.ArmTrace;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.scene.DeviceSight;
 import org.pendant.desktop.scene.JointFrames;
@@ -52,10 +49,12 @@ import org.pendant.desktop.scene.SceneTheme;
 import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.TouchedAtStop;
 import org.pendant.desktop.scene.Touching;
+import org.pendant.desktop.scene.TraceReader;
 import org.pendant.desktop.scene.WaypointMarkers;
 import org.pendant.desktop.scene.mesh.FloorGrid;
 import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.scene.view.SceneView;
+import org.pendant.desktop.session.SessionMember;
 import org.pendant.desktop.session.StillArm;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.FormMemory;
@@ -68,9 +67,8 @@ import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.dynamics.Payload;
-import org.pendant.models.kinematics.ForwardKinematics;
 import org.pendant.models.pose.Pose;
-import org.pendant.recording.lines.FrameMargins;
+import org.pendant.recording.Recording;
 import org.pendant.recording.lines.Margin;
 
 /** Scene panel: the arm in 3D, what is around it, and where its tool has been. */
@@ -99,10 +97,11 @@ final class ScenePanel implements View, GhostArm {
 
   private final Workbench workbench;
   private final Supplier<Optional<ControllerState>> past;
+  private final Supplier<Optional<Recording>> opened;
   private final SceneView picture = new SceneView();
   private final JPanel panel = new JPanel(new BorderLayout());
   private final StillArm stillArm = new StillArm();
-  private final ArmTrace trace = new ArmTrace(TRACE_POINTS);
+  private final TraceReader trace;
   private final SceneShows shows;
   private final SafetyScene safety;
   private final TouchedAtStop touchedAtStop = new TouchedAtStop();
@@ -119,11 +118,7 @@ final class ScenePanel implements View, GhostArm {
   /** The last scene whose objects had moved. */
   private Moved movedLast = new Moved(Scene.EMPTY, List.of(), Scene.EMPTY);
 
-  /** What is around the arm, whatever is proposed. */
-  private Scene realScene = Scene.EMPTY;
-
   private Optional<Seen> seen = Optional.empty();
-  private Optional<Near> margins = Optional.empty();
   private Supplier<ComparedWays> compared = () -> ComparedWays.NONE;
   private Supplier<Optional<Scene>> proposed = Optional::empty;
   private Supplier<Optional<List<List<DeviceSetup>>>> proposedDevices = Optional::empty;
@@ -135,10 +130,6 @@ final class ScenePanel implements View, GhostArm {
 
   /** A scene, and the same with its objects where they were. */
   private record Moved(Scene real, List<MovedObject> objects, Scene scene) {}
-
-  /** What says how near an arm is to its limits, as long as both are the same. */
-  private record Near(
-      ForwardKinematics kinematics, SafetyChecksum checksum, FrameMargins margins) {}
 
   /** All that the picture depends on. */
   private record Seen(
@@ -162,13 +153,22 @@ final class ScenePanel implements View, GhostArm {
    * The arm.
    *
    * @param past the moment that people look at; empty for now
-   * @param ofFile whether that is of a recording of a file
+   * @param opened the recording of a file that it is of; empty for none
    */
   ScenePanel(
-      Workbench workbench, Supplier<Optional<ControllerState>> past, BooleanSupplier ofFile) {
+      Workbench workbench,
+      Supplier<Optional<ControllerState>> past,
+      Supplier<Optional<Recording>> opened) {
     this.workbench = workbench;
     this.past = past;
-    cell = new CellScene(workbench.session(), ofFile);
+    this.opened = opened;
+    cell = new CellScene(workbench.session(), () -> opened.get().isPresent());
+    trace =
+        new TraceReader(
+            TRACE_POINTS,
+            state ->
+                workbench.session().safety(state.safety().checksum(), state.arm().description()),
+            workbench::notify);
     shows = new SceneShows(workbench.settings());
     safety = new SafetyScene(workbench.session(), shows);
     pull = new ArmPull(workbench.session()::submit, EventQueue::invokeLater);
@@ -372,10 +372,9 @@ final class ScenePanel implements View, GhostArm {
     ControllerState state = stillArm.shown(cell.state(newest, back));
     Surroundings around = surroundings(state.arm().description().id(), state.moved());
     ArmState arm = state.arm();
-    if (!back) {
-      trace.add(state, margins(state));
+    if (shows.trace()) {
+      readTrace(newest.frame());
     }
-    trace.colourBy(shows.traceBy());
     Seen now =
         new Seen(
             around,
@@ -384,7 +383,7 @@ final class ScenePanel implements View, GhostArm {
             ghostRad,
             shows.payload() ? Optional.of(state.readings().payload()) : Optional.empty(),
             shows.frames(),
-            shows.trace() ? trace.trace(shows.elbow()) : TcpTrace.EMPTY,
+            shows.trace() ? trace.trace(shows.elbow(), shows.traceBy()) : TcpTrace.EMPTY,
             SceneView.colours(),
             marks(),
             safety.sight(state, arm.actualPositionRad()).andHit(cell.hitByOthers(state, back)),
@@ -402,21 +401,15 @@ final class ScenePanel implements View, GhostArm {
     picture.setModel(model(now, arm));
   }
 
-  /** How near the arm is to the limits that hold now. */
-  private FrameMargins margins(ControllerState state) {
-    if (margins.isEmpty()
-        || margins.get().kinematics() != state.arm().kinematics()
-        || !margins.get().checksum().equals(state.safety().checksum())) {
-      margins =
-          Optional.of(
-              new Near(
-                  state.arm().kinematics(),
-                  state.safety().checksum(),
-                  new FrameMargins(state.arm(), workbench.session().safety())));
+  private void readTrace(long frame) {
+    SessionMember seen = cell.seen();
+    if (past.get().isEmpty()) {
+      trace.follow(seen, seen.recording());
+    } else if (opened.get().isPresent()) {
+      trace.lookAt(opened.get().get(), opened.get().get(), frame);
+    } else {
+      trace.lookAt(seen, seen.recording(), frame);
     }
-    FrameMargins now = margins.get().margins();
-    now.look(state);
-    return now;
   }
 
   private List<SceneBar.Choice> colourings() {
@@ -478,10 +471,6 @@ final class ScenePanel implements View, GhostArm {
 
   private Surroundings surroundings(String id, List<MovedObject> moved) {
     Scene real = cell.real();
-    if (!real.equals(realScene)) {
-      realScene = real;
-      trace.clear();
-    }
     // what is proposed as it is already is shown as it moves
     Scene scene =
         proposed
@@ -491,9 +480,6 @@ final class ScenePanel implements View, GhostArm {
             .orElseGet(() -> movedScene(real, moved));
     boolean otherArm = surroundings.isEmpty() || !surroundings.get().arm.id().equals(id);
     if (otherArm || !surroundings.get().scene.equals(scene)) {
-      if (otherArm) {
-        trace.clear();
-      }
       ArmDescription arm = otherArm ? ArmLibrary.load(id) : surroundings.get().arm;
       surroundings = Optional.of(new Surroundings(arm, scene, new Touching(scene)));
     }

@@ -139,7 +139,7 @@ final class Views {
     editor.addToHead(scriptBar);
     DebugBar treeBar = new DebugBar("debug-bar-tree", workbench, debug, past.steps());
     debugBars = List.of(scriptBar, treeBar);
-    ScenePanel scene = new ScenePanel(workbench, past::past, past::ofFile);
+    ScenePanel scene = new ScenePanel(workbench, past::past, past::opened);
     MoveView move =
         new MoveView(workbench, scene, line -> insertLine(programs.current().isTree(), line));
     runner.beforeEachRun(
@@ -154,7 +154,7 @@ final class Views {
     scene.onNode(program::choose);
     scene.onMoment(past::explain);
     scene.onLine(line -> showTraced(workbench, programs, line));
-    scene.setPlaces(line -> StateWords.capital(names.started(line)));
+    scene.setPlaces(line -> StateWords.capital(traced(line)));
     program.addBelow(treeBar);
     busy =
         new BusyNotice(workbench, debug, line -> runs.node(runner.program(), debug.lineNow(line)));
@@ -438,12 +438,21 @@ final class Views {
     workbench.showSource(debug.lineNow(line), 1);
   }
 
+  /** What a line at which the tool was somewhere is called. */
+  private String traced(int line) {
+    return past.ofLastRun() ? names.started(line) : names.of(past.program(), line);
+  }
+
   /** Leads to the line at which the tool was somewhere, unless that would take the screen away. */
   private void showTraced(ShellWorkbench workbench, Programs programs, int line) {
+    if (!past.ofLastRun()) {
+      // the editor shows the line of the moment that the click leads to, if that program is open
+      return;
+    }
     if (editor.component().isShowing() || program.component().isShowing()) {
       showStarted(workbench, programs, line);
     } else {
-      tell.accept("The tool was there at " + names.started(line) + " of the program");
+      tell.accept("The tool was there at " + traced(line) + " of the program");
     }
   }
 

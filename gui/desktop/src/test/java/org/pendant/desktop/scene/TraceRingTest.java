@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
@@ -124,6 +127,82 @@ final class TraceRingTest {
     assertFalse(trace.begins(1));
     assertTrue(trace.begins(2));
     assertEquals(0.1, trace.scaleMPerS(), 1e-6);
+  }
+
+  @Test
+  void cornersAndCurvesAreDrawnAsTheyWereWithFewPointsOnStraightLines() {
+    TraceRing ring = new TraceRing(1000);
+    List<Pose> places = new ArrayList<>();
+    for (int i = 0; i <= 500; i++) {
+      places.add(new Pose(0.002 * i, 0, 0, 0, 0, 0));
+    }
+    // a quarter of a circle of 20 mm, at 1 m/s, then up at a sharp corner
+    for (int i = 1; i <= 16; i++) {
+      double angle = 0.1 * i;
+      places.add(new Pose(1 + 0.02 * Math.sin(angle), 0.02 - 0.02 * Math.cos(angle), 0, 0, 0, 0));
+    }
+    Pose end = places.getLast();
+    for (int i = 1; i <= 100; i++) {
+      places.add(new Pose(end.x(), end.y(), 0.002 * i, 0, 0, 0));
+    }
+    for (int i = 0; i < places.size(); i++) {
+      ring.add(places.get(i), Pose.ZERO, i * 0.002, 7);
+    }
+
+    TcpTrace trace = ring.trace();
+
+    for (Pose each : places) {
+      assertTrue(distanceM(each, trace) < 3e-4, () -> each + " is left out");
+    }
+    assertTrue(trace.size() < 45, "points of 1.2 s: " + trace.size());
+    assertEquals(0.2, trace.z(trace.size() - 1), 1e-6, "it ends at the tool");
+  }
+
+  /** How far a place is from the lines of a trace, m. */
+  private static double distanceM(Pose place, TcpTrace trace) {
+    double nearestM = Double.MAX_VALUE;
+    for (int i = 1; i < trace.size(); i++) {
+      Vector3d from = new Vector3d(trace.x(i - 1), trace.y(i - 1), trace.z(i - 1));
+      Vector3d way = new Vector3d(trace.x(i), trace.y(i), trace.z(i)).sub(from);
+      Vector3d at = new Vector3d(place.x(), place.y(), place.z()).sub(from);
+      double share = Math.clamp(at.dot(way) / way.lengthSquared(), 0, 1);
+      nearestM = Math.min(nearestM, at.sub(way.mul(share)).length());
+    }
+    return nearestM;
+  }
+
+  @Test
+  void aLineOfTheProgramBeginsWhereTheOneBeforeEnds() {
+    TraceRing ring = new TraceRing(100);
+    for (int i = 0; i <= 20; i++) {
+      ring.add(new Pose(0.001 * i, 0, 0, 0, 0, 0), Pose.ZERO, 0.002 * i, i <= 10 ? 4 : 5);
+    }
+
+    TcpTrace trace = ring.trace();
+
+    List<Float> ends = new ArrayList<>();
+    for (int i = 1; i < trace.size(); i++) {
+      if (trace.line(i - 1) == 4 && trace.line(i) == 5) {
+        ends.add(trace.x(i - 1));
+      }
+    }
+    assertEquals(List.of(0.01f), ends);
+  }
+
+  @Test
+  void whatIsNotKnownIsLeftOutAndNothingIsDrawnAcrossIt() {
+    TraceRing ring = new TraceRing(100);
+    add(ring, 0, 0);
+    add(ring, Double.NaN, 0.002);
+    add(ring, 0.001, 0.004);
+    ring.interrupt();
+    add(ring, 0.3, 9);
+
+    TcpTrace trace = ring.trace();
+
+    assertEquals(3, trace.size());
+    assertFalse(trace.begins(1));
+    assertTrue(trace.begins(2));
   }
 
   @Test
