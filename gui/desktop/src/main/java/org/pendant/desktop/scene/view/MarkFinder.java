@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
+import java.util.function.IntToDoubleFunction;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.TcpTrace;
 import org.pendant.desktop.scene.WaypointMarkers;
@@ -23,6 +24,7 @@ import org.pendant.models.pose.Pose;
 final class MarkFinder {
   private static final double NEAR_POINT_PX = 9;
   private static final double NEAR_LINE_PX = 5;
+  private static final double ONE_PX = 1;
 
   private final PictureRequest shown;
   private final WaypointMarkers markers;
@@ -120,7 +122,7 @@ final class MarkFinder {
         .map(this::target);
   }
 
-  /** The point of a way that is the nearest to a point of the picture, if that is near enough. */
+  /** The place on a way that is the nearest to a point of the picture, if that is near enough. */
   private Optional<Traced> nearest(TcpTrace trace, String what, Point point, double withinPx) {
     Optional<Traced> nearest = Optional.empty();
     double nearestPx = withinPx;
@@ -130,14 +132,15 @@ final class MarkFinder {
           shown.camera().pixel(new Vector3(trace.x(i), trace.y(i), trace.z(i)), width, height);
       if (at.isPresent()) {
         Point2D from = trace.begins(i) ? at.get() : before.orElse(at.get());
-        double px =
-            Line2D.ptSegDist(
-                from.getX(), from.getY(), at.get().getX(), at.get().getY(), point.x, point.y);
+        double share = share(from, at.get(), point);
+        Point2D place =
+            new Point2D.Double(
+                between(from.getX(), at.get().getX(), share),
+                between(from.getY(), at.get().getY(), share));
+        double px = place.distance(point);
         if (px < nearestPx) {
           nearestPx = px;
-          boolean first = from.distance(point) < at.get().distance(point);
-          nearest =
-              Optional.of(new Traced(trace, what, first ? i - 1 : i, first ? from : at.get(), px));
+          nearest = Optional.of(new Traced(trace, what, i, share, place, px));
         }
       }
       before = at;
@@ -145,8 +148,40 @@ final class MarkFinder {
     return nearest;
   }
 
-  /** A point of a way, and how far the pointer is from it. */
-  private record Traced(TcpTrace trace, String what, int i, Point2D at, double px) {}
+  /**
+   * How far along a piece of a line the place is that is the nearest to a point, 0 to 1: its ends
+   * are taken for where they are as long as nobody can tell.
+   */
+  private static double share(Point2D from, Point2D to, Point point) {
+    double lengthPx = from.distance(to);
+    if (to.distance(point) <= ONE_PX || lengthPx <= ONE_PX) {
+      return 1;
+    }
+    if (from.distance(point) <= ONE_PX) {
+      return 0;
+    }
+    double x = (point.x - from.getX()) * (to.getX() - from.getX());
+    double y = (point.y - from.getY()) * (to.getY() - from.getY());
+    return Math.clamp((x + y) / (lengthPx * lengthPx), 0, 1);
+  }
+
+  private static double between(double from, double to, double share) {
+    return from + share * (to - from);
+  }
+
+  /**
+   * A place on a way, and how far the pointer is from it.
+   *
+   * @param i the point at the end of the piece that it is on
+   * @param share how far along that piece, 0 to 1
+   */
+  private record Traced(TcpTrace trace, String what, int i, double share, Point2D at, double px) {
+    private double of(IntToDoubleFunction number) {
+      return share == 1
+          ? number.applyAsDouble(i)
+          : between(number.applyAsDouble(i - 1), number.applyAsDouble(i), share);
+    }
+  }
 
   private MarkTarget target(Traced traced) {
     TcpTrace trace = traced.trace();
@@ -161,9 +196,10 @@ final class MarkFinder {
             .colouring()
             .map(each -> "\n" + TraceScale.margin(each, trace.used(i), form))
             .orElse("");
-    String place = form.place(trace.x(i), trace.y(i), trace.z(i));
+    String place = form.place(traced.of(trace::x), traced.of(trace::y), traced.of(trace::z));
     String words = traced.what() + line + place + speed + margin + "\nA click explains the speed";
-    return new MarkTarget(words, 0, trace.line(i), trace.timeS(i), traced.at(), Optional.empty());
+    return new MarkTarget(
+        words, 0, trace.line(i), traced.of(trace::timeS), traced.at(), Optional.empty());
   }
 
   /** The way to the node that is chosen. */
