@@ -14,6 +14,12 @@ import org.pendant.kit.theme.Palette;
 
 /** Safety bar: unlocks the safety configuration, and applies it after showing what changes. */
 final class SafetyBar {
+  private static final String LOCKED =
+      "Locked. Unlock to change it; nothing holds before you apply it.";
+  private static final String UNLOCKED = "Unlocked. Nothing has changed yet.";
+  private static final String CHANGED =
+      "Changed, not applied yet: the controller still has what was there.";
+
   private final SafetyDraft draft;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 0, gap 8 6, wrap, hidemode 3", "[grow, fill]"));
@@ -34,7 +40,9 @@ final class SafetyBar {
    */
   SafetyBar(SafetyDraft draft, String page) {
     this.draft = draft;
-    state = new Remark(page + "-lock-state", Palette::quiet);
+    state =
+        new Remark(page + "-lock-state", Palette::quiet)
+            .withRoomFor(List.of(LOCKED, UNLOCKED, CHANGED));
     summary = new Remark(page + "-changes", Palette::warning);
     TitledCard.named(unlock, page + "-unlock", "Change the safety configuration");
     unlock.addActionListener(
@@ -97,12 +105,7 @@ final class SafetyBar {
     really.setVisible(unlocked && asking);
     back.setVisible(unlocked && asking);
     checksum.setText("Checksum " + draft.checksum());
-    state.say(
-        !unlocked
-            ? "Locked. Unlock to change it; nothing holds before you apply it."
-            : draft.changed()
-                ? "Changed, not applied yet: the controller still has what was there."
-                : "Unlocked. Nothing has changed yet.");
+    state.say(!unlocked ? LOCKED : draft.changed() ? CHANGED : UNLOCKED);
     summary.say(asking ? String.join("\n", draft.changes()) : "");
   }
 }

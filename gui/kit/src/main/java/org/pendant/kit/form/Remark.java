@@ -1,7 +1,9 @@
 package org.pendant.kit.form;
 
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
@@ -13,6 +15,7 @@ public final class Remark extends JTextArea {
   public static final String LAYOUT = "growx, width 0:10:";
 
   private final Supplier<Color> color;
+  private List<String> others = List.of();
 
   /**
    * Nothing to say yet.
@@ -41,6 +44,31 @@ public final class Remark extends JTextArea {
     }
     // with the same words too: others may have hidden it meanwhile
     setVisible(!text.isEmpty());
+  }
+
+  /**
+   * Has room for each of some sentences, whichever of them it shows: what lies below does not move
+   * when it says another one.
+   */
+  public Remark withRoomFor(List<String> sentences) {
+    others = List.copyOf(sentences);
+    return this;
+  }
+
+  @Override
+  public Dimension getPreferredSize() {
+    Dimension size = super.getPreferredSize();
+    JTextArea other = new JTextArea();
+    other.setFont(getFont());
+    other.setBorder(getBorder());
+    other.setLineWrap(true);
+    other.setWrapStyleWord(true);
+    for (String each : others) {
+      other.setText(each);
+      other.setSize(getWidth(), Short.MAX_VALUE);
+      size.height = Math.max(size.height, other.getPreferredSize().height);
+    }
+    return size;
   }
 
   /** New words are no reason to scroll. */
