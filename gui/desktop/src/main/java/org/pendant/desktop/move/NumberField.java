@@ -3,6 +3,7 @@ package org.pendant.desktop.move;
 import java.util.Objects;
 import javax.swing.JTextField;
 import javax.swing.SwingConstants;
+import org.pendant.kit.form.TabSelection;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 
@@ -26,6 +27,7 @@ final class NumberField extends JTextField {
     setHorizontalAlignment(SwingConstants.TRAILING);
     TitledCard.named(this, name, tip);
     getDocument().addDocumentListener(new Typed(this::typed));
+    TabSelection.of(this);
   }
 
   private void typed() {

@@ -38,6 +38,7 @@ public final class EntryField extends JTextField {
     this.take = take;
     getDocument().addDocumentListener(new Typed(this::typed));
     addActionListener(event -> commit());
+    TabSelection.of(this);
     addFocusListener(
         new FocusAdapter() {
           @Override

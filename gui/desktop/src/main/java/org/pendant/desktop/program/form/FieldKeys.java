@@ -4,19 +4,14 @@ import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
-import java.util.EnumSet;
-import java.util.Set;
 import javax.swing.JTextField;
+import org.pendant.kit.form.TabSelection;
 
 /**
  * Field keys: Enter tidies what is in a field, Escape brings back what was there when it got the
  * focus.
  */
 final class FieldKeys extends KeyAdapter {
-  /** How the focus comes by Tab: what is typed then takes the place of what is there. */
-  private static final Set<FocusEvent.Cause> BY_KEY =
-      EnumSet.of(FocusEvent.Cause.TRAVERSAL_FORWARD, FocusEvent.Cause.TRAVERSAL_BACKWARD);
-
   private final JTextField field;
   private final Runnable commit;
   private String before = "";
@@ -29,15 +24,13 @@ final class FieldKeys extends KeyAdapter {
   static void listen(JTextField field, Runnable commit) {
     FieldKeys keys = new FieldKeys(field, commit);
     field.addKeyListener(keys);
+    TabSelection.of(field);
     field.addFocusListener(
         new FocusAdapter() {
           @Override
           public void focusGained(FocusEvent event) {
             if (!event.isTemporary()) {
               keys.before = field.getText();
-              if (BY_KEY.contains(event.getCause())) {
-                field.selectAll();
-              }
             }
           }
 
