@@ -159,7 +159,8 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
       pen.setColor(
           UIManager.getColor(
               active ? "List.selectionBackground" : "List.selectionInactiveBackground"));
-      pen.fillRect(0, 0, getWidth(), getHeight());
+      // marks keep what is behind them in other rows: green on blue cannot be seen
+      pen.fillRect(margin(), 0, getWidth(), getHeight());
       text =
           UIManager.getColor(
               active ? "List.selectionForeground" : "List.selectionInactiveForeground");
@@ -188,7 +189,7 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
     note.ifPresent(took -> paintNote(pen, took, end, quiet));
     if (focused) {
       pen.setColor(Palette.accent());
-      pen.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
+      pen.drawRect(margin(), 0, getWidth() - margin() - 1, getHeight() - 1);
     }
   }
 
