@@ -12,7 +12,6 @@ import org.pendant.kit.settings.MemorySettings;
 
 @OnDispatchThread
 final class ActionButtonTest {
-  /** Remembers nothing. */
   @Test
   void tipsStandAboveTheButtonAndNotOverItsNeighbours() {
     ActionTable actions = new ActionTable(new MemorySettings());

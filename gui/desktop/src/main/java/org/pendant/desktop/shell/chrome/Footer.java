@@ -20,6 +20,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.action.ActionButton;
+import org.pendant.kit.action.ActionButtons;
 import org.pendant.kit.action.ActionItem;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.icon.Glyph;
@@ -49,6 +50,7 @@ public final class Footer extends JPanel {
   private final ActionButton run;
   private final ActionButton frameStep;
   private final List<ActionButton> buttons;
+  private final ActionButtons buttonRow;
   private final transient MigLayout layout;
   private final transient Squeeze squeeze;
   private String constraints = WORDED;
@@ -84,6 +86,7 @@ public final class Footer extends JPanel {
         new ActionButton(
             actions, "program.stop", text("stop"), Glyph.STOP.icon(16, Palette.error()));
     buttons = List.of(run, pause, step, stop);
+    buttonRow = new ActionButtons(buttons);
     run.setComponentPopupMenu(runMenu());
     more.setName("footer-more");
     more.setToolTipText(text("speedPaceOfRobotTimeAnd"));
@@ -212,7 +215,7 @@ public final class Footer extends JPanel {
     frameStep.setVisible(chosen.pace() instanceof Pace.Paused);
     frameStep.refresh();
     showRun(state);
-    buttons.forEach(ActionButton::refresh);
+    buttonRow.refresh();
     String content = readiness.words() + frameStep.isVisible() + ProgramPhase.of(state);
     if (!content.equals(fitted)) {
       fitted = content;

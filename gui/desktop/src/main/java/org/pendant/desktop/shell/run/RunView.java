@@ -31,6 +31,7 @@ import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionButton;
+import org.pendant.kit.action.ActionButtons;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.FlushRow;
@@ -72,6 +73,7 @@ public final class RunView implements View {
       new NumbersPanel("run-joints", text("joints"), RunFacts.JOINTS);
   private Optional<RunNode> shownNode = Optional.empty();
   private final List<ActionButton> buttons;
+  private final ActionButtons buttonRow;
   private boolean narrow;
 
   /**
@@ -103,6 +105,7 @@ public final class RunView implements View {
     buttons
         .getFirst()
         .reserve(Arrays.stream(ProgramPhase.values()).map(ProgramPhase::runWord).toList());
+    buttonRow = new ActionButtons(buttons);
     scroll.setBorder(BorderFactory.createEmptyBorder());
     scroll.setName("run-view");
     scroll.getAccessibleContext().setAccessibleName(title());
@@ -228,7 +231,7 @@ public final class RunView implements View {
         run.installationVariables());
     messages.refresh(snapshot, workbench.session().robot(), run.recordedLog());
     buttons.getFirst().setText(ProgramPhase.of(workbench.session().state()).runWord());
-    buttons.forEach(ActionButton::refresh);
+    buttonRow.refresh();
   }
 
   private static String turnText(OptionalLong turns) {
