@@ -1,6 +1,5 @@
 package org.pendant.desktop.move;
 
-import java.awt.BorderLayout;
 import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -47,12 +46,14 @@ final class MoveCards {
     payload = new PayloadCard(presenter.tool());
   }
 
-  /** What is above the cards: what is taught, and what hinders moves. */
-  JComponent head() {
-    JPanel head = new JPanel(new BorderLayout());
-    head.add(teaching, BorderLayout.NORTH);
-    head.add(obstacle, BorderLayout.SOUTH);
-    return head;
+  /** What is taught. */
+  JComponent teaching() {
+    return teaching;
+  }
+
+  /** What hinders moves: below the cards, as it comes and goes while people look at them. */
+  JComponent obstacle() {
+    return obstacle;
   }
 
   /** The cards, which scroll. */

@@ -20,6 +20,7 @@ import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
+import org.pendant.kit.layout.SettledPanel;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
@@ -27,7 +28,7 @@ import org.pendant.models.pose.Pose;
 public final class MoveView implements View {
   private final Workbench workbench;
   private final MovePresenter presenter;
-  private final JPanel content = new JPanel(new BorderLayout());
+  private final JPanel content = new SettledPanel(new BorderLayout());
   private final Consumer<String> insertWaypoint;
 
   /** Made when people first look at them. */
@@ -142,8 +143,9 @@ public final class MoveView implements View {
     if (cards.isEmpty()) {
       MoveCards made = new MoveCards(presenter, text -> copy(workbench, text), insertWaypoint);
       made.offer(offered);
-      content.add(made.head(), BorderLayout.NORTH);
+      content.add(made.teaching(), BorderLayout.NORTH);
       content.add(made.sheet(), BorderLayout.CENTER);
+      content.add(made.obstacle(), BorderLayout.SOUTH);
       cards = Optional.of(made);
     }
     return cards.get();
