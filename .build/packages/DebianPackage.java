@@ -30,8 +30,8 @@ final class DebianPackage {
     sources = project.resolve(".build/packages/debian");
   }
 
-  /** Makes it in {@code folder}. */
-  Path make(Path folder) throws IOException, InterruptedException {
+  /** Makes it in {@code folder}; {@code maintainer} answers for it. */
+  Path make(Path folder, String maintainer) throws IOException, InterruptedException {
     Path root = tree.resolveSibling("debian");
     Path usr = root.resolve("usr");
     copyTree(tree, usr);
@@ -49,6 +49,7 @@ final class DebianPackage {
         control.resolve("control"),
         template
             .replace("${version}", version)
+            .replace("${maintainer}", maintainer)
             .replace("${architecture}", processor.debian())
             .replace("${installed.kb}", Long.toString(kilobytes(usr))));
     InstalledTree.finish(root, time);

@@ -16,6 +16,9 @@ import java.util.stream.Stream;
  * people look for. It can be put anywhere as a whole.
  */
 final class InstalledTree {
+  /** Whatever the language of who makes packages is. */
+  private static final String ENGLISH = "-Duser.language=en";
+
   private final Path project;
   private final Path tree;
   private final Path library;
@@ -130,7 +133,13 @@ final class InstalledTree {
     String jar = library.resolve("app/pendant.jar").toString();
     Path manual = Files.createDirectories(share.resolve("man/man1"));
     ExternalProgram.run(
-        java, "-cp", jar, "org.pendant.command.ManualPages", manual.toString(), time.toString());
+        java,
+        ENGLISH,
+        "-cp",
+        jar,
+        "org.pendant.command.ManualPages",
+        manual.toString(),
+        time.toString());
     for (Path page : sorted(manual)) {
       ExternalProgram.run("gzip", "-9n", page.toString());
     }
@@ -143,7 +152,7 @@ final class InstalledTree {
       throws IOException, InterruptedException {
     Path target = share.resolve(file);
     Files.createDirectories(target.getParent());
-    ExternalProgram.writing(target, List.of(java, "-jar", jar, "completion", shell));
+    ExternalProgram.writing(target, List.of(java, ENGLISH, "-jar", jar, "completion", shell));
   }
 
   private static List<Path> sorted(Path folder) throws IOException {

@@ -17,18 +17,19 @@ final class LinuxPackages {
   /**
    * Makes them.
    *
-   * @param words the project's folder, the version, the time that files are from, and the folder
-   *     that the packages go to, which is emptied
+   * @param words the project's folder, the version, the time that files are from, who answers for
+   *     the packages, as {@code NAME <ADDRESS>}, and the folder that they go to, which is emptied
    */
   public static void main(String[] words) throws IOException, InterruptedException {
-    if (words.length != 4) {
-      System.err.println("expected the project's folder, a version, a time and a folder");
+    if (words.length != 5) {
+      System.err.println(
+          "expected the project's folder, a version, a time, a maintainer and a folder");
       System.exit(2);
     }
     Path project = Path.of(words[0]).toAbsolutePath().normalize();
     String version = words[1];
     Instant time = Instant.parse(words[2]);
-    Path packages = Path.of(words[3]).toAbsolutePath().normalize();
+    Path packages = Path.of(words[4]).toAbsolutePath().normalize();
     InstalledTree.delete(packages);
     Files.createDirectories(packages);
 
@@ -41,7 +42,7 @@ final class LinuxPackages {
     made.add(archive(tree, packages.resolve(name + ".tar.gz"), time));
     if (ExternalProgram.isThere("dpkg-deb")) {
       DebianPackage debian = new DebianPackage(project, tree, version, processor, time);
-      made.add(debian.make(packages));
+      made.add(debian.make(packages, words[3]));
     } else {
       System.err.println("packages: there is no dpkg-deb, hence no Debian package");
     }
