@@ -76,8 +76,7 @@ final class Autosave {
         recovery::leftBehind,
         this::offer,
         failed ->
-            tell.accept(
-                "Texts kept from the last time cannot be read: " + FileTrouble.reason(failed)));
+            tell.accept(ShellTexts.text("textsKeptFromTheLastTime", FileTrouble.reason(failed))));
   }
 
   /** Several are offered together: most people want all of them back. */
@@ -91,16 +90,14 @@ final class Autosave {
     int more = found.size() - MAX_NAMES;
     notices.ask(
         "recovery",
-        "Pendant ended before "
-            + found.size()
-            + " files were saved: "
-            + names
-            + (more > 0 ? " and " + more + " more" : "")
-            + ".",
+        ShellTexts.text(
+            "pendantEndedBeforeFilesWereSaved",
+            found.size(),
+            more > 0 ? ShellTexts.text("andMore", names, more) : names),
         List.of(
-            new Choice("Restore all", () -> found.forEach(this::restore)),
-            new Choice("One by one", () -> found.forEach(this::offer)),
-            Choice.nothing("Ask next time")));
+            new Choice(ShellTexts.text("restoreAll"), () -> found.forEach(this::restore)),
+            new Choice(ShellTexts.text("oneByOne"), () -> found.forEach(this::offer)),
+            Choice.nothing(ShellTexts.text("askNextTime"))));
   }
 
   private static String where(RecoveryFolder.LeftBehind left) {
@@ -110,11 +107,11 @@ final class Autosave {
   private void offer(RecoveryFolder.LeftBehind left) {
     notices.ask(
         "recovery-" + left.kept().getFileName(),
-        "Pendant ended before " + where(left) + " was saved.",
+        ShellTexts.text("pendantEndedBeforeWasSaved", where(left)),
         List.of(
-            new Choice("Restore", () -> restore(left)),
-            new Choice("Discard", () -> forget(left)),
-            Choice.nothing("Ask next time")));
+            new Choice(ShellTexts.text("restore"), () -> restore(left)),
+            new Choice(ShellTexts.text("discard"), () -> forget(left)),
+            Choice.nothing(ShellTexts.text("askNextTime"))));
   }
 
   private void restore(RecoveryFolder.LeftBehind left) {
@@ -186,7 +183,7 @@ final class Autosave {
   private record ReadScenes(Scene saved, SceneFile left) {}
 
   private void tellNotRestored(IOException failed) {
-    notices.tell("not-restored", "Not restored: " + failed.getMessage());
+    notices.tell("not-restored", ShellTexts.text("notRestored", failed.getMessage()));
   }
 
   /** The program that a text belongs to, as it is on disk. */
@@ -259,7 +256,7 @@ final class Autosave {
         each.run();
       } catch (IOException e) {
         // It is offered at the next start, which is better than lost.
-        tell.accept("Not removed: " + FileTrouble.reason(e));
+        tell.accept(ShellTexts.text("notRemoved", FileTrouble.reason(e)));
       }
     }
   }
@@ -274,7 +271,7 @@ final class Autosave {
         trouble = Optional.of(e);
       } catch (RuntimeException e) {
         Faults.report(e);
-        trouble = Optional.of(new IOException("internal error, " + e, e));
+        trouble = Optional.of(new IOException(ShellTexts.text("internalError", e), e));
       }
     }
     if (trouble.isPresent()) {
@@ -298,7 +295,7 @@ final class Autosave {
           kept.replaceAll((document, before) -> new Kept(before.number(), before.file(), ""));
           if (!troubleTold) {
             troubleTold = true;
-            tell.accept("Unsaved texts cannot be kept against a crash: " + failed.getMessage());
+            tell.accept(ShellTexts.text("unsavedTextsCannotBeKeptAgainst", failed.getMessage()));
           }
         });
   }

@@ -41,11 +41,9 @@ final class BusyNotice {
         inText
             ? nodes
                 .apply(thread.line())
-                .map(node -> "node " + node.number() + ", " + node.label())
-                .orElseGet(() -> "line " + debug.lineNow(thread.line()))
-            : "a line of interpreter mode";
-    return "The program never waits, so robot time crawls: it is at "
-        + place
-        + "; a wait, sync() or sleep in its loop helps";
+                .map(node -> ShellTexts.text("node", node.number(), node.label()))
+                .orElseGet(() -> ShellTexts.text("line", debug.lineNow(thread.line())))
+            : ShellTexts.text("aLineOfInterpreterMode");
+    return ShellTexts.text("theProgramNeverWaitsSoRobot", place);
   }
 }

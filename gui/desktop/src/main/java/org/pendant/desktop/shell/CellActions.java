@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -19,7 +21,7 @@ final class CellActions {
   /** Ids of the actions for all controllers. */
   static final List<String> TOGETHER = List.of("controllers.run-all", "controllers.stop-all");
 
-  private static final String NO_CELL = "One controller is alone; a scene with arms has several";
+  private static final String NO_CELL = text("oneControllerIsAloneAScene");
 
   private final RobotSession session;
   private final CellArms arms;
@@ -45,7 +47,7 @@ final class CellActions {
     actions.add(
         new Action(
             TOGETHER.getFirst(),
-            "Run the programs of all controllers",
+            text("runTheProgramsOfAllControllers"),
             "control alt R",
             () -> cell.whyNoRun().isEmpty(),
             cell::runAll),
@@ -53,7 +55,7 @@ final class CellActions {
     actions.add(
         new Action(
             TOGETHER.getLast(),
-            "Stop the programs of all controllers",
+            text("stopTheProgramsOfAllControllers"),
             "control alt X",
             () -> cell.whyNoStop().isEmpty(),
             cell::stopAll),
@@ -63,11 +65,11 @@ final class CellActions {
       actions.add(
           new Action(
               "controllers.show-" + number,
-              "Show controller " + number + " of the cell",
+              text("showControllerOfTheCell", number),
               "control alt " + number,
               () -> cell.member(number).isPresent(),
               () -> cell.member(number).ifPresent(each -> session.show(each.name()))),
-          () -> session.inCell() ? "The cell has fewer controllers" : NO_CELL);
+          () -> session.inCell() ? text("theCellHasFewerControllers") : NO_CELL);
     }
   }
 
@@ -86,12 +88,12 @@ final class CellActions {
     }
     return session.members().stream()
         .filter(each -> ProgramPhase.of(each.state()) != ProgramPhase.STOPPED)
-        .map(each -> "The program of " + each.name() + " is not stopped")
+        .map(each -> text("theProgramOfIsNotStopped", each.name()))
         .findFirst()
         .or(
             () ->
                 assigned().isEmpty()
-                    ? Optional.of("No controller has a program")
+                    ? Optional.of(text("noControllerHasAProgram"))
                     : Optional.empty())
         .orElse("");
   }
@@ -109,12 +111,13 @@ final class CellActions {
     List<Assigned> all = assigned();
     runner.runTogether(all);
     tell.accept(
-        "Running "
-            + String.join(
+        text(
+            "running",
+            String.join(
                 ", ",
                 all.stream()
                     .map(each -> each.document().name() + " on " + each.member().name())
-                    .toList()));
+                    .toList())));
   }
 
   private String whyNoStop() {
@@ -123,7 +126,7 @@ final class CellActions {
     }
     return session.members().stream()
             .allMatch(each -> ProgramPhase.of(each.state()) == ProgramPhase.STOPPED)
-        ? "No program runs"
+        ? text("noProgramRuns")
         : "";
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -143,10 +145,7 @@ record CellStart(
       Optional<Path> file = scene.path();
       if (file.isEmpty()) {
         throw new IOException(
-            named
-                .place()
-                .refusal("\"" + named.name() + "\" is beside no file: save the scene first")
-                .getMessage());
+            named.place().refusal(text("isBesideNoFileSaveThe", named.name())).getMessage());
       }
       return file.get().resolveSibling(named.name());
     }

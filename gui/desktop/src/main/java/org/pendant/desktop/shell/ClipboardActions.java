@@ -30,9 +30,15 @@ final class ClipboardActions {
    */
   static void addTo(ActionTable actions, Supplier<Component> focus) {
     ClipboardActions all = new ClipboardActions(actions, focus);
-    all.add("Cut", "control X", each -> writable(each) && hasSelection(each), JTextComponent::cut);
-    all.add("Copy", "control C", ClipboardActions::hasSelection, JTextComponent::copy);
-    all.add("Paste", "control V", ClipboardActions::writable, JTextComponent::paste);
+    all.add(
+        ShellTexts.text("cut"),
+        "control X",
+        each -> writable(each) && hasSelection(each),
+        JTextComponent::cut);
+    all.add(
+        ShellTexts.text("copy"), "control C", ClipboardActions::hasSelection, JTextComponent::copy);
+    all.add(
+        ShellTexts.text("paste"), "control V", ClipboardActions::writable, JTextComponent::paste);
   }
 
   private void add(

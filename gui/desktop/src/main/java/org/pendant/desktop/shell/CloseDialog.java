@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
@@ -69,11 +71,11 @@ final class CloseDialog {
     String names = String.join(", ", unsaved.stream().map(ProgramDocument::name).toList());
     notices.ask(
         QUESTION,
-        "Not saved: " + names,
+        text("notSaved", names),
         List.of(
-            new Choice(unsaved.size() == 1 ? "Save" : "Save all", this::saveAndLeave),
-            new Choice("Quit without saving", leave),
-            Choice.nothing("Cancel")));
+            new Choice(unsaved.size() == 1 ? text("save") : text("saveAll"), this::saveAndLeave),
+            new Choice(text("quitWithoutSaving"), leave),
+            Choice.nothing(text("cancel"))));
     notices.focus();
   }
 
@@ -84,10 +86,10 @@ final class CloseDialog {
         saves.underWay().stream().map(file -> String.valueOf(file.getFileName())).toList();
     notices.ask(
         WAITING,
-        "Saving " + String.join(", ", names) + "; the window closes when that is done.",
+        text("savingTheWindowClosesWhenThat", String.join(", ", names)),
         List.of(
-            new Choice("Stay", () -> waiting = false, true),
-            new Choice("Quit without saving", leave)));
+            new Choice(text("stay"), () -> waiting = false, true),
+            new Choice(text("quitWithoutSaving"), leave)));
     saves.whenDone(this::saved);
   }
 

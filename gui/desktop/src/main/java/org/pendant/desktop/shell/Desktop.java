@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -185,7 +187,7 @@ public final class Desktop {
       return Optional.of(
           new StartInstallation(file.get(), InstallationFiles.load(file.get()).installation()));
     } catch (IOException e) {
-      missing.add("Not opened again: " + e.getMessage());
+      missing.add(text("notOpenedAgain", e.getMessage()));
       return Optional.empty();
     }
   }
@@ -210,7 +212,7 @@ public final class Desktop {
         open.add(program);
         front = last.equals(Optional.of(each)) ? Optional.of(program) : front;
       } catch (IOException e) {
-        missing.add("Not opened again: " + e.getMessage());
+        missing.add(text("notOpenedAgain", e.getMessage()));
       }
     }
     Programs programs = new Programs(open.isEmpty() ? example() : open.getFirst());

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.EventQueue;
@@ -233,9 +235,9 @@ final class DesktopWindow {
         actions,
         menuPlan(),
         Map.of(
-            "Recent programs",
+            text("recentPrograms"),
             () -> Menus.items(files.recent(), files::open),
-            "Recent installations",
+            text("recentInstallations"),
             () -> Menus.items(installationFiles.recent(), installationFiles::open)));
   }
 
@@ -262,16 +264,17 @@ final class DesktopWindow {
     installationFiles.addActions(actions);
     scenes.addActions(actions);
     actions.add(
-        Action.of("file.recent", "Open a recent program\u2026", "control E", header::openPrograms));
-    actions.add(Action.of("file.quit", "Quit", "control Q", closeDialog::ask));
-    actions.add(Action.of("robot.restart", "Switch the controller off and on", "", robot::restart));
+        Action.of("file.recent", text("openARecentProgram"), "control E", header::openPrograms));
+    actions.add(Action.of("file.quit", text("quit"), "control Q", closeDialog::ask));
     actions.add(
-        Action.of("robot.noise", "Noise of sensors", "", robot::switchNoise)
+        Action.of("robot.restart", text("switchTheControllerOffAndOn"), "", robot::restart));
+    actions.add(
+        Action.of("robot.noise", text("noiseOfSensors"), "", robot::switchNoise)
             .checked(() -> session.options().noise().measured()));
     actions.add(
-        Action.of("robot.start-ramp", "Start ramp of programs", "", robot::switchStartRamp)
+        Action.of("robot.start-ramp", text("startRampOfPrograms"), "", robot::switchStartRamp)
             .checked(() -> session.options().startRamp()));
-    actions.add(Action.of("robot.choose", "Choose another robot\u2026", "", header::openRobots));
+    actions.add(Action.of("robot.choose", text("chooseAnotherRobot"), "", header::openRobots));
     programActions.addSpeed();
     UnitActions.addTo(actions, workbench.settings());
     // The permanent owner: an open menu has the keyboard for a while.
@@ -515,7 +518,7 @@ final class DesktopWindow {
     }
     Optional<Throwable> failure = session.failure();
     if (failure.isPresent() && !failureTold) {
-      status.tell("The controller has failed, an internal error: " + failure.get());
+      status.tell(text("theControllerHasFailedAnInternal", failure.get()));
     }
     failureTold = failure.isPresent();
   }

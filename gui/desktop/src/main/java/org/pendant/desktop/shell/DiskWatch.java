@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
@@ -110,14 +112,14 @@ final class DiskWatch {
     switch (found) {
       case Found.Gone gone -> {
         if (document.readOnly()) {
-          tell.accept(document.name() + " is on disk no more; a copy of it can be saved");
+          tell.accept(text("isOnDiskNoMoreA", document.name()));
         } else {
           document.gone();
-          tell.accept(document.name() + " is on disk no more; saving writes it again");
+          tell.accept(text("isOnDiskNoMoreSaving", document.name()));
         }
       }
       case Found.Unreadable(Watched file, String why) ->
-          tell.accept("What has changed on disk cannot be read: " + why);
+          tell.accept(text("whatHasChangedOnDiskCannot", why));
       case Found.Other(Watched file, SavedProgram now) -> changed(document, now);
     }
   }
@@ -129,7 +131,7 @@ final class DiskWatch {
       ask(document, now);
     } else {
       document.reloaded(now);
-      tell.accept(document.name() + " has changed on disk and was read again");
+      tell.accept(text("hasChangedOnDiskAndWas", document.name()));
     }
   }
 
@@ -147,10 +149,10 @@ final class DiskWatch {
     String name = question(document);
     notices.ask(
         name,
-        document.name() + " has changed on disk, and here too. Saving would replace what is there.",
+        text("hasChangedOnDiskAndHere", document.name()),
         List.of(
-            new Choice("Read it again", () -> document.reloaded(now)),
-            new Choice("Keep mine", () -> document.changedOnDisk(now), true)));
+            new Choice(text("readItAgain"), () -> document.reloaded(now)),
+            new Choice(text("keepMine"), () -> document.changedOnDisk(now), true)));
     document.addListener(
         new ProgramDocument.Listener() {
           @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -107,9 +109,7 @@ final class DocumentSaver {
     try {
       return SavedProgram.read(path);
     } catch (IOException e) {
-      throw new IOException(
-          "what is on disk now cannot be read: " + e.getMessage() + "; Save as writes elsewhere",
-          e);
+      throw new IOException(text("whatIsOnDiskNowCannot", e.getMessage()), e);
     }
   }
 
@@ -129,31 +129,29 @@ final class DocumentSaver {
     notices.close(DiskWatch.question(document));
     notices.ask(
         question(document),
-        document.name()
-            + " is not saved: another window or program has changed it on disk."
-            + " Saving would replace what is there.",
+        text("isNotSavedAnotherWindowOr", document.name()),
         List.of(
             new Choice(
-                "Read it again",
+                text("readItAgain"),
                 () -> {
                   document.reloaded(now);
                   then.accept(false);
                 }),
             new Choice(
-                "Replace it",
+                text("replaceIt"),
                 () -> {
                   document.changedOnDisk(now);
                   save(document, then);
                 }),
-            new Choice("Cancel", () -> then.accept(false), true)));
+            new Choice(text("cancel"), () -> then.accept(false), true)));
   }
 
   private void tellSaved(Path file) {
-    tell.accept("Saved " + file.toAbsolutePath());
+    tell.accept(text("saved", file.toAbsolutePath()));
   }
 
   private void failed(IOException trouble, Consumer<Boolean> then) {
-    warn.accept("Not saved: " + trouble.getMessage());
+    warn.accept(text("notSaved", trouble.getMessage()));
     then.accept(false);
   }
 }

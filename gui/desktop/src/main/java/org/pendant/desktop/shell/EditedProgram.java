@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.io.IOException;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -40,7 +42,7 @@ final class EditedProgram {
     }
     ProgramLaunch plan = runs.plan(document, 0);
     if (plan.waitingNodes() > 0) {
-      failed.accept(document.name() + " waits for the script of a driver, which is not asked here");
+      failed.accept(text("waitsForTheScriptOfA", document.name()));
       return;
     }
     Background.run(
@@ -55,11 +57,11 @@ final class EditedProgram {
         loadResult.diagnostics().stream().filter(Diagnostic::isError).findFirst();
     if (error.isPresent()) {
       int line = source.line(error.get().range().start());
-      throw new IOException("line " + line + ": " + ByteText.decoded(error.get().message()));
+      throw new IOException(text("lineAndMessage", line, ByteText.decoded(error.get().message())));
     }
     Program program = loadResult.program().orElseThrow();
     if (program.secondary()) {
-      throw new IOException("a secondary program runs beside another one, not in its place");
+      throw new IOException(text("aSecondaryProgramRunsBesideAnother"));
     }
     return program;
   }

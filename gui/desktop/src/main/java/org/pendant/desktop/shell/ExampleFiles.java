@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.Component;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -48,10 +50,10 @@ final class ExampleFiles {
         example::text,
         text -> {
           files.openCopy(example.file(), text);
-          tell.accept("Opened a copy of the example " + example.file());
+          tell.accept(text("openedACopyOfTheExample", example.file()));
           example.companions().forEach(each -> bring(example, each));
         },
-        failed -> tell.accept("Not opened: " + failed.getMessage()));
+        failed -> tell.accept(text("notOpened", failed.getMessage())));
   }
 
   /** Where nothing is around the arm a scene comes with its program. */
@@ -73,29 +75,32 @@ final class ExampleFiles {
     Background.run(
         () -> Example.companion(companion),
         text -> files.openBehind(companion, text),
-        failed -> tell.accept("Not opened: " + failed.getMessage()));
+        failed -> tell.accept(text("notOpened", failed.getMessage())));
   }
 
   private void surround(Example example, String companion) {
     Background.run(
         () -> Example.companion(companion),
         text -> scenes.openCopy(companion, text, example.meshes()),
-        failed -> tell.accept("Not opened: " + failed.getMessage()));
+        failed -> tell.accept(text("notOpened", failed.getMessage())));
   }
 
   private void offer(Example example, String companion) {
-    String made = example.file() + " is made for the ";
     if (companion.endsWith(InstallationText.ENDING)) {
-      ask(companion, made + "installation " + companion + ".", "Use it", this::take);
+      ask(
+          companion,
+          text("isMadeForTheInstallation", example.file(), companion),
+          text("useIt"),
+          this::take);
     } else if (companion.endsWith(SceneFile.ENDING)) {
       ask(
           companion,
-          made + "scene " + companion + ".",
-          "Use it",
+          text("isMadeForTheScene", example.file(), companion),
+          text("useIt"),
           scene -> surround(example, scene));
     } else {
-      String needs = example.file() + " needs " + companion + " in its folder.";
-      ask(companion, needs, "Save a copy\u2026", this::save);
+      String needs = text("needsInItsFolder", example.file(), companion);
+      ask(companion, needs, text("saveACopy"), this::save);
     }
   }
 
@@ -103,14 +108,14 @@ final class ExampleFiles {
     notices.ask(
         "example-" + companion,
         question,
-        List.of(new Choice(yes, () -> bring.accept(companion)), Choice.nothing("Close")));
+        List.of(new Choice(yes, () -> bring.accept(companion)), Choice.nothing(text("close"))));
   }
 
   private void take(String companion) {
     Background.run(
         () -> Example.companion(companion),
         text -> installations.openCopy(companion, text),
-        failed -> tell.accept("Not opened: " + failed.getMessage()));
+        failed -> tell.accept(text("notOpened", failed.getMessage())));
   }
 
   private void save(String companion) {
@@ -118,7 +123,7 @@ final class ExampleFiles {
     SaveDialog.open(
         parent,
         new SaveRequest(
-            "Save " + companion,
+            text("saveExample", companion),
             Path.of(System.getProperty("user.home")).resolve(companion),
             List.of(ending),
             List.of()),

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
@@ -12,7 +14,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import javax.swing.TransferHandler;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SceneFile;
@@ -26,7 +27,7 @@ import org.pendant.project.installation.file.InstallationFile;
 final class FileDrop extends TransferHandler {
   /** What file managers offer that know no lists of files: addresses, one a line. */
   static final DataFlavor ADDRESSES =
-      new DataFlavor("text/uri-list; class=java.lang.String", "Addresses of files");
+      new DataFlavor("text/uri-list; class=java.lang.String", text("addressesOfFiles"));
 
   /** More names than that are counted. */
   private static final int MAX_NAMES = 3;
@@ -128,12 +129,10 @@ final class FileDrop extends TransferHandler {
 
   private static String refusal(List<String> others) {
     int more = others.size() - MAX_NAMES;
-    Stream<String> named = others.stream().limit(MAX_NAMES);
-    return "Not opened: "
-        + String.join(", ", named.toList())
-        + (more > 0 ? " and " + more + " more" : "")
-        + ". The window takes programs ("
-        + String.join(", ", PROGRAMS)
-        + "), installations, scenes, recordings, plans and waveforms";
+    String names = String.join(", ", others.stream().limit(MAX_NAMES).toList());
+    return text(
+        "notOpenedTheWindowTakesPrograms",
+        more > 0 ? text("andMore", names, more) : names,
+        String.join(", ", PROGRAMS));
   }
 }

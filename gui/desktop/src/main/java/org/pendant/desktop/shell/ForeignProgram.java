@@ -58,9 +58,6 @@ record ForeignProgram(Path file, String name, String text, List<String> remarks)
     }
     return List.of(
         fileName + ": " + remarks.getFirst(),
-        fileName
-            + ": "
-            + (remarks.size() - 1)
-            + " more remarks; pendant convert lists all of them");
+        ShellTexts.text("moreRemarksPendantConvertListsAll", fileName, remarks.size() - 1));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
@@ -116,12 +118,9 @@ final class GuardedView implements View {
 
   private void tell() {
     if (undrawn) {
-      strip.say("Internal error: " + view.title() + " cannot be drawn. Everything else works.");
+      strip.say(text("internalErrorCannotBeDrawnEverything", view.title()));
     } else if (old) {
-      strip.say(
-          "Internal error: "
-              + view.title()
-              + " shows an old state. It is tried again every second; everything else works.");
+      strip.say(text("internalErrorShowsAnOldState", view.title()));
     }
     strip.setVisible(undrawn || old);
   }
@@ -155,7 +154,7 @@ final class GuardedView implements View {
   /** Says that the view has failed. */
   @SuppressWarnings("serial") // never written to a stream
   private static final class Strip extends JPanel {
-    private final WrappedText text = new WrappedText("", "Failed view");
+    private final WrappedText text = new WrappedText("", text("failedView"));
 
     Strip() {
       super(new BorderLayout(UIScale.scale(8), 0));

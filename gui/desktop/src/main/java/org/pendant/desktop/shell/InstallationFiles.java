@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -146,38 +148,38 @@ final class InstallationFiles {
     offered = Optional.of(file);
     notices.ask(
         BESIDE,
-        program.name() + " is made for the installation " + file.getFileName() + " beside it.",
+        text("isMadeForTheInstallationBeside", program.name(), file.getFileName()),
         List.of(
-            new Choice("Open it", () -> open(file)),
-            new Choice("Keep this one", () -> kept.add(program), true)));
+            new Choice(text("openIt"), () -> open(file)),
+            new Choice(text("keepThisOne"), () -> kept.add(program), true)));
   }
 
   /** What can be done with them. */
   void addActions(ActionTable actions) {
-    actions.add(Action.of("installation.new", "New installation", "", this::create));
-    actions.add(Action.of("installation.open", "Open installation\u2026", "", this::open));
+    actions.add(Action.of("installation.new", text("newInstallation"), "", this::create));
+    actions.add(Action.of("installation.open", text("openInstallation"), "", this::open));
     actions.add(
         new Action(
             "installation.save",
-            "Save installation",
+            text("saveInstallation"),
             "",
             () -> active.document().modified() || active.document().file().isEmpty(),
             () -> save(saved -> {})),
-        () -> "Nothing has changed");
+        () -> text("nothingHasChanged"));
     actions.add(
         Action.of(
             "installation.save-as",
-            "Save installation as\u2026",
+            text("saveInstallationAs"),
             "",
             () -> saveAs(active.document(), saved -> {})));
     actions.add(
         new Action(
             "installation.reload",
-            "Read installation from disk again",
+            text("readInstallationFromDiskAgain"),
             "",
             () -> active.document().file().isPresent(),
             this::reload),
-        () -> "The installation was never saved");
+        () -> text("theInstallationWasNeverSaved"));
   }
 
   private void create() {
@@ -191,8 +193,8 @@ final class InstallationFiles {
   private void open() {
     OpenDialog.show(
         parent,
-        "Open installation",
-        "Installations",
+        text("openInstallationTitle"),
+        text("installations"),
         new String[] {"pinst", "installation"},
         used,
         this::open);
@@ -226,24 +228,23 @@ final class InstallationFiles {
     ActiveInstallation trial = new ActiveInstallation();
     trial.open(document);
     if (!trial.problem().isEmpty()) {
-      warn.accept("Not opened: " + trial.problem());
+      warn.accept(text("notOpened", trial.problem()));
       return;
     }
     active.open(ProgramDocument.of(read));
     remember(read.path());
-    tell.accept("Opened the installation " + read.path().toAbsolutePath());
+    tell.accept(text("openedTheInstallation", read.path().toAbsolutePath()));
   }
 
   private void imported(Path file, LoadedInstallation read) {
     active.open(untitledOf(file, read.installation()));
-    tell.accept("Opened a copy of " + file + "; saving writes an installation of Pendant");
+    tell.accept(text("openedACopyOfAnInstallation", file));
     List<String> remarks = read.remarks();
     remarks.stream()
         .limit(SHOWN_REMARKS)
         .forEach(each -> warn.accept(file.getFileName() + ": " + each));
     if (remarks.size() > SHOWN_REMARKS) {
-      tell.accept(
-          file.getFileName() + ": " + (remarks.size() - SHOWN_REMARKS) + " more remarks not shown");
+      tell.accept(text("moreRemarksNotShown", file.getFileName(), remarks.size() - SHOWN_REMARKS));
     }
   }
 
@@ -260,7 +261,7 @@ final class InstallationFiles {
   }
 
   private void notOpened(IOException failed) {
-    warn.accept("Not opened: " + failed.getMessage());
+    warn.accept(text("notOpened", failed.getMessage()));
   }
 
   /**
@@ -283,7 +284,7 @@ final class InstallationFiles {
   private static byte[] bytes(Path file) throws IOException {
     try {
       if (Files.size(file) > InstallationFile.MAX_BYTES) {
-        throw new IOException("it has more than " + InstallationFile.MAX_BYTES + " bytes");
+        throw new IOException(text("itHasMoreThanBytes", InstallationFile.MAX_BYTES));
       }
       return Files.readAllBytes(file);
     } catch (IOException e) {
@@ -319,7 +320,7 @@ final class InstallationFiles {
     SaveDialog.ask(
         parent,
         new SaveRequest(
-            "Save " + document.name() + " as",
+            text("saveAs", document.name()),
             document.file().isPresent() ? here.toAbsolutePath() : used.get().resolve(here),
             List.of(InstallationText.ENDING.substring(1)),
             InstallationFiles::fitting,
@@ -354,7 +355,7 @@ final class InstallationFiles {
                 Background.run(
                     () -> SavedProgram.read(path),
                     document::reloaded,
-                    failed -> warn.accept("Not read: " + failed.getMessage())));
+                    failed -> warn.accept(text("notRead", failed.getMessage()))));
   }
 
   /** It is opened again at the next start. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import org.pendant.controller.installation.SignalUse;
 import org.pendant.desktop.installation.SignalNames;
 import org.pendant.desktop.io.SignalLabels;
@@ -25,7 +27,7 @@ final class InstalledLabels {
                         installation.current(), workbench.session().options().arm(), signal, name)
                     .ifPresentOrElse(
                         installation::set,
-                        () -> workbench.notify(name + " is the name of another signal too")));
+                        () -> workbench.notify(text("isTheNameOfAnotherSignal", name))));
     installation.addListener(labels::changed);
     return labels;
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.Optional;
 import org.pendant.desktop.debug.DebugPresenter;
 import org.pendant.desktop.program.RunNode;
@@ -18,6 +20,6 @@ record LineNames(TreeRuns runs, ProgramRunner runner, DebugPresenter debug) {
 
   /** The same for a line of the present text of a program. */
   String of(Optional<ProgramDocument> document, int line) {
-    return runs.node(document, line).map(RunNode::words).orElse("line " + line);
+    return runs.node(document, line).map(RunNode::words).orElse(text("line", line));
   }
 }

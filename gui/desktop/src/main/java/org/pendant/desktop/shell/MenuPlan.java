@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -72,16 +74,16 @@ final class MenuPlan {
    */
   static List<Menu> of(List<String> screens, List<String> panels) {
     return List.of(
-        menu("File", file()),
-        menu("Edit", edit()),
-        new Menu("Nodes", true, nodes()),
-        menu("Go", go()),
-        menu("View", view(screens, panels)),
-        menu("Program", program()),
-        menu("Debug", debug()),
-        menu("Robot", robot()),
-        menu("Tools", all("")),
-        menu("Help", help()));
+        menu(text("menuFile"), file()),
+        menu(text("menuEdit"), edit()),
+        new Menu(text("menuNodes"), true, nodes()),
+        menu(text("menuGo"), go()),
+        menu(text("menuView"), view(screens, panels)),
+        menu(text("menuProgram"), program()),
+        menu(text("menuDebug"), debug()),
+        menu(text("menuRobot"), robot()),
+        menu(text("menuTools"), all("")),
+        menu(text("menuHelp"), help()));
   }
 
   /**
@@ -157,24 +159,24 @@ final class MenuPlan {
   private static List<Entry> file() {
     return list(
         all("file.new", "file.new-script", "file.open"),
-        sub("Recent", "", list(all("file.recent"), line(), files("Recent programs"))),
+        sub(text("recent"), "", list(all("file.recent"), line(), files(text("recentPrograms")))),
         line(),
         all("file.save", "file.save-as"),
-        sub("Export", "", all("file.save-script", "file.export")),
+        sub(text("export"), "", all("file.save-script", "file.export")),
         all("file.reload"),
         one("editor.close", "tree.close"),
         all("editor.reopen"),
         line(),
         sub(
-            "Installation",
+            text("installationMenu"),
             "",
             list(
                 all("installation.new", "installation.open"),
-                sub("Recent", "", list(files("Recent installations"))),
+                sub(text("recent"), "", list(files(text("recentInstallations")))),
                 line(),
                 all("installation.save", "installation.save-as", "installation.reload"))),
         sub(
-            "Scene",
+            text("sceneMenu"),
             "",
             list(
                 all("scene-file.new", "scene-file.open"),
@@ -195,7 +197,7 @@ final class MenuPlan {
         all("edit.cut", "edit.copy", "edit.paste"),
         line(),
         sub(
-            "Find",
+            text("find"),
             "",
             list(
                 one("editor.find", "tree.find"),
@@ -204,7 +206,7 @@ final class MenuPlan {
                 one("editor.find-previous", "tree.find-previous"),
                 all("editor.find-in-files"))),
         sub(
-            "Lines",
+            text("lines"),
             "",
             all(
                 "editor.comment",
@@ -214,7 +216,7 @@ final class MenuPlan {
                 "editor.move-down",
                 "editor.duplicate",
                 "editor.delete-line")),
-        sub("Fold", "", all("editor.fold", "editor.fold-all", "editor.unfold-all")),
+        sub(text("fold"), "", all("editor.fold", "editor.fold-all", "editor.unfold-all")),
         line(),
         all(
             "editor.complete",
@@ -231,8 +233,8 @@ final class MenuPlan {
         line(),
         all("tree.rename", "tree.duplicate", "tree.suppress", "tree.move-up", "tree.move-down"),
         line(),
-        sub("Fold", "", all("tree.fold", "tree.fold-all", "tree.unfold-all")),
-        sub("Go to", "", all("tree.palette", "tree.form", "tree.to-tree", "tree.script")),
+        sub(text("fold"), "", all("tree.fold", "tree.fold-all", "tree.unfold-all")),
+        sub(text("goTo"), "", all("tree.palette", "tree.form", "tree.to-tree", "tree.script")),
         all("tree"));
   }
 
@@ -251,21 +253,24 @@ final class MenuPlan {
 
   private static List<Entry> view(List<String> screens, List<String> panels) {
     return list(
-        sub("Screens", "Show", list(shows(screens), line(), places("Move a screen", screens))),
+        sub(
+            text("screens"),
+            text("show"),
+            list(shows(screens), line(), places(text("moveAScreen"), screens))),
         panels(
             panels.stream().filter(each -> !DEBUGGER.contains(each)).toList(),
             panels.stream().filter(DEBUGGER::contains).toList()),
         line(),
-        sub("Docks", "", all("dock")),
+        sub(text("docks"), "", all("dock")),
         all("view"),
         line(),
         sub(
-            "3D view",
+            text("view3d"),
             "3D",
             list(
                 sub(
-                    "Look from",
-                    "3D: look from",
+                    text("lookFrom"),
+                    text("lookFrom3d"),
                     all(
                         "scene.iso",
                         "scene.front",
@@ -275,49 +280,49 @@ final class MenuPlan {
                         "scene.top")),
                 all("scene.fit", "scene.tool"),
                 sub(
-                    "Way of the tool",
+                    text("wayOfTheTool"),
                     "3D",
                     list(
                         all("scene.trace", "scene.trace-elbow", "scene.clear"),
                         line(),
                         all("scene.trace-by"))),
                 line(),
-                sub("Safety", "3D: show", all("scene.safety")),
-                sub("Scene", "", all("scene-file")),
+                sub(text("safety"), text("show3d"), all("scene.safety")),
+                sub(text("sceneMenu"), "", all("scene-file")),
                 all("scene"))),
-        sub("Variables", "Variables", all("variables")),
-        sub("Plots", "Plots", all("plot")),
-        sub("Timeline", "Timeline", all("timeline")),
-        sub("Log", "Log", all("log")),
+        sub(text("variables"), text("variables"), all("variables")),
+        sub(text("plots"), text("plots"), all("plot")),
+        sub(text("timeline"), text("timeline"), all("timeline")),
+        sub(text("log"), text("log"), all("log")),
         line(),
-        sub("Colours", "Colours", all("look.light", "look.dark", "look.system")),
-        sub("Language", "Language", all("language")),
+        sub(text("colours"), text("colours"), all("look.light", "look.dark", "look.system")),
+        sub(text("languageMenu"), text("languageMenu"), all("language")),
         sub(
-            "Size",
+            text("size"),
             "",
             list(
                 all("look.larger", "look.smaller", "look.normal"),
                 line(),
                 all("editor.larger", "editor.smaller", "editor.usual-size"))),
         sub(
-            "Units",
-            "Units",
+            text("units"),
+            text("units"),
             list(all("unit.length"), line(), all("unit.angle"), line(), all("unit.rotation"))),
         all("look"));
   }
 
   private static List<Entry> panels(List<String> panels, List<String> ofDebugger) {
     return sub(
-        "Panels",
-        "Show",
+        text("panels"),
+        text("show"),
         list(
             shows(panels),
             sub(
-                "Debugger",
-                "Show",
-                list(shows(ofDebugger), line(), places("Move a panel", ofDebugger))),
+                text("debugger"),
+                text("show"),
+                list(shows(ofDebugger), line(), places(text("moveAPanel"), ofDebugger))),
             line(),
-            places("Move a panel", panels)));
+            places(text("moveAPanel"), panels)));
   }
 
   private static List<Entry> program() {
@@ -326,11 +331,11 @@ final class MenuPlan {
         line(),
         all("program.answer"),
         line(),
-        sub("Speed", "", all("speed")),
-        sub("Waveforms", "Waveforms", all("waveforms")),
-        sub("What if", "What if", all("whatif")),
-        sub("Sweep", "Sweep", all("sweep")),
-        sub("Tests", "Tests", all("tests")),
+        sub(text("speed"), "", all("speed")),
+        sub(text("waveforms"), text("waveforms"), all("waveforms")),
+        sub(text("whatIf"), text("whatIf"), all("whatif")),
+        sub(text("sweep"), text("sweep"), all("sweep")),
+        sub(text("tests"), text("tests"), all("tests")),
         line(),
         all("program.ask-start"),
         one("editor.follow", "tree.follow"),
@@ -348,7 +353,7 @@ final class MenuPlan {
             "debug.step-over"),
         line(),
         all("past.step-back"),
-        sub("In the recording", "", all("past")),
+        sub(text("inTheRecording"), "", all("past")),
         line(),
         one("editor.breakpoint", "tree.breakpoint"),
         all("debug.conditional-breakpoint", "debug"));
@@ -358,16 +363,16 @@ final class MenuPlan {
     return list(
         all("robot.ready", "robot.off", "robot.choose", "robot.restart"),
         line(),
-        sub("Robot time", "", all("clock")),
-        sub("Move by hand", "Move by hand", byHand()),
-        sub("Installation", "Show installation", pages()),
-        sub("Inputs and registers", "", all("io")),
+        sub(text("robotTime"), "", all("clock")),
+        sub(text("moveByHand"), text("moveByHand"), byHand()),
+        sub(text("installationMenu"), text("showInstallation"), pages()),
+        sub(text("inputsAndRegisters"), "", all("io")),
         line(),
         all("robot.ports", "robot.clients", "robot.ports-switch"),
-        sub("Messages of clients", "", all("clients")),
+        sub(text("messagesOfClients"), "", all("clients")),
         line(),
-        sub("Controllers of the cell", "", all("controllers")),
-        sub("Simulation", "", all("robot.noise", "robot.start-ramp")),
+        sub(text("controllersOfTheCell"), "", all("controllers")),
+        sub(text("simulation"), "", all("robot.noise", "robot.start-ramp")),
         all("robot"));
   }
 
@@ -387,16 +392,16 @@ final class MenuPlan {
         all("installation"),
         line(),
         sub(
-            "Safety",
-            "Show installation",
+            text("safety"),
+            text("showInstallation"),
             all(
                 "installation.page-limits",
                 "installation.page-joint-limits",
                 "installation.page-planes",
                 "installation.page-tool-direction")),
         sub(
-            "Fieldbus",
-            "Show installation",
+            text("fieldbus"),
+            text("showInstallation"),
             all(
                 "installation.page-modbus",
                 "installation.page-ethernet-ip",
@@ -408,14 +413,14 @@ final class MenuPlan {
         all("help.documentation", "help.context", "help.shortcuts"),
         line(),
         sub(
-            "Examples",
-            "Example",
+            text("examples"),
+            text("example"),
             Stream.of(Example.Topic.values())
                 .<Entry>map(
                     topic ->
                         new Entry.Sub(
                             topic.title(),
-                            "Example",
+                            text("example"),
                             all("example." + topic.name().toLowerCase(Locale.ROOT))))
                 .toList()),
         all("help.welcome"),

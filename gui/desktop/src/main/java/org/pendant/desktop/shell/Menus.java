@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -156,14 +158,13 @@ final class Menus {
     private JMenu places(JMenu parent, Entry.Places entry) {
       JMenu all = menu(parent.getName(), entry.title());
       for (String view : entry.views()) {
-        String show = actions.find("view." + view).map(Action::title).orElse(view);
-        String title = show.replaceFirst("^Show ", "");
+        String title = ActionItem.of(actions, "view." + view, text("show")).getText();
         JMenu menu = new JMenu(title);
         String begin = MenuPlan.ARRANGE + view + "-";
         actions.all().stream()
             .map(Action::id)
             .filter(id -> id.startsWith(begin))
-            .forEach(id -> menu.add(ActionItem.of(actions, id, "Move " + title)));
+            .forEach(id -> menu.add(ActionItem.of(actions, id, text("move", title))));
         all.add(menu);
       }
       return all;

@@ -75,7 +75,7 @@ final class Notices extends JPanel {
 
   /** Tells something that must not pass unseen. */
   void tell(String name, String text) {
-    ask(name, text, List.of(Choice.nothing("Close")));
+    ask(name, text, List.of(Choice.nothing(ShellTexts.text("close"))));
   }
 
   /**
@@ -158,7 +158,7 @@ final class Notices extends JPanel {
     Notice(String name, String words, List<Choice> choices) {
       super(null);
       setName(name);
-      WrappedText text = new WrappedText(words, "Question");
+      WrappedText text = new WrappedText(words, ShellTexts.text("question"));
       text.setName(name + "-text");
       buttons.setOpaque(false);
       for (Choice each : choices) {

@@ -63,8 +63,7 @@ final class OtherWindows {
           if (!troubleTold) {
             troubleTold = true;
             tell.accept(
-                "Whether another window has the same file open cannot be seen: "
-                    + FileTrouble.reason(failed));
+                ShellTexts.text("whetherAnotherWindowHasTheSame", FileTrouble.reason(failed)));
           }
         });
   }
@@ -84,13 +83,8 @@ final class OtherWindows {
     String names =
         String.join(", ", shared.stream().map(file -> String.valueOf(file.getFileName())).toList());
     return shared.size() == 1
-        ? names
-            + " is open in another Pendant window too. When one window saves it, the other reads it"
-            + " again, or asks where it has changed as well."
-        : "Open in another Pendant window too: "
-            + names
-            + ". When one window saves a file, the other reads it again, or asks where it has"
-            + " changed as well.";
+        ? ShellTexts.text("isOpenInAnotherPendantWindow", names)
+        : ShellTexts.text("openInAnotherPendantWindowToo", names);
   }
 
   /** The window closes. */
@@ -99,7 +93,7 @@ final class OtherWindows {
       openFiles.close();
     } catch (IOException e) {
       // Other windows see that this process is no more.
-      tell.accept("Not removed: " + FileTrouble.reason(e));
+      tell.accept(ShellTexts.text("notRemoved", FileTrouble.reason(e)));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.EventQueue;
 import java.nio.file.Path;
 import java.util.List;
@@ -90,7 +92,7 @@ final class PastViews {
         .add(
             Action.of(
                 TimelineView.ID + ".compare",
-                "Timeline: compare the last run with a recording\u2026",
+                text("timelineCompareTheLastRunWith"),
                 "",
                 this::chooseEarlier));
     workbench.session().addSwitchListener(new Switched());
@@ -151,7 +153,7 @@ final class PastViews {
   /** Looks at a moment and says why the arm moved so; tells when it is not kept any more. */
   void explain(double timeS) {
     if (timeS < lookBack.recording().firstS()) {
-      workbench.notify("That moment is not in the recording that is shown");
+      workbench.notify(text("thatMomentIsNotInThe"));
       return;
     }
     lookBack.jump(timeS);
@@ -211,8 +213,8 @@ final class PastViews {
     EarlierRun earlier = new EarlierRun(workbench, lookBack);
     OpenDialog.show(
         timeline.component(),
-        "Compare the last run with",
-        "Recordings",
+        text("compareTheLastRunWith"),
+        text("recordings"),
         new String[] {"rec"},
         workbench.usedFolder(),
         earlier::compareWith);
@@ -221,8 +223,8 @@ final class PastViews {
   private void chooseFile() {
     OpenDialog.show(
         timeline.component(),
-        "Open recording",
-        "Recordings",
+        text("openRecording"),
+        text("recordings"),
         new String[] {"rec"},
         workbench.usedFolder(),
         this::open);
@@ -346,7 +348,7 @@ final class PastViews {
         return live.name(state);
       }
       String name = ByteText.decoded(state.program().name());
-      return name.isEmpty() ? "No program yet" : name;
+      return name.isEmpty() ? text("noProgramYet") : name;
     }
 
     @Override

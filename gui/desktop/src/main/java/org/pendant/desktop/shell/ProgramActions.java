@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.Optional;
 import java.util.function.Function;
 import org.pendant.controller.Pace;
@@ -31,25 +33,25 @@ final class ProgramActions {
   void addProgram() {
     add(
         "program.run",
-        "Run or resume program",
+        text("runOrResumeProgram"),
         "F5",
         controls -> runner.loading() ? runner.whyLoading() : controls.whyNoRun(),
         runner::runOrResume);
     add(
         "program.pause",
-        "Pause program",
+        text("pauseProgram"),
         "F6",
         ProgramControls::whyNoPause,
         () -> runner.send(new ProgramCommand.PauseProgram()));
     add(
         "program.stop",
-        "Stop program",
+        text("stopProgram"),
         "shift F5",
         controls -> runner.asking() ? "" : controls.whyNoStop(),
         runner::stop);
     add(
         "program.step",
-        "Pause in the debugger, or step over",
+        text("pauseInTheDebuggerOrStep"),
         "F10",
         controls -> runner.loading() ? runner.whyLoading() : controls.whyNoStep(),
         runner::step);
@@ -75,57 +77,57 @@ final class ProgramActions {
     actions.add(
         new Action(
             "robot.ready",
-            "Switch the arm on, or end its stop",
+            text("switchTheArmOnOrEnd"),
             "F4",
             () -> remedy().filter(command -> !powersOff(command)).isPresent(),
             () -> remedy().ifPresent(runner::send)),
         () ->
             remedy().filter(ProgramActions::powersOff).isPresent()
-                ? "The arm is ready"
+                ? text("theArmIsReady")
                 : ArmReadiness.of(session.state()).hint());
     actions.add(
         new Action(
             "robot.off",
-            "Switch the arm off",
+            text("switchTheArmOff"),
             "",
             () -> remedy().filter(ProgramActions::powersOff).isPresent(),
             () -> runner.send(new SafetyCommand.PowerOff())));
     actions.add(
-        Action.of("clock.pause", "Pause robot time", "control F6", this::pauseTime)
+        Action.of("clock.pause", text("pauseRobotTime"), "control F6", this::pauseTime)
             .checked(() -> session.pace() instanceof Pace.Paused));
     actions.add(
         new Action(
             "clock.step-frame",
-            "Step robot time by one frame (2 ms)",
+            text("stepRobotTimeByOneFrame"),
             "control shift F6",
             () -> session.pace() instanceof Pace.Paused,
             session::stepFrame),
-        () -> "Pause robot time first");
+        () -> text("pauseRobotTimeFirst"));
     actions.add(
         Action.of(
             "clock.faster",
-            "Let robot time go faster",
+            text("letRobotTimeGoFaster"),
             "control alt PERIOD",
             () -> session.setPace(PaceChoice.faster(session.pace(), 1))));
     actions.add(
         Action.of(
             "clock.slower",
-            "Let robot time go slower",
+            text("letRobotTimeGoSlower"),
             "control alt COMMA",
             () -> session.setPace(PaceChoice.faster(session.pace(), -1))));
     actions.add(
         Action.of(
             "clock.real-time",
-            "Let robot time go as fast as real time",
+            text("letRobotTimeGoAsFast"),
             "",
             () -> session.setPace(Pace.REAL_TIME)));
   }
 
   /** How fast programs move the arm. */
   void addSpeed() {
-    addSpeed("faster", "Programs 10 % faster", "control alt PAGE_UP", 10);
-    addSpeed("slower", "Programs 10 % slower", "control alt PAGE_DOWN", -10);
-    actions.add(Action.of("speed.full", "Programs at full speed", "", () -> sendSpeed(100)));
+    addSpeed("faster", text("programs10Faster"), "control alt PAGE_UP", 10);
+    addSpeed("slower", text("programs10Slower"), "control alt PAGE_DOWN", -10);
+    actions.add(Action.of("speed.full", text("programsAtFullSpeed"), "", () -> sendSpeed(100)));
   }
 
   private void addSpeed(String id, String title, String keys, int percent) {
@@ -159,13 +161,14 @@ final class ProgramActions {
 
   /** Files. */
   void addFiles(ProgramFiles files, Programs programs) {
-    actions.add(Action.of("file.new", "New program", "control N", files::create));
-    actions.add(Action.of("file.new-script", "New script", "control alt N", files::createScript));
-    actions.add(Action.of("file.open", "Open program\u2026", "control O", files::open));
+    actions.add(Action.of("file.new", text("newProgram"), "control N", files::create));
+    actions.add(
+        Action.of("file.new-script", text("newScript"), "control alt N", files::createScript));
+    actions.add(Action.of("file.open", text("openProgram"), "control O", files::open));
     actions.add(
         new Action(
             "file.save",
-            "Save program",
+            text("saveProgram"),
             "control S",
             () ->
                 programs.current().modified()
@@ -173,28 +176,28 @@ final class ProgramActions {
                     // it says why it cannot be saved
                     || programs.current().readOnly(),
             () -> files.save(programs.current())),
-        () -> "Nothing has changed");
+        () -> text("nothingHasChanged"));
     actions.add(
         Action.of(
             "file.save-as",
-            "Save program as\u2026",
+            text("saveProgramAs"),
             "control shift S",
             () -> files.saveAs(programs.current())));
     actions.add(
         new Action(
             "file.save-script",
-            "Save as script\u2026",
+            text("saveAsScript"),
             "",
             () -> programs.current().isTree(),
             () -> files.saveScript(programs.current())),
-        () -> "The program is a script");
+        () -> text("theProgramIsAScript"));
     actions.add(
         new Action(
             "file.reload",
-            "Read program from disk again",
+            text("readProgramFromDiskAgain"),
             "",
             () -> programs.current().file().isPresent(),
             () -> files.reload(programs.current())),
-        () -> "The program was never saved");
+        () -> text("theProgramWasNeverSaved"));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.InvalidPathException;
@@ -110,8 +112,8 @@ final class ProgramFiles {
   void open() {
     OpenDialog.show(
         parent,
-        "Open program",
-        "Programs and scripts",
+        text("openProgramTitle"),
+        text("programsAndScripts"),
         new String[] {"pendant", "urp", "urpx", "script", "urscript"},
         used,
         chosen);
@@ -142,7 +144,7 @@ final class ProgramFiles {
   }
 
   private void notOpened(IOException failed) {
-    warn.accept("Not opened: " + failed.getMessage());
+    warn.accept(text("notOpened", failed.getMessage()));
   }
 
   /** The file itself stays as it is: what was read from it is a new program. */
@@ -153,7 +155,7 @@ final class ProgramFiles {
     fresh.gone();
     select(fresh);
     closeUntouched(before);
-    tell.accept("Opened a copy of " + read.file() + "; saving writes a program of Pendant");
+    tell.accept(text("openedACopyOfAProgram", read.file()));
     read.remarks().forEach(warn);
   }
 
@@ -191,7 +193,7 @@ final class ProgramFiles {
     SaveDialog.ask(
         parent,
         new SaveRequest(
-            "Save the script of " + document.name() + " as",
+            text("saveTheScriptOfAs", document.name()),
             folder().orElse(used.get()).resolve(script.name()),
             List.of("script"),
             EditedFiles.besides(script, programs)),
@@ -222,13 +224,11 @@ final class ProgramFiles {
   private void offerCopies(ProgramDocument document) {
     notices.ask(
         "read-only-" + System.identityHashCode(document),
-        document.name()
-            + " is not saved: programs of PolyScope X are read and not written."
-            + " The file stays as it is; a copy can be saved.",
+        text("isNotSavedProgramsOfPolyscope", document.name()),
         List.of(
-            new Choice("Save a copy as program\u2026", () -> saveAs(document)),
-            new Choice("Save a copy as script\u2026", () -> saveScript(document)),
-            Choice.nothing("Close")));
+            new Choice(text("saveACopyAsProgram"), () -> saveAs(document)),
+            new Choice(text("saveACopyAsScript"), () -> saveScript(document)),
+            Choice.nothing(text("close"))));
   }
 
   /** Asks where to save a program. */
@@ -241,7 +241,7 @@ final class ProgramFiles {
     SaveDialog.ask(
         parent,
         new SaveRequest(
-            "Save " + document.name() + " as",
+            text("saveAs", document.name()),
             document.file().isPresent()
                 ? here.toAbsolutePath()
                 : folder().orElse(used.get()).resolve(here),
@@ -284,7 +284,7 @@ final class ProgramFiles {
                 Background.run(
                     () -> SavedProgram.read(path),
                     document::reloaded,
-                    failed -> warn.accept("Not read: " + failed.getMessage())));
+                    failed -> warn.accept(text("notRead", failed.getMessage()))));
   }
 
   /** The files that are open now are opened again at the next start. */

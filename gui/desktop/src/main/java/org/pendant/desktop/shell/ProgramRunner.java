@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -131,8 +133,8 @@ final class ProgramRunner {
   /** Why nothing else can be started while {@link #loading}. */
   String whyLoading() {
     return asked
-        .map(each -> each.host().text() + " is being asked for the script")
-        .orElse("The program is being compiled");
+        .map(each -> text("isBeingAskedForTheScript", each.host().text()))
+        .orElse(text("theProgramIsBeingCompiled"));
   }
 
   /** Whether a driver is being asked, which {@link #stop} ends. */
@@ -216,7 +218,7 @@ final class ProgramRunner {
         failed -> {
           asked = Optional.empty();
           loading = false;
-          tell.accept(document.name() + " cannot run: " + failed.getMessage());
+          tell.accept(text("cannotRun", document.name(), failed.getMessage()));
         });
   }
 
@@ -259,14 +261,13 @@ final class ProgramRunner {
     int runLine = source.line(start);
     int line = script.lines().toShown(runLine);
     long count = loadResult.diagnostics().stream().filter(Diagnostic::isError).count();
-    String others = count > 1 ? " (and " + (count - 1) + " more)" : "";
+    String message = ByteText.decoded(error.get().message());
     tell.accept(
-        assigned.document().name()
-            + " cannot run, "
-            + script.lines().origin(runLine).orElse("line " + line)
-            + ": "
-            + ByteText.decoded(error.get().message())
-            + others);
+        text(
+            "cannotRunAt",
+            assigned.document().name(),
+            script.lines().origin(runLine).orElse(text("line", line)),
+            count > 1 ? text("andMoreErrors", message, count - 1) : message));
     programs.select(assigned.document());
     showSource.show(line, source.column(start));
     return true;
@@ -285,9 +286,10 @@ final class ProgramRunner {
     for (int i = 0; i < plans.size(); i++) {
       if (plans.get(i).waitingNodes() > 0) {
         tell.accept(
-            all.get(i).document().name()
-                + " asks a driver for its script: run it by itself, on "
-                + all.get(i).member().name());
+            text(
+                "asksADriverForItsScript",
+                all.get(i).document().name(),
+                all.get(i).member().name()));
         return;
       }
     }
@@ -303,7 +305,7 @@ final class ProgramRunner {
         compiled -> startTogether(all, compiled),
         failed -> {
           loading = false;
-          tell.accept("Nothing runs: " + failed.getMessage());
+          tell.accept(text("nothingRuns", failed.getMessage()));
         });
   }
 
@@ -359,10 +361,10 @@ final class ProgramRunner {
     var _ =
         asked.thenAccept(
             reply -> {
-              String what = reply instanceof Reply.Failed ? "Failed: " : "Refused: ";
+              String what = reply instanceof Reply.Failed ? "failed" : "refused";
               reply
                   .complaint()
-                  .ifPresent(why -> EventQueue.invokeLater(() -> tell.accept(what + why)));
+                  .ifPresent(why -> EventQueue.invokeLater(() -> tell.accept(text(what, why))));
             });
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.util.List;
@@ -71,22 +73,18 @@ final class RobotChange {
   /** Another robot; nothing happens if it is there already. */
   void choose(String id) {
     if (session.inCell()) {
-      tell.accept(
-          "The scene says which arms there are; another arm is written there, as \"robot\"");
+      tell.accept(text("theSceneSaysWhichArmsThere"));
       showRobot.accept(session.options().robotId());
       return;
     }
     if (!id.equals(session.options().robotId())) {
-      ask("Another robot ends the program that runs.", "Change robot", () -> change(id));
+      ask(text("anotherRobotEndsTheProgramThat"), text("changeRobot"), () -> change(id));
     }
   }
 
   /** The same robot again. */
   void restart() {
-    ask(
-        "Switching the controller off ends the program that runs.",
-        "Switch off and on",
-        this::switchOffAndOn);
+    ask(text("switchingTheControllerOffEndsThe"), text("switchOffAndOn"), this::switchOffAndOn);
   }
 
   /** The arm keeps its calibration and its own numbers. */
@@ -96,16 +94,15 @@ final class RobotChange {
           session.restartWith(each -> each);
           return session.options().robotId();
         },
-        done -> tell.accept("The controller was switched off and on"),
+        done -> tell.accept(text("theControllerWasSwitchedOffAnd")),
         failed -> tell.accept(failed.getMessage()));
   }
 
   /** The same robot again, with sensors that err if they did not, or with exact ones. */
   void switchNoise() {
     ask(
-        "Changing the noise of sensors switches the controller off and on, which ends the program"
-            + " that runs.",
-        "Switch off and on",
+        text("changingTheNoiseOfSensorsSwitches"),
+        text("switchOffAndOn"),
         () -> setNoise(!session.options().noise().measured()));
   }
 
@@ -117,7 +114,8 @@ final class RobotChange {
         },
         done -> {
           rememberNoise(settings, on);
-          tell.accept(on ? "Sensors err as on recorded arms" : "Readings of the sensors are exact");
+          tell.accept(
+              on ? text("sensorsErrAsOnRecordedArms") : text("readingsOfTheSensorsAreExact"));
         },
         failed -> tell.accept(failed.getMessage()));
   }
@@ -125,9 +123,8 @@ final class RobotChange {
   /** The same robot again, with the start ramp of programs if it had none, or without it. */
   void switchStartRamp() {
     ask(
-        "Changing the start ramp switches the controller off and on, which ends the program that"
-            + " runs.",
-        "Switch off and on",
+        text("changingTheStartRampSwitchesThe"),
+        text("switchOffAndOn"),
         () -> setStartRamp(!session.options().startRamp()));
   }
 
@@ -140,9 +137,7 @@ final class RobotChange {
         done -> {
           rememberStartRamp(settings, on);
           tell.accept(
-              on
-                  ? "Programs begin with a start ramp of 0.160 s"
-                  : "Programs begin without a start ramp");
+              on ? text("programsBeginWithAStartRamp") : text("programsBeginWithoutAStartRamp"));
         },
         failed -> tell.accept(failed.getMessage()));
   }
@@ -161,8 +156,8 @@ final class RobotChange {
       return;
     }
     ask(
-        "Another scene switches the controller off and on, which ends the program that runs.",
-        "Change scene",
+        text("anotherSceneSwitchesTheControllerOff"),
+        text("changeScene"),
         () ->
             Background.run(
                 () -> surround(scene),
@@ -203,7 +198,7 @@ final class RobotChange {
         question,
         List.of(
             new Choice(yes, change),
-            new Choice("Keep", () -> showRobot.accept(session.options().robotId()), true)));
+            new Choice(text("keep"), () -> showRobot.accept(session.options().robotId()), true)));
     notices.focusHarmless();
   }
 
@@ -216,7 +211,7 @@ final class RobotChange {
         name -> {
           settings.put(ROBOT, id);
           showRobot.accept(id);
-          tell.accept("The controller was switched on with another arm: " + name);
+          tell.accept(text("theControllerWasSwitchedOnWith", name));
         },
         failed -> tell.accept(failed.getMessage()));
   }

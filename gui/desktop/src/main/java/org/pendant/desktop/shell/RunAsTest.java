@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -29,7 +31,7 @@ import org.pendant.recording.replay.Journal;
 
 /** Run as test: saves the last run of the timeline as a test of its program. */
 final class RunAsTest {
-  private static final String NOTHING = "No program has run yet";
+  private static final String NOTHING = text("noProgramHasRunYet");
 
   private final ShellWorkbench workbench;
   private final Programs programs;
@@ -71,7 +73,7 @@ final class RunAsTest {
         .add(
             new Action(
                 TestsView.ID + ".save-run",
-                "Tests: save the last run as a test\u2026",
+                text("testsSaveTheLastRunAs"),
                 "control alt S",
                 () -> all.whyNot().isEmpty(),
                 all::save),
@@ -99,7 +101,7 @@ final class RunAsTest {
 
   private String whyNot() {
     if (tests.debugging()) {
-      return "A test is being debugged";
+      return text("aTestIsBeingDebugged");
     }
     Optional<RecordedProgram> ran = last(past.recording());
     if (ran.isEmpty()) {
@@ -107,13 +109,9 @@ final class RunAsTest {
     }
     Optional<ProgramDocument> program = open(ran.get());
     if (program.isEmpty()) {
-      return "The last run is of "
-          + ByteText.decoded(ran.get().name())
-          + ", which is none of the open files";
+      return text("theLastRunIsOfWhich", ByteText.decoded(ran.get().name()));
     }
-    return program.get().file().isEmpty()
-        ? program.get().name() + " has no file that a test could start: save it first"
-        : "";
+    return program.get().file().isEmpty() ? text("hasNoFileThatATest", program.get().name()) : "";
   }
 
   private void save() {
@@ -136,18 +134,18 @@ final class RunAsTest {
           return new Draft(
               program,
               file,
-              edited ? facts.withLeft(program.name() + " was edited, or run from a node") : facts,
+              edited ? facts.withLeft(text("wasEditedOrRunFromA", program.name())) : facts,
               TestFileName.free(file.toAbsolutePath(), Files::exists));
         },
         this::ask,
-        failed -> workbench.notify("No test was written: " + failed.getMessage()));
+        failed -> workbench.notify(text("noTestWasWritten", failed.getMessage())));
   }
 
   private static OperatedRun read(Recording recording, Optional<List<Journal.Noted>> noted)
       throws IOException {
     try {
       return RunReader.read(recording, noted)
-          .orElseThrow(() -> new IOException("the start of the last run is not kept any more"));
+          .orElseThrow(() -> new IOException(text("theStartOfTheLastRun")));
     } catch (UncheckedIOException e) {
       throw new IOException(FileTrouble.reason(e.getCause()), e);
     }
@@ -157,7 +155,7 @@ final class RunAsTest {
     SaveDialog.ask(
         past.timeline().component().isShowing() ? past.timeline().component() : tests.component(),
         new SaveRequest(
-            "Save the last run as a test",
+            text("saveTheLastRunAsA"),
             draft.suggestion(),
             List.of("script"),
             TestFileName::named,
@@ -168,7 +166,7 @@ final class RunAsTest {
   private void write(Draft draft, Path test) {
     Optional<String> program = TestFileName.program(draft.programFile(), test);
     if (program.isEmpty()) {
-      workbench.notify("Not saved: a test must be on the drive of its program");
+      workbench.notify(text("notSavedATestMustBe"));
       return;
     }
     String word = TestFileName.word(test);
@@ -185,6 +183,6 @@ final class RunAsTest {
           }
           tests.showNew(written, TestScript.function(word));
         },
-        failed -> workbench.notify("Not saved: " + failed.getMessage()));
+        failed -> workbench.notify(text("notSaved", failed.getMessage())));
   }
 }

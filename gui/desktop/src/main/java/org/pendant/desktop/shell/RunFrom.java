@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.pendant.desktop.program.TreeRuns;
@@ -43,7 +45,7 @@ final class RunFrom {
     actions.add(
         new Action(
             "program.run-from",
-            "Run from the selected node",
+            text("runFromTheSelectedNode"),
             "control F5",
             () -> from.whyNot().isEmpty(),
             () -> runner.runFrom(selected.getAsLong())),
@@ -51,14 +53,14 @@ final class RunFrom {
     actions.add(
         Action.of(
                 "program.ask-start",
-                "Ask before starting away from the first waypoint",
+                text("askBeforeStartingAwayFromThe"),
                 "",
                 () -> {
                   start.setAsks(!start.asks());
                   tell.accept(
                       start.asks()
-                          ? "Programs ask when the arm is not at their first waypoint"
-                          : "Programs start wherever the arm is");
+                          ? text("programsAskWhenTheArmIs")
+                          : text("programsStartWhereverTheArmIs"));
                 })
             .checked(start::asks));
   }
@@ -69,7 +71,7 @@ final class RunFrom {
     }
     ProgramControls controls = ProgramControls.of(session.state());
     if (controls.phase() != ProgramPhase.STOPPED) {
-      return "Stop the program first";
+      return text("stopTheProgramFirst");
     }
     return controls.whyNoRun().isEmpty()
         ? runs.whyNot(selected.getAsLong()).orElse("")

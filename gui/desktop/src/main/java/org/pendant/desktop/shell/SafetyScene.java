@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.safety.SafetyChecksum;
@@ -31,18 +33,18 @@ final class SafetyScene {
 
   /** The entries of the menu. */
   void addTo(SceneBar bar) {
-    bar.check("scene.safety-planes", "Show safety planes", shows::planes, shows::setPlanes);
+    bar.check("scene.safety-planes", text("showSafetyPlanes"), shows::planes, shows::setPlanes);
     bar.check(
         "scene.safety-direction",
-        "Show where the tool may point",
+        text("showWhereTheToolMayPoint"),
         shows::direction,
         shows::setDirection);
     bar.check(
         "scene.safety-joints",
-        "Show the range of the joint nearest to its limit",
+        text("showTheRangeOfTheJoint"),
         shows::jointRange,
         shows::setJointRange);
-    bar.check("scene.safety-reach", "Show how far the arm reaches", shows::reach, shows::setReach);
+    bar.check("scene.safety-reach", text("showHowFarTheArmReaches"), shows::reach, shows::setReach);
   }
 
   /** What is to be seen at a moment; of limits that did not hold then only what is proposed. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -17,6 +19,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.desktop.session.StateWords;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.Actions;
 import org.pendant.kit.layout.Squeeze;
@@ -36,15 +39,15 @@ final class SceneBar extends JPanel {
   private final transient List<Runnable> menuStates = new ArrayList<>();
 
   private final transient Map<String, Squeeze.Part> spares = new HashMap<>();
-  private final JButton more = new JButton("More \u25BE");
+  private final JButton more = new JButton(text("more"));
   private final JPopupMenu menu = new JPopupMenu();
 
   SceneBar(Actions actions) {
     super(new MigLayout("insets 2 4 2 4, gap 2, hidemode 3"));
     this.actions = actions;
     setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
-    more.setToolTipText("More to see, and the picture as a file");
-    prepare(more, "scene-more", "More about the 3D view");
+    more.setToolTipText(text("moreToSeeAndThePicture"));
+    prepare(more, "scene-more", text("moreAboutThe3dView"));
     more.addActionListener(
         event -> {
           menuStates.forEach(Runnable::run);
@@ -54,7 +57,7 @@ final class SceneBar extends JPanel {
 
   /** A button that does something; {@code key} works while the picture has the focus. */
   void button(String id, String title, String describes, String key, Runnable run) {
-    actions.add(Action.of(id, "3D: " + describes, "", run));
+    actions.add(Action.of(id, text("actionIn3d", describes), "", run));
     JButton button = new JButton(title);
     button.addActionListener(event -> run.run());
     add(described(button, id, describes, key));
@@ -72,12 +75,13 @@ final class SceneBar extends JPanel {
       BooleanSupplier on,
       Consumer<Boolean> set) {
     actions.add(
-        Action.of(id, "3D: " + describes, "", () -> set.accept(!on.getAsBoolean())).checked(on));
+        Action.of(id, text("actionIn3d", describes), "", () -> set.accept(!on.getAsBoolean()))
+            .checked(on));
     JToggleButton button = new JToggleButton(title);
     button.addActionListener(event -> set.accept(button.isSelected()));
     states.add(() -> button.setSelected(on.getAsBoolean()));
     add(described(button, id, describes, key));
-    JCheckBoxMenuItem item = new JCheckBoxMenuItem(title);
+    JCheckBoxMenuItem item = new JCheckBoxMenuItem(StateWords.capital(title));
     item.addActionListener(event -> set.accept(item.isSelected()));
     menuStates.add(() -> item.setSelected(on.getAsBoolean()));
     spare(button, item);
@@ -99,9 +103,8 @@ final class SceneBar extends JPanel {
 
   private static AbstractButton described(
       AbstractButton button, String id, String describes, String key) {
-    String sentence =
-        describes.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + describes.substring(1);
-    button.setToolTipText(key.isEmpty() ? sentence : sentence + " (" + key + " in the picture)");
+    String sentence = StateWords.capital(describes);
+    button.setToolTipText(key.isEmpty() ? sentence : text("inThePicture", sentence, key));
     prepare(button, id.replace('.', '-'), sentence);
     return button;
   }
@@ -114,8 +117,8 @@ final class SceneBar extends JPanel {
 
   /** Something in the menu. */
   void item(String id, String title, Runnable run) {
-    actions.add(Action.of(id, "3D: " + lower(title), "", run));
-    JMenuItem item = new JMenuItem(title);
+    actions.add(Action.of(id, text("actionIn3d", title), "", run));
+    JMenuItem item = new JMenuItem(StateWords.capital(title));
     item.setName(id.replace('.', '-'));
     item.addActionListener(event -> run.run());
     menu.add(item);
@@ -138,8 +141,9 @@ final class SceneBar extends JPanel {
   /** Something in the menu that is on or off. */
   void check(String id, String title, BooleanSupplier on, Consumer<Boolean> set) {
     actions.add(
-        Action.of(id, "3D: " + lower(title), "", () -> set.accept(!on.getAsBoolean())).checked(on));
-    JCheckBoxMenuItem item = new JCheckBoxMenuItem(title);
+        Action.of(id, text("actionIn3d", title), "", () -> set.accept(!on.getAsBoolean()))
+            .checked(on));
+    JCheckBoxMenuItem item = new JCheckBoxMenuItem(StateWords.capital(title));
     item.setName(id.replace('.', '-'));
     item.addActionListener(event -> set.accept(item.isSelected()));
     menuStates.add(() -> item.setSelected(on.getAsBoolean()));
@@ -148,10 +152,10 @@ final class SceneBar extends JPanel {
 
   /** A menu in the menu, of which one is chosen. */
   void choices(String title, List<Choice> choices) {
-    JMenu sub = new JMenu(title);
+    JMenu sub = new JMenu(StateWords.capital(title));
     for (Choice each : choices) {
       actions.add(
-          Action.of(each.id(), "3D: " + lower(title) + " " + each.title(), "", each.run())
+          Action.of(each.id(), text("choiceIn3d", title, each.title()), "", each.run())
               .chosen(each.on()));
       JRadioButtonMenuItem item = new JRadioButtonMenuItem(each.title());
       item.setName(each.id().replace('.', '-'));
@@ -164,10 +168,6 @@ final class SceneBar extends JPanel {
 
   /** One of several. */
   record Choice(String id, String title, BooleanSupplier on, Runnable run) {}
-
-  private static String lower(String title) {
-    return title.substring(0, 1).toLowerCase(java.util.Locale.ROOT) + title.substring(1);
-  }
 
   /**
    * Nothing more is added.

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.Component;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -104,37 +106,37 @@ final class SceneFiles {
 
   /** What can be done with them. */
   void addActions(ActionTable actions) {
-    actions.add(Action.of("scene-file.open", "Open scene\u2026", "", this::open));
+    actions.add(Action.of("scene-file.open", text("openScene"), "", this::open));
     actions.add(
         new Action(
             "scene-file.reload",
-            "Read the scene from disk again",
+            text("readTheSceneFromDiskAgain"),
             "",
             () -> current.path().or(() -> wanted).isPresent(),
             () -> current.path().or(() -> wanted).ifPresent(this::open)),
-        () -> "No scene of a file is open");
+        () -> text("noSceneOfAFileIs"));
     actions.add(
         new Action(
             "scene-file.close",
-            "Close the scene",
+            text("closeTheScene"),
             "",
             () -> !current.isNone() || wanted.isPresent(),
             this::close),
-        () -> "No scene is open");
-    actions.add(Action.of("scene-file.new", "New scene", "", this::create));
+        () -> text("noSceneIsOpen"));
+    actions.add(Action.of("scene-file.new", text("newScene"), "", this::create));
     actions.add(
         new Action(
             "scene-file.save",
-            "Save scene",
+            text("saveScene"),
             "",
             () -> draft.document().modified() || draft.document().file().isEmpty(),
             () -> save(saved -> {})),
-        () -> "Nothing has changed");
+        () -> text("nothingHasChanged"));
     actions.add(
-        Action.of("scene-file.save-as", "Save scene as\u2026", "", () -> saveAs(saved -> {})));
+        Action.of("scene-file.save-as", text("saveSceneAs"), "", () -> saveAs(saved -> {})));
     actions.add(
-        new Action("scene-file.apply", "Apply the scene", "", this::canApply, this::apply),
-        () -> "This scene is around the arm already");
+        new Action("scene-file.apply", text("applyTheScene"), "", this::canApply, this::apply),
+        () -> text("thisSceneIsAroundTheArm"));
   }
 
   /** What is around the arm. */
@@ -193,7 +195,7 @@ final class SceneFiles {
           ofCurrent = document;
           current = next;
           remember(current.path());
-          tell.accept("Around the arm: " + current.words());
+          tell.accept(text("aroundTheArm", current.words()));
         });
   }
 
@@ -233,7 +235,7 @@ final class SceneFiles {
     SaveDialog.ask(
         parent,
         new SaveRequest(
-            "Save " + document.name() + " as",
+            text("saveAs", document.name()),
             document.file().isPresent() ? here.toAbsolutePath() : used.get().resolve(here),
             List.of("json"),
             SceneFiles::fitting,
@@ -266,19 +268,18 @@ final class SceneFiles {
     }
     notices.ask(
         MESHES,
-        (copies.size() == 1
-                ? "The mesh " + copies.getFirst() + " is"
-                : copies.size() + " meshes, such as " + copies.getFirst() + ", are")
-            + " not in the new folder of the scene, where they have to be.",
+        copies.size() == 1
+            ? text("meshIsNotInTheNewFolder", copies.getFirst())
+            : text("meshesAreNotInTheNewFolder", copies.size(), copies.getFirst()),
         List.of(
             new Choice(
-                "Copy and save",
+                text("copyAndSave"),
                 () ->
                     copy(
                         () -> move.get().copy(copies),
                         () -> write(document, path, move, then),
                         then)),
-            new Choice("Cancel", () -> then.accept(false), true)));
+            new Choice(text("cancel"), () -> then.accept(false), true)));
     notices.focus();
   }
 
@@ -306,7 +307,7 @@ final class SceneFiles {
         },
         all -> copied.run(),
         failed -> {
-          notices.tell(MESHES, "The scene is not saved there: " + failed.getMessage());
+          notices.tell(MESHES, text("theSceneIsNotSavedThere", failed.getMessage()));
           then.accept(false);
         });
   }
@@ -360,7 +361,8 @@ final class SceneFiles {
   }
 
   private void open() {
-    OpenDialog.show(parent, "Open scene", "Scenes", new String[] {"json"}, used, this::open);
+    OpenDialog.show(
+        parent, text("openSceneTitle"), text("scenes"), new String[] {"json"}, used, this::open);
   }
 
   /** Puts the scene of a file around the arm. */
@@ -409,7 +411,7 @@ final class SceneFiles {
           change = new DiskChange();
           remember(next.path());
           tell.accept(
-              next.isNone() ? "Nothing is around the arm" : "Around the arm: " + next.words());
+              next.isNone() ? text("nothingIsAroundTheArm") : text("aroundTheArm", next.words()));
         });
   }
 
@@ -420,11 +422,11 @@ final class SceneFiles {
 
   private void trouble(String why, Optional<Path> file) {
     List<Choice> choices = new ArrayList<>();
-    file.ifPresent(path -> choices.add(new Choice("Try again", () -> open(path))));
-    choices.add(new Choice("Open another\u2026", this::open));
-    choices.add(Choice.nothing("Close"));
+    file.ifPresent(path -> choices.add(new Choice(text("tryAgain"), () -> open(path))));
+    choices.add(new Choice(text("openAnother"), this::open));
+    choices.add(Choice.nothing(text("close")));
     notices.close(CHANGED);
-    notices.ask(TROUBLE, "The scene cannot be used: " + why, choices);
+    notices.ask(TROUBLE, text("theSceneCannotBeUsed", why), choices);
   }
 
   /** Another installation brings the scene that was there with it last. */
@@ -486,8 +488,9 @@ final class SceneFiles {
     }
     notices.ask(
         CHANGED,
-        current.name() + " has changed on disk.",
+        text("hasChangedOnDisk", current.name()),
         List.of(
-            new Choice("Read it again", () -> open(now.path())), Choice.nothing("Keep this one")));
+            new Choice(text("readItAgain"), () -> open(now.path())),
+            Choice.nothing(text("keepThisOne"))));
   }
 }

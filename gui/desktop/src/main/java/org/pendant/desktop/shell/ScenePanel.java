@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
@@ -8,7 +10,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -55,6 +56,7 @@ import org.pendant.desktop.scene.mesh.FloorGrid;
 import org.pendant.desktop.scene.view.ObjectHand;
 import org.pendant.desktop.scene.view.SceneView;
 import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.session.StillArm;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.FormMemory;
@@ -183,59 +185,63 @@ final class ScenePanel implements View, GhostArm {
   private SceneBar bar() {
     SceneBar buttons = new SceneBar(workbench.actions());
     for (StandardView direction : StandardView.values()) {
-      String word = direction.word();
-      String title = word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
+      String title = title(direction);
       buttons.button(
-          "scene." + word,
-          title,
-          "look from: " + word,
+          "scene." + direction.word(),
+          StateWords.capital(title),
+          text("lookFromTip", title),
           direction.key(),
           () -> picture.look(direction));
     }
-    buttons.button("scene.fit", "Fit", "show the whole robot", "Home", picture::fit);
+    buttons.button("scene.fit", text("fit"), text("showTheWholeRobot"), text("home"), picture::fit);
     buttons.button(
-        "scene.tool", "Tool", "look at the tool from near by", "Enter", picture::zoomToTool);
+        "scene.tool",
+        text("tool"),
+        text("lookAtTheToolFromNear"),
+        text("enter"),
+        picture::zoomToTool);
     buttons.toggle(
         "scene.drag",
-        "Drag arm",
-        "drag the arm by freedrive; Ctrl and a drag do so, too",
+        text("dragArm"),
+        text("dragTheArmByFreedriveCtrl"),
         "",
         pull::wanted,
         pull::setWanted);
     buttons.toggle(
         "scene.ortho",
-        "Ortho",
-        "without perspective, to compare lengths",
+        text("ortho"),
+        text("withoutPerspectiveToCompareLengths"),
         "O",
         () -> picture.lens() == Lens.ORTHOGRAPHIC,
         on -> picture.setLens(on ? Lens.ORTHOGRAPHIC : Lens.PERSPECTIVE));
     buttons.toggle(
         "scene.frames",
-        "Frames",
-        "show the frames of joints and flange",
+        text("frames"),
+        text("showTheFramesOfJointsAnd"),
         "",
         shows::frames,
         shows::setFrames);
-    buttons.check("scene.payload", "Show the payload as a ball", shows::payload, shows::setPayload);
-    buttons.check("scene.trace", "Show where the tool was", shows::trace, shows::setTrace);
     buttons.check(
-        "scene.trace-elbow", "Show where the elbow was, too", shows::elbow, shows::setElbow);
-    buttons.choices("Colour the way of the tool by", colourings());
+        "scene.payload", text("showThePayloadAsABall"), shows::payload, shows::setPayload);
+    buttons.check("scene.trace", text("showWhereTheToolWas"), shows::trace, shows::setTrace);
+    buttons.check(
+        "scene.trace-elbow", text("showWhereTheElbowWasToo"), shows::elbow, shows::setElbow);
+    buttons.choices(text("colourTheWayOfTheTool"), colourings());
     buttons.check(
         "scene.waypoints",
-        "Show the waypoints of the program",
+        text("showTheWaypointsOfTheProgram"),
         shows::waypoints,
         shows::setWaypoints);
     buttons.check(
         "scene.features",
-        "Show the features of the installation",
+        text("showTheFeaturesOfTheInstallation"),
         shows::features,
         shows::setFeatures);
     safety.addTo(buttons);
-    buttons.entry("scene-file.open", "Open scene\u2026");
-    buttons.entry("scene-file.close", "Close the scene");
-    buttons.item("scene.clear", "Forget where the tool was", trace::clear);
-    buttons.item("scene.save", "Save the picture\u2026", this::save);
+    buttons.entry("scene-file.open", text("openScene"));
+    buttons.entry("scene-file.close", text("closeTheScene"));
+    buttons.item("scene.clear", text("forgetWhereTheToolWas"), trace::clear);
+    buttons.item("scene.save", text("saveThePicture"), this::save);
     return buttons.done(SPARED);
   }
 
@@ -412,11 +418,22 @@ final class ScenePanel implements View, GhostArm {
     }
   }
 
+  private static String title(StandardView direction) {
+    return switch (direction) {
+      case ISO -> text("iso");
+      case FRONT -> text("front");
+      case BACK -> text("back");
+      case LEFT -> text("left");
+      case RIGHT -> text("right");
+      case TOP -> text("top");
+    };
+  }
+
   private List<SceneBar.Choice> colourings() {
     List<SceneBar.Choice> choices = new ArrayList<>();
-    choices.add(colouring("speed", Optional.empty()));
+    choices.add(colouring(text("speedOfTool"), Optional.empty()));
     for (Margin each : Margin.values()) {
-      choices.add(colouring("margin: " + each.words(), Optional.of(each)));
+      choices.add(colouring(text("margin", each.words()), Optional.of(each)));
     }
     return choices;
   }
@@ -499,7 +516,7 @@ final class ScenePanel implements View, GhostArm {
     SaveDialog.open(
         panel,
         new SaveRequest(
-            "Save the picture",
+            text("saveThePictureTitle"),
             workbench.exportFile(workbench.session().options().robotId() + ".png"),
             List.of("png"),
             workbench.openFiles()),
@@ -510,7 +527,7 @@ final class ScenePanel implements View, GhostArm {
   private static void write(CompletableFuture<Optional<BufferedImage>> photo, Path file)
       throws IOException {
     BufferedImage image =
-        photo.join().orElseThrow(() -> new IOException("there is no picture on this machine"));
+        photo.join().orElseThrow(() -> new IOException(text("thereIsNoPictureOnThis")));
     AtomicFile.write(file, out -> ImageIO.write(image, "png", out));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.EventQueue;
 import java.util.Arrays;
 import java.util.Optional;
@@ -84,7 +86,7 @@ final class StartMove implements StartArm {
             run(begun, loadResult.program().orElseThrow());
           }
         },
-        failed -> end(begun, "The move cannot begin: " + failed.getMessage()));
+        failed -> end(begun, text("theMoveCannotBegin", failed.getMessage())));
   }
 
   private void run(Move begun, Program program) {
@@ -98,7 +100,7 @@ final class StartMove implements StartArm {
   private void answered(Move begun, Reply reply) {
     Optional<String> refusal = reply.complaint();
     if (refusal.isPresent()) {
-      end(begun, "Refused: " + ByteText.decoded(refusal.get()));
+      end(begun, text("refused", ByteText.decoded(refusal.get())));
     } else {
       begun.begunFrame = session.state().frame();
     }
@@ -130,7 +132,7 @@ final class StartMove implements StartArm {
     return switch (ending) {
       case Ending.Finished finished -> "";
       case Ending.Halted halted -> "";
-      case Ending.Stopped stopped -> "The move was stopped";
+      case Ending.Stopped stopped -> text("theMoveWasStopped");
       case Ending.Failed failed -> ByteText.decoded(failed.failure().message());
     };
   }

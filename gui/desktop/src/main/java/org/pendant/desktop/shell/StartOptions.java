@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -63,7 +65,7 @@ record StartOptions(ControllerOptions controller, List<String> troubles) {
             : installed.map(bare::withRobot).orElse(bare);
     Optional<InstallationProblem> refusal =
         installation.flatMap(each -> InstallationCheck.refusal(each.installation(), ofArm.arm()));
-    refusal.ifPresent(why -> troubles.add("The installation cannot be used: " + why));
+    refusal.ifPresent(why -> troubles.add(text("theInstallationCannotBeUsed", why)));
     Optional<StartInstallation> used = installation.filter(each -> refusal.isEmpty());
     ControllerOptions model = used.isPresent() || wishes.arm().isPresent() ? ofArm : bare;
     Optional<Path> calibration = wishes.calibration();
@@ -97,7 +99,7 @@ record StartOptions(ControllerOptions controller, List<String> troubles) {
     try {
       return name.isEmpty() ? Optional.empty() : Optional.of(setUp.file().resolveSibling(name));
     } catch (InvalidPathException e) {
-      troubles.add("The calibration cannot be used: " + name + " is not a file name");
+      troubles.add(text("calibrationIsNoFileName", name));
       return Optional.empty();
     }
   }
@@ -110,9 +112,9 @@ record StartOptions(ControllerOptions controller, List<String> troubles) {
       byte[] bytes = in.readNBytes(MAX_CALIBRATION_BYTES);
       return options.withCalibration(ArmCalibration.read(name, bytes, options.arm()));
     } catch (CalibrationTrouble e) {
-      troubles.add("The calibration cannot be used: " + e.getMessage());
+      troubles.add(text("theCalibrationCannotBeUsed", e.getMessage()));
     } catch (IOException e) {
-      troubles.add("The calibration cannot be used: " + name + ", " + FileTrouble.reason(e));
+      troubles.add(text("calibrationCannotBeUsedBecause", name, FileTrouble.reason(e)));
     }
     return options;
   }

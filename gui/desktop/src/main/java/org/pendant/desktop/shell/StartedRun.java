@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -87,7 +89,7 @@ final class StartedRun implements RunProgram {
   public String name(ControllerState state) {
     String own = ByteText.decoded(state.program().name());
     return session.strangerLast() && !own.isEmpty()
-        ? own + " (sent from outside)"
+        ? text("sentFromOutside", own)
         : runner.program().map(ProgramDocument::name).orElse(own);
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -51,6 +53,7 @@ final class StopNotice {
     notices.ask(
         NAME,
         card.title() + ": " + card.message(),
-        List.of(new Choice("Show what happened", explain), new Choice("Close", () -> {})));
+        List.of(
+            new Choice(text("showWhatHappened"), explain), new Choice(text("close"), () -> {})));
   }
 }

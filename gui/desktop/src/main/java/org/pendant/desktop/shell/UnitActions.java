@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
@@ -56,7 +58,7 @@ final class UnitActions {
     actions.add(
         Action.of(
                 "unit." + id,
-                "Units: " + title,
+                text("unitsAre", title),
                 "",
                 () -> FormMemory.write(settings, choice.apply(now())))
             .chosen(chosen));

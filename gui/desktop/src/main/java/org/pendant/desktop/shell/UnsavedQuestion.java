@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -47,11 +49,13 @@ final class UnsavedQuestion {
         };
     notices.ask(
         kind + "-unsaved",
-        "The " + kind + " " + document.get().name() + " is not saved.",
+        text(
+            kind.equals("scene") ? "theSceneIsNotSaved" : "theInstallationIsNotSaved",
+            document.get().name()),
         List.of(
-            new Choice("Save", () -> save.accept(saved)),
-            new Choice("Continue without saving", then),
-            Choice.nothing("Cancel")));
+            new Choice(text("save"), () -> save.accept(saved)),
+            new Choice(text("continueWithoutSaving"), then),
+            Choice.nothing(text("cancel"))));
     notices.focus();
   }
 }

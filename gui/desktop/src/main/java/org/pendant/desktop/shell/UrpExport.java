@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.Component;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -59,11 +61,11 @@ final class UrpExport {
     actions.add(
         new Action(
             "file.export-urp",
-            "Export as .urp (experimental)\u2026",
+            text("exportAsUrpExperimental"),
             "",
             () -> programs.current().isTree(),
             () -> ask(programs.current())),
-        () -> "The program is a script");
+        () -> text("theProgramIsAScript"));
   }
 
   private void ask(ProgramDocument document) {
@@ -73,7 +75,7 @@ final class UrpExport {
     Background.run(
         () -> draft(name, text, installed),
         draft -> ask(document, draft),
-        failed -> notices.tell("urp-export", "Not exported: " + failed.getMessage()));
+        failed -> notices.tell("urp-export", text("notExported", failed.getMessage())));
   }
 
   private static Draft draft(String name, String text, Installation installed) throws IOException {
@@ -92,7 +94,9 @@ final class UrpExport {
     notices.ask(
         "urp-export",
         draft.name() + UrpPrograms.ENDING + ":\n" + listed(draft.notes()),
-        List.of(new Choice("Export\u2026", () -> save(document, draft)), Choice.nothing("Cancel")));
+        List.of(
+            new Choice(text("exportButton"), () -> save(document, draft)),
+            Choice.nothing(text("cancel"))));
     notices.focus();
   }
 
@@ -102,10 +106,7 @@ final class UrpExport {
         String.join("\n", notes.stream().limit(SHOWN_NOTES).map(note -> "\u2022 " + note).toList());
     return notes.size() <= SHOWN_NOTES
         ? shown
-        : shown
-            + "\n\u2022 and "
-            + (notes.size() - SHOWN_NOTES)
-            + " more notes; pendant convert lists all of them";
+        : text("andMoreNotesPendantConvertLists", shown, notes.size() - SHOWN_NOTES);
   }
 
   private void save(ProgramDocument document, Draft draft) {
@@ -113,7 +114,7 @@ final class UrpExport {
     SaveDialog.open(
         parent,
         new SaveRequest(
-            "Export " + document.name() + " as .urp",
+            text("exportAsUrp", document.name()),
             document
                 .file()
                 .map(file -> file.toAbsolutePath().resolveSibling(name))

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.EventQueue;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -305,7 +307,7 @@ final class Views {
 
   private List<Pin> pins(RunProfile profile) {
     IntFunction<String> place =
-        profile.equals(strip.profile()) ? names::started : line -> "line " + line;
+        profile.equals(strip.profile()) ? names::started : line -> text("line", line);
     return profile.worst().stream()
         .map(
             each ->
@@ -333,7 +335,7 @@ final class Views {
   /** Lets a program start when it can, and the arm is where it goes first or people want it so. */
   private void gate(ProgramDocument document, long from, Runnable run) {
     if (tests.debugging()) {
-      tell.accept("A test is being debugged: it ends, or is stopped in the panel Tests, first");
+      tell.accept(text("aTestIsBeingDebuggedIt"));
       return;
     }
     program.whenReady(document, () -> ask(document, from, run));
@@ -342,7 +344,7 @@ final class Views {
   private void ask(ProgramDocument document, long from, Runnable run) {
     Optional<String> refusal = runs.whyNot(document, from);
     if (refusal.isPresent()) {
-      tell.accept(document.name() + " cannot start there: " + refusal.get());
+      tell.accept(text("cannotStartThere", document.name(), refusal.get()));
       return;
     }
     Optional<StartPlace> first =
@@ -431,7 +433,7 @@ final class Views {
   private void showStarted(ShellWorkbench workbench, Programs programs, int line) {
     Optional<ProgramDocument> started = runner.program().or(received::shown);
     if (started.isEmpty() && session.strangerLast()) {
-      workbench.notify("Line " + line + " is in a program that was sent from outside");
+      workbench.notify(text("lineIsInAProgramThat", line));
       return;
     }
     started.ifPresent(programs::select);
@@ -452,7 +454,7 @@ final class Views {
     if (editor.component().isShowing() || program.component().isShowing()) {
       showStarted(workbench, programs, line);
     } else {
-      tell.accept("The tool was there at " + traced(line) + " of the program");
+      tell.accept(text("theToolWasThereAtOf", traced(line)));
     }
   }
 
@@ -513,8 +515,8 @@ final class Views {
   private void chooseWaveforms(ShellWorkbench workbench) {
     OpenDialog.show(
         waveforms.component(),
-        "Open waveforms",
-        "Tables of waveforms",
+        text("openWaveforms"),
+        text("tablesOfWaveforms"),
         new String[] {"csv"},
         workbench.usedFolder(),
         waveforms::open);
@@ -523,8 +525,8 @@ final class Views {
   private void choosePlan(ShellWorkbench workbench) {
     OpenDialog.show(
         sweep.component(),
-        "Open plan",
-        "Plans of sweeps",
+        text("openPlan"),
+        text("plansOfSweeps"),
         new String[] {"toml"},
         workbench.usedFolder(),
         sweep::open);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -29,7 +31,11 @@ final class WindowActions {
       int number = screens.indexOf(view.id()) + 1;
       String keys = number >= 1 && number <= 9 ? "alt " + number : keysOf(view);
       Action show =
-          Action.of("view." + view.id(), "Show " + view.title(), keys, () -> docks.show(view.id()));
+          Action.of(
+              "view." + view.id(),
+              text("showView", view.title()),
+              keys,
+              () -> docks.show(view.id()));
       actions.add(
           number >= 1 ? show.chosen(() -> docks.mainView().equals(Optional.of(view.id()))) : show);
     }
@@ -52,19 +58,18 @@ final class WindowActions {
       actions.add(
           Action.of(
                   "dock.fold-" + side.word(),
-                  "Show the dock at " + side.title(),
+                  text("showTheDockAt", side.title()),
                   key,
                   () -> docks.toggle(side))
               .checked(() -> !docks.collapsed(side)));
     }
-    actions.add(
-        Action.of("dock.reset", "Put all panels where they belong at first", "", docks::reset));
+    actions.add(Action.of("dock.reset", text("putAllPanelsWhereTheyBelong"), "", docks::reset));
     for (Dockable view : docks.views()) {
       for (Side side : Side.values()) {
         actions.add(
             Action.of(
                     "arrange." + view.id() + "-" + side.word(),
-                    "Move " + view.title() + " to " + side.title(),
+                    text("moveTo", view.title(), side.title()),
                     "",
                     () -> docks.move(view.id(), side))
                 .chosen(() -> docks.sideOf(view.id()) == side));
@@ -78,19 +83,21 @@ final class WindowActions {
       actions.add(
           Action.of(
                   "look." + theme.word(),
-                  "Colours: " + theme.title(),
+                  text("coloursAre", theme.title()),
                   "",
                   () -> look.setTheme(theme))
               .chosen(() -> look.theme() == theme));
     }
     actions.add(
-        Action.of("look.larger", "Everything larger", "control alt EQUALS", () -> look.zoom(1)));
+        Action.of(
+            "look.larger", text("everythingLarger"), "control alt EQUALS", () -> look.zoom(1)));
     actions.add(
-        Action.of("look.smaller", "Everything smaller", "control alt MINUS", () -> look.zoom(-1)));
+        Action.of(
+            "look.smaller", text("everythingSmaller"), "control alt MINUS", () -> look.zoom(-1)));
     actions.add(
         Action.of(
             "look.normal",
-            "Everything in normal size",
+            text("everythingInNormalSize"),
             "control alt 0",
             () -> look.setZoomPercent(100)));
   }
@@ -104,24 +111,23 @@ final class WindowActions {
   void addHelp(JComponent under, Notices notices, Supplier<String> lastNotice) {
     CommandPalette palette = new CommandPalette(actions, under);
     KeyEditor keyEditor = new KeyEditor(actions, under);
-    actions.add(
-        Action.of("help.palette", "Find an action\u2026", "control shift P", palette::open));
-    actions.add(Action.of("help.keys", "Change keys\u2026", "", keyEditor::open));
+    actions.add(Action.of("help.palette", text("findAnAction"), "control shift P", palette::open));
+    actions.add(Action.of("help.keys", text("changeKeys"), "", keyEditor::open));
     actions.add(
         new Action(
             "help.question",
-            "Answer the question at the top",
+            text("answerTheQuestionAtTheTop"),
             "control shift E",
             notices::any,
             notices::focus),
-        () -> "There is no question");
+        () -> text("thereIsNoQuestion"));
     actions.add(
         new Action(
             "help.notice",
-            "Show the last notice as a whole",
+            text("showTheLastNoticeAsA"),
             "",
             () -> !lastNotice.get().isEmpty(),
             () -> notices.tell(Notices.WHOLE, lastNotice.get())),
-        () -> "There was no notice");
+        () -> text("thereWasNoNotice"));
   }
 }

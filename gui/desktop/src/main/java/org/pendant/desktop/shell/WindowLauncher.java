@@ -1,5 +1,7 @@
 package org.pendant.desktop.shell;
 
+import static org.pendant.desktop.shell.ShellTexts.text;
+
 import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
@@ -40,7 +42,7 @@ public final class WindowLauncher implements DesktopLauncher {
   private static void onDisplay(Use use) throws DesktopUnavailable, InterruptedException {
     try {
       if (GraphicsEnvironment.isHeadless()) {
-        throw new DesktopUnavailable("there is no display");
+        throw new DesktopUnavailable(text("thereIsNoDisplay"));
       }
       // Says at once whether the display can be used.
       GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
