@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -18,7 +20,12 @@ import org.pendant.kit.layout.TitledCard;
 /** Conveyor page: conveyors that programs can follow. */
 final class ConveyorPage implements Page {
   private static final List<String> DECODERS =
-      List.of("Off", "Quadrature", "Rising and falling edges", "Rising edges", "Falling edges");
+      List.of(
+          text("decoderOff"),
+          text("quadrature"),
+          text("risingAndFallingEdges"),
+          text("risingEdges"),
+          text("fallingEdges"));
 
   /** Number of configurable_in[0] for the decoder. */
   private static final int FIRST = 8;
@@ -26,7 +33,7 @@ final class ConveyorPage implements Page {
   private static final List<List<Integer>> PAIRS =
       List.of(List.of(8, 9), List.of(10, 11), List.of(9, 8), List.of(11, 10));
 
-  private final TitledCard card = new TitledCard("Conveyors", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("conveyors"), "[grow, fill]");
   private final Items<ConveyorSetup> items;
   private final JLabel count = new JLabel(" ");
 
@@ -34,38 +41,37 @@ final class ConveyorPage implements Page {
     items =
         new Items<>(
             "conveyor",
-            "Conveyors",
-            "No conveyor yet. A conveyor goes along a feature: teach a line on the page Features"
-                + " first.",
+            text("conveyors"),
+            text("noConveyorYetAConveyorGoes"),
             new Listed<>(editing, Installation::conveyors, (parts, all) -> parts.conveyors = all),
-            each -> "Conveyor " + each.number() + " along " + each.feature());
-    items.adder("Add conveyor", () -> fresh(editing.now()));
+            each -> text("conveyorAlong", each.number(), each.feature()));
+    items.adder(text("addConveyor"), () -> fresh(editing.now()));
     PartsForm<ConveyorSetup> form = items.form();
     form.<Integer>choice(
-            "Number",
+            text("number"),
             now -> List.of(1, 2),
             String::valueOf,
             ConveyorSetup::number,
             (c, number) -> with(c, number, c.encoder(), c.feature(), c.circular()))
         .<Integer>choice(
-            "Encoder",
+            text("encoder"),
             now -> List.of(0, 1),
             String::valueOf,
             ConveyorSetup::encoder,
             (c, encoder) -> with(c, c.number(), encoder, c.feature(), c.circular()))
-        .add("Counts now", count)
+        .add(text("countsNow"), count)
         .<String>choice(
-            "Feature",
+            text("feature"),
             now -> features(editing.now()),
             name -> name,
             ConveyorSetup::feature,
             (c, feature) -> with(c, c.number(), c.encoder(), feature, c.circular()))
         .check(
-            "Circular",
+            text("circular"),
             ConveyorSetup::circular,
             (c, circular) -> with(c, c.number(), c.encoder(), c.feature(), circular))
         .check(
-            "Tool turns with it",
+            text("toolTurnsWithIt"),
             ConveyorSetup::rotateTool,
             (c, rotate) ->
                 new ConveyorSetup(
@@ -78,7 +84,7 @@ final class ConveyorPage implements Page {
                     c.decoder(),
                     c.inputs()))
         .numberRow(
-            "Ticks per m or turn",
+            text("ticksPerMOrTurn"),
             Measure.PLAIN,
             ConveyorSetup::ticksPerUnit,
             (c, ticks) ->
@@ -92,20 +98,18 @@ final class ConveyorPage implements Page {
                     c.decoder(),
                     c.inputs()))
         .<Integer>choice(
-            "Pulses",
+            text("pulses"),
             now -> IntStream.range(0, DECODERS.size()).boxed().toList(),
             DECODERS::get,
             ConveyorSetup::decoder,
             (c, type) -> decoded(c, type, inputs(type, c.inputs())))
         .<List<Integer>>choice(
-            "At inputs",
+            text("atInputs"),
             now -> choices(now.decoder()),
             ConveyorPage::words,
             ConveyorSetup::inputs,
             (c, inputs) -> decoded(c, c.decoder(), inputs))
-        .note(
-            "CI 0 to 3 are configurable_in[0] to [3]. A linear conveyor goes along the y axis of"
-                + " its feature, a circular one about the z axis.");
+        .note(text("configurableInputsNote"));
     card.add(items.component());
     count.setName("conveyor-count");
   }
@@ -168,9 +172,12 @@ final class ConveyorPage implements Page {
   }
 
   private static String words(List<Integer> inputs) {
-    return inputs.isEmpty()
-        ? "None"
-        : String.join(" and ", inputs.stream().map(each -> "CI " + (each - FIRST)).toList());
+    List<String> names = inputs.stream().map(each -> "CI " + (each - FIRST)).toList();
+    return switch (names.size()) {
+      case 0 -> text("noInputs");
+      case 1 -> names.getFirst();
+      default -> text("bothInputs", names.getFirst(), names.getLast());
+    };
   }
 
   private static List<String> features(Installation installation) {
@@ -196,7 +203,7 @@ final class ConveyorPage implements Page {
         items
             .chosen()
             .map(each -> each.encoder() == 0 ? counts.first() : counts.second())
-            .map(ticks -> ticks + " ticks")
+            .map(ticks -> text("ticks", ticks))
             .orElse(" ");
     if (!words.equals(count.getText())) {
       count.setText(words);

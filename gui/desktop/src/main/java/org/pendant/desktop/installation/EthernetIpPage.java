@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -18,23 +20,21 @@ final class EthernetIpPage implements Page {
     this.editing = editing;
     form = new PartsForm<>("ethernet-ip", editing::whole, editing::takeWhole);
     form.check(
-            "On",
+            text("on"),
             now -> now.ethernetIpLoss().isPresent(),
             (before, on) -> with(before, on ? Optional.of(WatchdogAction.PAUSE) : Optional.empty()))
         .<WatchdogAction>choice(
-            "When a scanner is lost",
+            text("whenAScannerIsLost"),
             now -> List.of(WatchdogAction.values()),
             action ->
                 switch (action) {
-                  case IGNORE -> "Continue";
-                  case PAUSE -> "Pause the program";
-                  case STOP -> "Stop the program";
+                  case IGNORE -> text("continue");
+                  case PAUSE -> text("pauseTheProgram");
+                  case STOP -> text("stopTheProgram");
                 },
             now -> now.ethernetIpLoss().orElse(WatchdogAction.IGNORE),
             (before, action) -> with(before, Optional.of(action)))
-        .note(
-            "The adapter itself is reached while the ports are open: Ports\u2026 in the menu"
-                + " Robot.");
+        .note(text("theAdapterItselfIsReachedWhile"));
     card.add(form.component());
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import javax.swing.JComponent;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
@@ -16,17 +18,15 @@ final class ExternalControlPage implements Page {
     this.editing = editing;
     form = new PartsForm<>("external-control", editing::whole, editing::takeWhole);
     form.text(
-            "Host",
+            text("host"),
             now -> now.controlHost().host(),
             (before, host) -> with(before, new ControlHost(host.strip(), port(before))))
         .text(
-            "Port",
+            text("port"),
             now -> String.valueOf(port(now)),
             (before, port) ->
                 with(before, new ControlHost(before.controlHost().host(), read(port))))
-        .note(
-            "The computer whose driver sends the script of External Control nodes when a program"
-                + " starts.");
+        .note(text("theComputerWhoseDriverSendsThe"));
     card.add(form.component());
   }
 
@@ -38,7 +38,7 @@ final class ExternalControlPage implements Page {
     try {
       return Integer.parseInt(port.strip());
     } catch (NumberFormatException e) {
-      throw new IllegalArgumentException("expected a number, such as 50002", e);
+      throw new IllegalArgumentException(text("expectedANumberSuchAs50002"), e);
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -30,7 +32,7 @@ final class FeaturesPage implements Page {
   private static final int MAX_POINTS = 3;
 
   private final Supplier<ControllerState> state;
-  private final TitledCard card = new TitledCard("Features", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("features"), "[grow, fill]");
   private final Items<Feature> items;
   private final List<JLabel> places = new ArrayList<>();
   private final List<JButton> teach = new ArrayList<>();
@@ -42,23 +44,26 @@ final class FeaturesPage implements Page {
     items =
         new Items<>(
             "feature",
-            "Features",
-            "No feature yet. A feature is a frame such as that of a table: programs move along it,"
-                + " and move with it when it is taught anew.",
+            text("features"),
+            text("noFeatureYetAFeatureIs"),
             new Listed<>(
                 editing,
                 Installation::features,
                 (parts, all) -> parts.features = all,
                 FeaturesPage::follow),
             each ->
-                each.name()
-                    + "  ("
-                    + each.kind().name().toLowerCase(Locale.ROOT)
-                    + (FeaturePoses.pose(each).isPresent() ? ")" : ", not finished)"));
+                text(
+                    FeaturePoses.pose(each).isPresent() ? "featureOfKind" : "unfinishedFeature",
+                    each.name(),
+                    words(each.kind())));
     for (FeatureKind kind : FeatureKind.values()) {
       String word = kind.name().toLowerCase(Locale.ROOT);
       items.adder(
-          "Add " + word,
+          switch (kind) {
+            case POINT -> text("addPoint");
+            case LINE -> text("addLine");
+            case PLANE -> text("addPlaneFeature");
+          },
           () ->
               new Feature(
                   items.freshName(
@@ -69,13 +74,13 @@ final class FeaturesPage implements Page {
                   true));
     }
     PartsForm<Feature> form = items.form().in(editing.measures());
-    form.text("Name", Feature::name, (f, name) -> with(f, name.strip(), f.points()))
+    form.text(text("name"), Feature::name, (f, name) -> with(f, name.strip(), f.points()))
         .check(
-            "Variable",
+            text("variable"),
             Feature::variable,
             (f, on) -> new Feature(f.name(), f.kind(), f.points(), on, f.joggable()))
         .check(
-            "Joggable",
+            text("joggable"),
             Feature::joggable,
             (f, on) -> new Feature(f.name(), f.kind(), f.points(), f.variable(), on))
         .remark(
@@ -83,11 +88,11 @@ final class FeaturesPage implements Page {
                 FeaturePoses.pose(f).isPresent()
                     ? ""
                     : editing.problem("features[" + items.chosenIndex() + "].points").orElse(""))
-        .heading("Points")
+        .heading(text("points"))
         .wide(points());
-    TitledCard.named(typedPoint, "feature-typed", "The point that is typed below");
+    TitledCard.named(typedPoint, "feature-typed", text("thePointThatIsTypedBelow"));
     typedPoint.addActionListener(event -> items.chosen().ifPresent(form::showOther));
-    form.add("Type point", typedPoint);
+    form.add(text("typePoint"), typedPoint);
     PoseRows.addTo(
         form,
         "feature-point",
@@ -95,10 +100,7 @@ final class FeaturesPage implements Page {
         f -> index() < f.points().size() ? f.points().get(index()) : Pose.ZERO,
         (f, pose) -> with(f, f.name(), placed(f.points(), index(), pose)),
         f -> index() <= f.points().size());
-    form.note(
-            "Points are poses of the TCP in the base. Programs may move a variable feature; the"
-                + " Move screen offers a joggable one.")
-        .follow(this::showPoints);
+    form.note(text("pointsArePosesOfTheTcp")).follow(this::showPoints);
     card.add(items.component());
     rotation.addListener(this::show);
   }
@@ -112,9 +114,9 @@ final class FeaturesPage implements Page {
       JLabel name = new JLabel();
       JLabel place = new JLabel();
       place.setName("feature-place-" + i);
-      JButton button = new JButton("Set to TCP");
+      JButton button = new JButton(text("setToTcp"));
       TitledCard.compact(button);
-      TitledCard.named(button, "feature-teach-" + i, "Put the point where the TCP is now");
+      TitledCard.named(button, "feature-teach-" + i, text("putThePointWhereTheTcp"));
       button.addActionListener(
           event ->
               items
@@ -153,11 +155,19 @@ final class FeaturesPage implements Page {
     return new Feature(name, f.kind(), points, f.variable(), f.joggable());
   }
 
+  private static String words(FeatureKind kind) {
+    return switch (kind) {
+      case POINT -> text("point");
+      case LINE -> text("line");
+      case PLANE -> text("plane");
+    };
+  }
+
   private static List<String> pointNames(FeatureKind kind) {
     return switch (kind) {
-      case POINT -> List.of("Pose");
-      case LINE -> List.of("Origin", "On y axis");
-      case PLANE -> List.of("Origin", "On x axis", "Towards y");
+      case POINT -> List.of(text("pose"));
+      case LINE -> List.of(text("origin"), text("onYAxis"));
+      case PLANE -> List.of(text("origin"), text("onXAxis"), text("towardsY"));
     };
   }
 
@@ -167,7 +177,7 @@ final class FeaturesPage implements Page {
       boolean there = i < wanted.size();
       boolean taught = i < feature.points().size();
       names.get(i).setText(there ? wanted.get(i) : "");
-      places.get(i).setText(taught ? words(feature.points().get(i)) : "not taught yet");
+      places.get(i).setText(taught ? words(feature.points().get(i)) : text("notTaughtYet"));
       names.get(i).setVisible(there);
       places.get(i).setVisible(there);
       teach.get(i).setVisible(there);
@@ -175,7 +185,7 @@ final class FeaturesPage implements Page {
       teach
           .get(i)
           .getAccessibleContext()
-          .setAccessibleName("Set " + (there ? wanted.get(i) : "point") + " to the TCP");
+          .setAccessibleName(text("setToTheTcp", there ? wanted.get(i) : text("point")));
     }
     if (typedPoint.getItemCount() != wanted.size()
         || !wanted.getLast().equals(typedPoint.getItemAt(wanted.size() - 1))) {

@@ -1,7 +1,8 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -16,10 +17,16 @@ import org.pendant.models.arm.Joints;
 /** Home page: where home is. */
 final class HomePage implements Page {
   private static final List<String> NAMES =
-      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+      List.of(
+          text("base"),
+          text("shoulder"),
+          text("elbow"),
+          text("wrist1"),
+          text("wrist2"),
+          text("wrist3"));
 
   private final Editing editing;
-  private final TitledCard card = new TitledCard("Home", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("home"), "[grow, fill]");
   private final PartsForm<Installation> form;
 
   HomePage(Editing editing, Supplier<ControllerState> state) {
@@ -34,21 +41,21 @@ final class HomePage implements Page {
           now -> now.homeRad().get(joint),
           (before, rad) -> with(before, before.homeRad().with(joint, rad)));
     }
-    JButton here = button("Set to here", "Make the present joint positions home");
+    JButton here =
+        button("set-to-here", text("setToHere"), text("makeThePresentJointPositionsHome"));
     here.addActionListener(
         event -> editing.take(p -> p.homeRad = state.get().arm().targetPositionRad()));
-    JButton standard = button("Standard", "Home is where a robot is when it is switched on");
+    JButton standard = button("standard", text("standard"), text("homeIsWhereARobotIs"));
     standard.addActionListener(event -> editing.take(p -> p.homeRad = BoxSetup.START_RAD));
     form.buttons(here, standard);
-    form.note("Where the node Home and the button Home of the Move screen take the arm.");
+    form.note(text("whereTheNodeHomeAndThe"));
     card.add(form.component());
   }
 
-  private static JButton button(String title, String tip) {
+  private static JButton button(String id, String title, String tip) {
     JButton button = new JButton(title);
     TitledCard.compact(button);
-    return TitledCard.named(
-        button, "home-" + title.toLowerCase(Locale.ROOT).replace(' ', '-'), tip);
+    return TitledCard.named(button, "home-" + id, tip);
   }
 
   private static Installation with(Installation before, Joints homeRad) {

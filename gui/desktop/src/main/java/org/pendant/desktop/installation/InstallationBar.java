@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -22,11 +24,11 @@ final class InstallationBar {
   private final ActiveInstallation active;
   private final Editing editing;
   private final DocumentName name = new DocumentName("installation-name");
-  private final JButton save = new JButton("Save");
-  private final JButton undo = new JButton("Undo");
-  private final JButton redo = new JButton("Redo");
+  private final JButton save = new JButton(text("save"));
+  private final JButton undo = new JButton(text("undo"));
+  private final JButton redo = new JButton(text("redo"));
   private final Remark waiting = new Remark("installation-waiting", Palette::warning);
-  private final JButton stop = new JButton("Stop program");
+  private final JButton stop = new JButton(text("stopProgram"));
   private final JPanel panel =
       new JPanel(new MigLayout("insets 8 12 4 12, gap 8 4, hidemode 3", "[grow, fill][]"));
 
@@ -37,22 +39,21 @@ final class InstallationBar {
     row.add(name);
     for (List<String> each :
         List.of(
-            List.of("new", "New", "New installation"),
-            List.of("open", "Open\u2026", "Open an installation"),
-            List.of("save", "Save", "Save the installation"),
-            List.of("save-as", "Save as\u2026", "Save the installation in another file"))) {
+            List.of("new", text("new"), text("newInstallation")),
+            List.of("open", text("open"), text("openAnInstallation")),
+            List.of("save", text("save"), text("saveTheInstallation")),
+            List.of("save-as", text("saveAs"), text("saveTheInstallationInAnotherFile")))) {
       JButton button = each.getFirst().equals("save") ? save : new JButton(each.get(1));
       TitledCard.named(button, "installation-" + each.getFirst(), each.get(2));
       TitledCard.compact(button);
       button.addActionListener(event -> workbench.actions().run("installation." + each.getFirst()));
       row.add(button);
     }
-    TitledCard.named(undo, "installation-undo", "Undo the last change (Ctrl+Z)");
+    TitledCard.named(undo, "installation-undo", text("undoTheLastChangeCtrlZ"));
     undo.addActionListener(event -> editing.undo());
-    TitledCard.named(redo, "installation-redo", "Make it again (Ctrl+Y)");
+    TitledCard.named(redo, "installation-redo", text("makeItAgainCtrlY"));
     redo.addActionListener(event -> editing.redo());
-    TitledCard.named(
-        stop, "installation-stop", "Stop the program, so that the controller is set up anew");
+    TitledCard.named(stop, "installation-stop", text("stopTheProgramSoThatThe"));
     stop.addActionListener(
         event -> {
           var _ = workbench.session().submit(new ProgramCommand.StopProgram());
@@ -78,10 +79,11 @@ final class InstallationBar {
             .document()
             .file()
             .map(file -> file.toAbsolutePath().toString())
-            .orElse("Not saved yet"));
+            .orElse(text("notSavedYet")));
     name.getAccessibleContext()
         .setAccessibleName(
-            "Installation " + active.document().name() + (modified ? ", not saved" : ""));
+            text(
+                modified ? "installationNotSaved" : "installationNamed", active.document().name()));
     save.setEnabled(modified || active.document().file().isEmpty());
     undo.setEnabled(editing.canUndo());
     redo.setEnabled(editing.canRedo());
@@ -90,10 +92,8 @@ final class InstallationBar {
   void refresh(ControllerState state) {
     String why =
         active.problem().isEmpty()
-            ? active.waiting().isEmpty()
-                ? ""
-                : "The controller is not set up so yet: " + active.waiting()
-            : "The file is not used: " + active.problem();
+            ? active.waiting().isEmpty() ? "" : text("theControllerIsNotSetUp", active.waiting())
+            : text("theFileIsNotUsed", active.problem());
     waiting.say(why);
     stop.setVisible(!active.waiting().isEmpty() && state.program().state() != ProgramState.STOPPED);
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.Component;
@@ -130,7 +132,7 @@ public final class InstallationView implements View {
   }
 
   private void build() {
-    TitledCard.named(list, "installation-pages", "Pages of the installation");
+    TitledCard.named(list, "installation-pages", text("pagesOfTheInstallation"));
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.setCellRenderer(new Entry());
     list.setSelectionModel(new Pages());
@@ -209,7 +211,7 @@ public final class InstallationView implements View {
         .add(
             new Action(
                 "installation.undo",
-                "Undo in the installation",
+                text("undoInTheInstallation"),
                 "",
                 editing::canUndo,
                 editing::undo));
@@ -218,7 +220,7 @@ public final class InstallationView implements View {
         .add(
             new Action(
                 "installation.redo",
-                "Redo in the installation",
+                text("redoInTheInstallation"),
                 "",
                 editing::canRedo,
                 editing::redo));
@@ -228,7 +230,7 @@ public final class InstallationView implements View {
           .add(
               Action.of(
                   "installation.page-" + each.id(),
-                  "Show installation: " + each.title(),
+                  text("showInstallation", each.title()),
                   "",
                   () -> {
                     workbench.show(id());
@@ -262,7 +264,7 @@ public final class InstallationView implements View {
 
   @Override
   public String title() {
-    return "Installation";
+    return text("installation");
   }
 
   @Override

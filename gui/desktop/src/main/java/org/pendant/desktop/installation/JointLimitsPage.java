@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiFunction;
@@ -21,12 +23,18 @@ import org.pendant.models.arm.Joints;
 
 /** Joint limits page: speeds and ranges of the joints, normal and reduced. */
 final class JointLimitsPage implements Page {
-  private static final String NONE = "none";
+  private static final String NONE = text("noLimit");
   static final List<String> NAMES =
-      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+      List.of(
+          text("base"),
+          text("shoulder"),
+          text("elbow"),
+          text("wrist1"),
+          text("wrist2"),
+          text("wrist3"));
 
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard("Joint limits", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("jointLimits"), "[grow, fill]");
   private final SafetyBar bar;
   private final PartsForm<SafetyConfiguration> form;
   private final List<EntryField> fields = new ArrayList<>();
@@ -36,20 +44,19 @@ final class JointLimitsPage implements Page {
     bar = new SafetyBar(draft, "joints");
     form = new PartsForm<>("joints", draft::refusal, draft::edit);
     form.in(draft.measures());
-    form.heading("Normal");
+    form.heading(text("normal"));
     addSet("normal", SafetyConfiguration::normal, LimitsPage::withNormal);
-    form.heading("Reduced");
+    form.heading(text("reduced"));
     addSet(
         "reduced", SafetyConfiguration::reduced, (c, limits) -> c.withLimits(c.normal(), limits));
     Remark units = new Remark("joints-note", Palette::quiet);
     form.follow(
         now ->
             units.say(
-                "In "
-                    + draft.measures().of(Measure.DEGREE_PER_S).symbol()
-                    + " and "
-                    + degrees().symbol()
-                    + "; none: no limit but that of the arm."));
+                text(
+                    "inAndNoneNoLimitBut",
+                    draft.measures().of(Measure.DEGREE_PER_S).symbol(),
+                    degrees().symbol())));
     form.wide(units);
     card.add(bar.component());
     card.add(form.component());
@@ -67,7 +74,7 @@ final class JointLimitsPage implements Page {
                 "insets 0, gap 8 6, wrap 4",
                 "[]12[50:100:120, fill][50:100:120, fill][50:100:120, fill]"));
     grid.setOpaque(false);
-    for (String head : List.of("", "Speed", "From", "To")) {
+    for (String head : List.of("", text("speed"), text("from"), text("to"))) {
       grid.add(new JLabel(head));
     }
     List<EntryField> mine = new ArrayList<>();
@@ -76,7 +83,7 @@ final class JointLimitsPage implements Page {
       EntryField speed =
           form.number(
               set + "-speed-" + i,
-              NAMES.get(i) + " speed",
+              text("speedOf", NAMES.get(i)),
               Measure.DEGREE_PER_S,
               now -> get.apply(now).jointSpeedRadPerS().get(joint),
               (c, value) -> {
@@ -92,7 +99,7 @@ final class JointLimitsPage implements Page {
       EntryField from =
           form.entry(
               set + "-from-" + i,
-              NAMES.get(i) + " from",
+              text("rangeFrom", NAMES.get(i)),
               now -> words(get.apply(now).jointMinRad().get(joint), degrees()),
               (c, text) -> {
                 SafetyLimits l = get.apply(c);
@@ -102,7 +109,7 @@ final class JointLimitsPage implements Page {
       EntryField to =
           form.entry(
               set + "-to-" + i,
-              NAMES.get(i) + " to",
+              text("rangeTo", NAMES.get(i)),
               now -> words(get.apply(now).jointMaxRad().get(joint), degrees()),
               (c, text) -> {
                 SafetyLimits l = get.apply(c);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.EnumMap;
 import java.util.Map;
 import org.pendant.controller.safety.SafetyLimits;
@@ -8,14 +10,14 @@ import org.pendant.models.arm.Joints;
 
 /** Limit kinds: the limits of the robot as a whole. */
 enum LimitKind {
-  POWER("Power", Measure.WATT),
-  MOMENTUM("Momentum", Measure.KILOGRAM_METRE_PER_S),
-  STOPPING_TIME("Stopping time", Measure.SECOND),
-  STOPPING_DISTANCE("Stopping distance", Measure.MILLIMETRE),
-  TOOL_SPEED("Tool speed", Measure.MILLIMETRE_PER_S),
-  TOOL_FORCE("Tool force", Measure.NEWTON),
-  ELBOW_SPEED("Elbow speed", Measure.MILLIMETRE_PER_S),
-  ELBOW_FORCE("Elbow force", Measure.NEWTON);
+  POWER(text("power"), Measure.WATT),
+  MOMENTUM(text("momentum"), Measure.KILOGRAM_METRE_PER_S),
+  STOPPING_TIME(text("stoppingTime"), Measure.SECOND),
+  STOPPING_DISTANCE(text("stoppingDistance"), Measure.MILLIMETRE),
+  TOOL_SPEED(text("toolSpeed"), Measure.MILLIMETRE_PER_S),
+  TOOL_FORCE(text("toolForce"), Measure.NEWTON),
+  ELBOW_SPEED(text("elbowSpeed"), Measure.MILLIMETRE_PER_S),
+  ELBOW_FORCE(text("elbowForce"), Measure.NEWTON);
 
   private final String title;
   private final Measure unit;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -15,12 +17,13 @@ import org.pendant.kit.form.EntryField;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.models.arm.Joints;
+import org.pendant.text.Language;
 
 /** Limits page: the limits of the robot as a whole, normal and reduced. */
 final class LimitsPage implements Page {
   private final Editing editing;
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard("Safety limits", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("safetyLimits"), "[grow, fill]");
   private final SafetyBar bar;
   private final PartsForm<SafetyConfiguration> form;
   private final List<JComponent> locked = new ArrayList<>();
@@ -38,23 +41,23 @@ final class LimitsPage implements Page {
                 "[]12[60:110:130, fill][60:110:130, fill][grow, left]"));
     grid.setOpaque(false);
     grid.add(new JLabel());
-    grid.add(new JLabel("Normal"));
-    grid.add(new JLabel("Reduced"));
+    grid.add(new JLabel(text("normal")));
+    grid.add(new JLabel(text("reduced")));
     grid.add(new JLabel());
     List<EntryField> fields = new ArrayList<>();
     for (LimitKind kind : LimitKind.values()) {
-      String name = kind.title().toLowerCase(Locale.ROOT).replace(' ', '-');
+      String name = kind.name().toLowerCase(Locale.ROOT).replace('_', '-');
       EntryField normal =
           form.number(
               "normal-" + name,
-              "Normal " + kind.title().toLowerCase(Locale.ROOT),
+              text("normalLimit", Language.ofProcess().withinSentence(kind.title())),
               kind.unit(),
               now -> kind.of(now.normal()),
               (c, value) -> withNormal(c, kind.with(c.normal(), value)));
       EntryField reduced =
           form.number(
               "reduced-" + name,
-              "Reduced " + kind.title().toLowerCase(Locale.ROOT),
+              text("reducedLimit", Language.ofProcess().withinSentence(kind.title())),
               kind.unit(),
               now -> kind.of(now.reduced()),
               (c, value) -> c.withLimits(c.normal(), kind.with(c.reduced(), value)));
@@ -68,13 +71,11 @@ final class LimitsPage implements Page {
       fields.add(reduced);
     }
     form.grid(grid, fields);
-    JButton standard = preset("Standard", 1);
-    JButton half = preset("Half", 0.5);
-    JButton quarter = preset("Quarter", 0.25);
-    form.heading("Presets").buttons(standard, half, quarter);
-    form.note(
-        "Standard is what the arm's data sheet allows; half and quarter have that part of its"
-            + " power, momentum and speeds. Lower normal limits lower the reduced ones.");
+    JButton standard = preset("standard", 1);
+    JButton half = preset("half", 0.5);
+    JButton quarter = preset("quarter", 0.25);
+    form.heading(text("presets")).buttons(standard, half, quarter);
+    form.note(text("standardIsWhatTheArmsData"));
     locked.addAll(fields);
     locked.addAll(List.of(standard, half, quarter));
     card.add(bar.component());
@@ -88,10 +89,11 @@ final class LimitsPage implements Page {
     return c.withLimits(normal, LimitKind.within(c.reduced(), normal));
   }
 
-  private JButton preset(String title, double part) {
+  private JButton preset(String id, double part) {
+    String title = text(id);
     JButton button = new JButton(title);
     TitledCard.compact(button);
-    TitledCard.named(button, "limits-" + title.toLowerCase(Locale.ROOT), title + " of the limits");
+    TitledCard.named(button, "limits-" + id, text("ofTheLimits", title));
     button.addActionListener(event -> draft.edit(scaled(part)));
     return button;
   }

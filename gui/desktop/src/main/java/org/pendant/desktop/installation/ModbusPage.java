@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -30,42 +32,35 @@ final class ModbusPage implements Page {
     items =
         new Items<>(
             "modbus",
-            "Modbus signals",
-            "No signal yet. A signal at a Modbus device is exchanged as long as the controller is"
-                + " on, and programs use it by its name.",
+            text("modbusSignals"),
+            text("noSignalYetASignalAt"),
             new Listed<>(editing, Installation::modbus, (parts, all) -> parts.modbus = all),
             each ->
-                each.name()
-                    + "  at "
-                    + each.device()
-                    + ", "
-                    + each.kind().words()
-                    + " "
-                    + each.address());
-    items.adder("Add signal", () -> fresh(editing.now()));
+                text("signalAt", each.name(), each.device(), each.kind().words(), each.address()));
+    items.adder(text("addSignal"), () -> fresh(editing.now()));
     items
         .form()
         .text(
-            "Name",
+            text("name"),
             ModbusSetup::name,
             (m, name) ->
                 new ModbusSetup(
                     name.strip(), m.device(), m.unit(), m.kind(), m.address(), m.updateHz()))
         .text(
-            "Device",
+            text("device"),
             ModbusSetup::device,
             (m, device) ->
                 new ModbusSetup(
                     m.name(), device.strip(), m.unit(), m.kind(), m.address(), m.updateHz()))
         .numberRow(
-            "Unit",
+            text("unit"),
             Measure.COUNT,
             ModbusSetup::unit,
             (m, unit) ->
                 new ModbusSetup(
                     m.name(), m.device(), whole(unit), m.kind(), m.address(), m.updateHz()))
         .<ModbusKind>choice(
-            "Kind",
+            text("kind"),
             now -> KINDS,
             kind ->
                 kind.words().substring(0, 1).toUpperCase(Locale.ROOT) + kind.words().substring(1),
@@ -73,21 +68,21 @@ final class ModbusPage implements Page {
             (m, kind) ->
                 new ModbusSetup(m.name(), m.device(), m.unit(), kind, m.address(), m.updateHz()))
         .numberRow(
-            "Address",
+            text("address"),
             Measure.COUNT,
             ModbusSetup::address,
             (m, address) ->
                 new ModbusSetup(
                     m.name(), m.device(), m.unit(), m.kind(), whole(address), m.updateHz()))
         .numberRow(
-            "Rate",
+            text("rate"),
             Measure.HERTZ,
             ModbusSetup::updateHz,
             (m, hz) ->
                 new ModbusSetup(m.name(), m.device(), m.unit(), m.kind(), m.address(), whole(hz)))
-        .add("Value now", value)
-        .add("State", status)
-        .note("A device is an address, with a port after a colon where it is not 502.");
+        .add(text("valueNow"), value)
+        .add(text("state"), status)
+        .note(text("aDeviceIsAnAddressWith"));
     value.setName("modbus-value");
     status.setName("modbus-state");
     card.add(items.component());
@@ -95,7 +90,7 @@ final class ModbusPage implements Page {
 
   private static int whole(double number) {
     if (number != Math.rint(number)) {
-      throw new IllegalArgumentException("it is " + number + ", must be a whole number");
+      throw new IllegalArgumentException(text("itIsMustBeAWhole", number));
     }
     return (int) number;
   }
@@ -121,7 +116,7 @@ final class ModbusPage implements Page {
     List<ModbusSignalState> found =
         state.modbus().stream().filter(each -> each.name().equals(wanted)).toList();
     say(value, found.isEmpty() || !found.getFirst().valid() ? "-" : words(found.getFirst()));
-    say(status, found.isEmpty() ? "not at the controller yet" : state(found.getFirst()));
+    say(status, found.isEmpty() ? text("notAtTheControllerYet") : state(found.getFirst()));
   }
 
   private static String words(ModbusSignalState signal) {
@@ -130,12 +125,12 @@ final class ModbusPage implements Page {
 
   private static String state(ModbusSignalState signal) {
     if (signal.connectionError() != 0) {
-      return "no connection (" + signal.connectionError() + ")";
+      return text("noConnection", signal.connectionError());
     }
     if (signal.deviceError() != 0) {
-      return "the device refuses it (" + signal.deviceError() + ")";
+      return text("theDeviceRefusesIt", signal.deviceError());
     }
-    return signal.valid() ? "connected" : "waiting for the device";
+    return signal.valid() ? text("connected") : text("waitingForTheDevice");
   }
 
   private static void say(JLabel label, String text) {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -14,7 +16,7 @@ import org.pendant.kit.layout.TitledCard;
 /** Mounting page: how the base is mounted. */
 final class MountingPage implements Page {
   private final Editing editing;
-  private final TitledCard card = new TitledCard("Mounting", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("mounting"), "[grow, fill]");
   private final PartsForm<Installation> form;
   private final MountingPicture picture = new MountingPicture();
   private final JLabel gravity = new JLabel();
@@ -25,20 +27,21 @@ final class MountingPage implements Page {
     form.in(editing.measures());
     form.wide(picture);
     form.numberRow(
-        "Tilt",
+        text("tilt"),
         Measure.DEGREE,
         now -> now.mounting().tiltRad(),
         (before, rad) -> with(before, new BaseMounting(rad, before.mounting().rotationRad())));
     form.numberRow(
-        "Rotation",
+        text("rotation"),
         Measure.DEGREE,
         now -> now.mounting().rotationRad(),
         (before, rad) -> with(before, new BaseMounting(before.mounting().tiltRad(), rad)));
-    form.add("Gravity", gravity);
-    form.buttons(preset("Floor", 0), preset("Wall", Math.PI / 2), preset("Ceiling", Math.PI));
-    form.note(
-        "Tilt of the base about its y axis, then rotation about its own z axis. Gravity is what"
-            + " set_gravity is told, along the axes of the base.");
+    form.add(text("gravity"), gravity);
+    form.buttons(
+        preset("floor", text("mountedOnAFloor"), 0),
+        preset("wall", text("mountedOnAWall"), Math.PI / 2),
+        preset("ceiling", text("mountedOnACeiling"), Math.PI));
+    form.note(text("tiltOfTheBaseAboutIts"));
     form.follow(
         now -> {
           picture.show(now.mounting());
@@ -54,13 +57,10 @@ final class MountingPage implements Page {
     return before.with(parts -> parts.mounting = mounting);
   }
 
-  private JButton preset(String title, double tiltRad) {
-    JButton button = new JButton(title);
+  private JButton preset(String id, String tip, double tiltRad) {
+    JButton button = new JButton(text(id));
     TitledCard.compact(button);
-    TitledCard.named(
-        button,
-        "mounting-" + title.toLowerCase(Locale.ROOT),
-        "Mounted on a " + title.toLowerCase(Locale.ROOT));
+    TitledCard.named(button, "mounting-" + id, tip);
     button.addActionListener(
         event -> editing.take(parts -> parts.mounting = new BaseMounting(tiltRad, 0)));
     return button;

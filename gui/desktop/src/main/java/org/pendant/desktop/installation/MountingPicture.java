@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -28,7 +30,7 @@ final class MountingPicture extends JPanel {
   MountingPicture() {
     setName("mounting-picture");
     setOpaque(false);
-    getAccessibleContext().setAccessibleName("How the base is mounted");
+    getAccessibleContext().setAccessibleName(text("howTheBaseIsMounted"));
   }
 
   void show(BaseMounting next) {
@@ -37,7 +39,7 @@ final class MountingPicture extends JPanel {
         .setAccessibleDescription(
             String.format(
                 Locale.ROOT,
-                "tilted by %.1f deg, rotated by %.1f deg",
+                text("tiltedAndRotated"),
                 Math.toDegrees(next.tiltRad()),
                 Math.toDegrees(next.rotationRad())));
     repaint();

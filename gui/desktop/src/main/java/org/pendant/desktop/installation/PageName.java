@@ -1,23 +1,25 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 /** Page name: the pages of the Installation screen, in the order of their list. */
 enum PageName {
-  TCP("General", "tcp", "TCP"),
-  PAYLOAD("General", "payload", "Payload"),
-  MOUNTING("General", "mounting", "Mounting"),
-  SIGNALS("General", "signals", "I/O"),
-  HOME("General", "home", "Home"),
-  VARIABLES("General", "variables", "Variables"),
-  START_UP("General", "start-up", "Start-up"),
-  CONVEYORS("General", "conveyors", "Conveyors"),
-  TOOL_CONNECTOR("General", "tool-connector", "Tool connector"),
-  LIMITS("Safety", "limits", "Limits"),
-  JOINT_LIMITS("Safety", "joint-limits", "Joints"),
-  PLANES("Safety", "planes", "Planes"),
-  TOOL_DIRECTION("Safety", "tool-direction", "Tool direction"),
-  FEATURES("Features", "features", "Features"),
-  MODBUS("Fieldbus", "modbus", "Modbus"),
-  ETHERNET_IP("Fieldbus", "ethernet-ip", "EtherNet/IP"),
+  TCP(text("general"), "tcp", "TCP"),
+  PAYLOAD(text("general"), "payload", text("payload")),
+  MOUNTING(text("general"), "mounting", text("mounting")),
+  SIGNALS(text("general"), "signals", text("io")),
+  HOME(text("general"), "home", text("home")),
+  VARIABLES(text("general"), "variables", text("variables")),
+  START_UP(text("general"), "start-up", text("startUp")),
+  CONVEYORS(text("general"), "conveyors", text("conveyors")),
+  TOOL_CONNECTOR(text("general"), "tool-connector", text("toolConnector")),
+  LIMITS(text("safety"), "limits", text("limits")),
+  JOINT_LIMITS(text("safety"), "joint-limits", text("joints")),
+  PLANES(text("safety"), "planes", text("planes")),
+  TOOL_DIRECTION(text("safety"), "tool-direction", text("toolDirection")),
+  FEATURES(text("features"), "features", text("features")),
+  MODBUS(text("fieldbus"), "modbus", "Modbus"),
+  ETHERNET_IP(text("fieldbus"), "ethernet-ip", "EtherNet/IP"),
   EXTERNAL_CONTROL("URCaps", "external-control", "External Control");
 
   private final String group;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -26,7 +28,7 @@ final class PayloadPage implements Page {
   private static final List<String> INERTIA = List.of("Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");
 
   private final Editing editing;
-  private final TitledCard card = new TitledCard("Payload", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("payload"), "[grow, fill]");
   private final Items<NamedPayload> items;
   private final PartsForm<Installation> active;
 
@@ -35,29 +37,29 @@ final class PayloadPage implements Page {
     items =
         new Items<>(
             "payload",
-            "Payloads",
-            "No payload yet: the flange carries nothing. Add one and type its mass.",
+            text("payloads"),
+            text("noPayloadYetTheFlangeCarries"),
             new Listed<>(
                 editing,
                 Installation::payloads,
                 (parts, all) -> parts.payloads = all,
                 PayloadPage::follow),
-            payload -> payload.name() + (isActive(payload) ? "  (active)" : ""));
+            payload -> isActive(payload) ? text("activeOne", payload.name()) : payload.name());
     items.adder(
-        "Add payload",
+        text("addPayload"),
         () -> new NamedPayload(items.freshName("Payload"), 0, new Vector3(0, 0, 0), Inertia.NONE));
     PartsForm<NamedPayload> form = items.form().in(editing.measures());
     form.text(
-        "Name",
+        text("name"),
         NamedPayload::name,
         (before, name) ->
             new NamedPayload(name.strip(), before.massKg(), before.cogM(), before.inertia()));
     form.numberRow(
-        "Mass",
+        text("mass"),
         Measure.KILOGRAM,
         NamedPayload::massKg,
         (before, kg) -> new NamedPayload(before.name(), kg, before.cogM(), before.inertia()));
-    form.heading("Centre of gravity in the flange");
+    form.heading(text("centreOfGravityInTheFlange"));
     for (int i = 0; i < AXES.size(); i++) {
       int axis = i;
       form.numberRow(
@@ -68,10 +70,10 @@ final class PayloadPage implements Page {
               new NamedPayload(
                   before.name(), before.massKg(), with(before.cogM(), axis, m), before.inertia()));
     }
-    form.heading("Inertia about the centre of gravity, along the axes of the flange");
+    form.heading(text("inertiaAboutTheCentreOfGravity"));
     addInertia(form);
-    JButton set = new JButton("Set payload");
-    TitledCard.named(set, "payload-set", "Make this the active payload");
+    JButton set = new JButton(text("setPayload"));
+    TitledCard.named(set, "payload-set", text("makeThisTheActivePayload"));
     set.addActionListener(
         event ->
             items
@@ -80,9 +82,9 @@ final class PayloadPage implements Page {
     form.buttons(set);
     active = new PartsForm<>("payload-active", editing::whole, editing::takeWhole);
     active.choice(
-        "Active payload",
+        text("activePayload"),
         PayloadPage::names,
-        name -> name.isEmpty() ? "None" : name,
+        name -> name.isEmpty() ? text("noPayload") : name,
         Installation::activePayload,
         (before, name) -> before.with(parts -> parts.activePayload = name));
     card.add(active.component());
@@ -118,7 +120,7 @@ final class PayloadPage implements Page {
       }
     }
     form.grid(grid, fields);
-    form.note("In kg m\u00b2; all 0 for a point.");
+    form.note(text("inKgMAll0For"));
   }
 
   private static double[] elements(Inertia inertia) {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -25,11 +27,11 @@ import org.pendant.models.pose.Transforms;
 /** Planes page: planes that the tool must not pass. */
 final class PlanesPage implements Page {
   private static final List<String> AXES = List.of("X", "Y", "Z");
-  private static final String FROM_FEATURE = "Lay on feature\u2026";
+  private static final String FROM_FEATURE = text("layOnFeature");
 
   private final Editing editing;
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard("Safety planes", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("safetyPlanes"), "[grow, fill]");
   private final SafetyBar bar;
   private final Items<SafetyPlane> items;
   private final JComboBox<String> fromFeature = new JComboBox<>();
@@ -42,19 +44,18 @@ final class PlanesPage implements Page {
     items =
         new Items<>(
             "plane",
-            "Safety planes",
-            "No plane. The tool, and the elbow if you like, must stay on one side of a plane; there"
-                + " can be eight.",
+            text("safetyPlanes"),
+            text("noPlaneTheToolAndThe"),
             new Drafted(),
             each -> each.name() + "  (" + words(each.applies()) + ")");
     items.adder(
-        "Add plane",
+        text("addPlane"),
         () ->
             new SafetyPlane(
                 items.freshName("Plane"), 0, 0, 0, new Axis(0, 0, 1), Applies.BOTH, false));
     PartsForm<SafetyPlane> form = items.form().in(editing.measures());
     form.text(
-            "Name",
+            text("name"),
             SafetyPlane::name,
             (p, name) ->
                 new SafetyPlane(
@@ -66,7 +67,7 @@ final class PlanesPage implements Page {
                     p.applies(),
                     p.elbow()))
         .<Applies>choice(
-            "Holds",
+            text("holds"),
             now -> List.of(Applies.values()),
             PlanesPage::words,
             SafetyPlane::applies,
@@ -80,7 +81,7 @@ final class PlanesPage implements Page {
                     applies,
                     p.elbow()))
         .check(
-            "Elbow as well",
+            text("elbowAsWell"),
             SafetyPlane::elbow,
             (p, elbow) ->
                 new SafetyPlane(
@@ -91,7 +92,7 @@ final class PlanesPage implements Page {
                     p.allowedSide(),
                     p.applies(),
                     elbow))
-        .heading("A point of it, in the base");
+        .heading(text("aPointOfItInThe"));
     for (int i = 0; i < AXES.size(); i++) {
       int axis = i;
       form.numberRow(
@@ -104,11 +105,11 @@ final class PlanesPage implements Page {
             return moved(p, point, p.allowedSide());
           });
     }
-    form.heading("Direction to the allowed side, along the axes of the base");
+    form.heading(text("directionToTheAllowedSideAlong"));
     for (int i = 0; i < AXES.size(); i++) {
       int axis = i;
       form.numberRow(
-          "Side " + AXES.get(i),
+          text("side", AXES.get(i)),
           Measure.PLAIN,
           now -> side(now.allowedSide())[axis],
           (p, part) -> {
@@ -117,9 +118,9 @@ final class PlanesPage implements Page {
             return moved(p, point(p), new Axis(side[0], side[1], side[2]));
           });
     }
-    JButton here = new JButton("Through TCP");
+    JButton here = new JButton(text("throughTcp"));
     TitledCard.compact(here);
-    TitledCard.named(here, "plane-here", "Put the plane where the TCP is now");
+    TitledCard.named(here, "plane-here", text("putThePlaneWhereTheTcp"));
     here.addActionListener(
         event ->
             items
@@ -130,9 +131,9 @@ final class PlanesPage implements Page {
                       items.replace(
                           moved(p, new double[] {tcp.x(), tcp.y(), tcp.z()}, p.allowedSide()));
                     }));
-    JButton turn = new JButton("Other side");
+    JButton turn = new JButton(text("otherSide"));
     TitledCard.compact(turn);
-    TitledCard.named(turn, "plane-turn", "Allow the other side");
+    TitledCard.named(turn, "plane-turn", text("allowTheOtherSide"));
     turn.addActionListener(
         event ->
             items
@@ -143,7 +144,7 @@ final class PlanesPage implements Page {
                       items.replace(moved(p, point(p), new Axis(-side[0], -side[1], -side[2])));
                     }));
     form.buttons(here, turn);
-    TitledCard.named(fromFeature, "plane-feature", "Lay it on the x-y plane of a feature");
+    TitledCard.named(fromFeature, "plane-feature", text("layItOnTheXY"));
     fromFeature.addActionListener(event -> layOnFeature());
     form.wide(fromFeature);
     card.add(bar.component());
@@ -220,10 +221,10 @@ final class PlanesPage implements Page {
   /** When something holds. */
   static String words(Applies applies) {
     return switch (applies) {
-      case NORMAL -> "in normal mode";
-      case REDUCED -> "in reduced mode";
-      case BOTH -> "always";
-      case TRIGGERS_REDUCED -> "triggers reduced mode";
+      case NORMAL -> text("inNormalMode");
+      case REDUCED -> text("inReducedMode");
+      case BOTH -> text("always");
+      case TRIGGERS_REDUCED -> text("triggersReducedMode");
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -14,11 +16,9 @@ import org.pendant.kit.theme.Palette;
 
 /** Safety bar: unlocks the safety configuration, and applies it after showing what changes. */
 final class SafetyBar {
-  private static final String LOCKED =
-      "Locked. Unlock to change it; nothing holds before you apply it.";
-  private static final String UNLOCKED = "Unlocked. Nothing has changed yet.";
-  private static final String CHANGED =
-      "Changed, not applied yet: the controller still has what was there.";
+  private static final String LOCKED = text("lockedUnlockToChangeItNothing");
+  private static final String UNLOCKED = text("unlockedNothingHasChangedYet");
+  private static final String CHANGED = text("changedNotAppliedYetTheController");
 
   private final SafetyDraft draft;
   private final JPanel panel =
@@ -26,11 +26,11 @@ final class SafetyBar {
   private final JLabel checksum = new JLabel();
   private final Remark state;
   private final Remark summary;
-  private final JButton unlock = new JButton("Unlock");
-  private final JButton apply = new JButton("Apply\u2026");
-  private final JButton discard = new JButton("Discard");
-  private final JButton really = new JButton("Apply and power off");
-  private final JButton back = new JButton("Back");
+  private final JButton unlock = new JButton(text("unlock"));
+  private final JButton apply = new JButton(text("apply"));
+  private final JButton discard = new JButton(text("discard"));
+  private final JButton really = new JButton(text("applyAndPowerOff"));
+  private final JButton back = new JButton(text("back"));
   private boolean asking;
 
   /**
@@ -44,28 +44,28 @@ final class SafetyBar {
         new Remark(page + "-lock-state", Palette::quiet)
             .withRoomFor(List.of(LOCKED, UNLOCKED, CHANGED));
     summary = new Remark(page + "-changes", Palette::warning);
-    TitledCard.named(unlock, page + "-unlock", "Change the safety configuration");
+    TitledCard.named(unlock, page + "-unlock", text("changeTheSafetyConfiguration"));
     unlock.addActionListener(
         event -> {
           draft.unlock();
           discard.requestFocusInWindow();
         });
-    TitledCard.named(apply, page + "-apply", "Show what changes, then apply it");
+    TitledCard.named(apply, page + "-apply", text("showWhatChangesThenApplyIt"));
     apply.addActionListener(event -> ask(true));
-    TitledCard.named(discard, page + "-discard", "Forget the changes, and lock");
+    TitledCard.named(discard, page + "-discard", text("forgetTheChangesAndLock"));
     discard.addActionListener(
         event -> {
           draft.discard();
           unlock.requestFocusInWindow();
         });
-    TitledCard.named(really, page + "-apply-really", "Apply the changes; the arm is powered off");
+    TitledCard.named(really, page + "-apply-really", text("applyTheChangesTheArmIs"));
     really.addActionListener(
         event -> {
           asking = false;
           draft.apply();
           unlock.requestFocusInWindow();
         });
-    TitledCard.named(back, page + "-apply-back", "Do not apply them yet");
+    TitledCard.named(back, page + "-apply-back", text("doNotApplyThemYet"));
     back.addActionListener(event -> ask(false));
     TitledCard.compact(unlock, apply, discard, really, back);
     JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
@@ -73,8 +73,7 @@ final class SafetyBar {
     List.of(unlock, apply, discard, really, back).forEach(row::add);
     row.add(checksum);
     checksum.setName(page + "-checksum");
-    checksum.setToolTipText(
-        "Of the settings as shown: equal ones have the same, any change makes another one");
+    checksum.setToolTipText(text("ofTheSettingsAsShownEqual"));
     panel.setOpaque(false);
     panel.add(row, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
     panel.add(state, Remark.LAYOUT);
@@ -104,7 +103,7 @@ final class SafetyBar {
     discard.setVisible(unlocked && !asking);
     really.setVisible(unlocked && asking);
     back.setVisible(unlocked && asking);
-    checksum.setText("Checksum " + draft.checksum());
+    checksum.setText(text("checksum", draft.checksum()));
     state.say(!unlocked ? LOCKED : draft.changed() ? CHANGED : UNLOCKED);
     summary.say(asking ? String.join("\n", draft.changes()) : "");
   }

@@ -1,8 +1,9 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
@@ -10,6 +11,7 @@ import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.Measures;
 import org.pendant.models.arm.Joints;
+import org.pendant.text.Language;
 
 /** Safety changes: what differs between two safety configurations, in words. */
 final class SafetyChanges {
@@ -18,16 +20,16 @@ final class SafetyChanges {
   /** A line for each difference. */
   static List<String> of(SafetyConfiguration before, SafetyConfiguration after, Measures measures) {
     List<String> lines = new ArrayList<>();
-    limits("Normal", before.normal(), after.normal(), measures, lines);
-    limits("Reduced", before.reduced(), after.reduced(), measures, lines);
+    limits(text("normal"), before.normal(), after.normal(), measures, lines);
+    limits(text("reduced"), before.reduced(), after.reduced(), measures, lines);
     planes(before.planes(), after.planes(), lines);
     if (!before.toolDirection().equals(after.toolDirection())) {
       lines.add(
           after.toolDirection().isEmpty()
-              ? "Tool direction: no longer restricted"
+              ? text("toolDirectionNoLongerRestricted")
               : before.toolDirection().isEmpty()
-                  ? "Tool direction: restricted"
-                  : "Tool direction: changed");
+                  ? text("toolDirectionRestricted")
+                  : text("toolDirectionChanged"));
     }
     return lines;
   }
@@ -37,30 +39,31 @@ final class SafetyChanges {
     for (LimitKind kind : LimitKind.values()) {
       if (kind.of(before) != kind.of(after)) {
         lines.add(
-            set
-                + " "
-                + kind.title().toLowerCase(Locale.ROOT)
-                + ": "
-                + measures.of(kind.unit()).text(kind.of(before))
-                + " to "
-                + measures.of(kind.unit()).words(kind.of(after)));
+            text(
+                "limitChanged",
+                set,
+                Language.ofProcess().withinSentence(kind.title()),
+                measures.of(kind.unit()).text(kind.of(before)),
+                measures.of(kind.unit()).words(kind.of(after))));
       }
     }
     Measure speed = measures.of(Measure.DEGREE_PER_S);
     Measure angle = measures.of(Measure.DEGREE);
     for (int i = 0; i < Joints.COUNT; i++) {
-      String joint = set + " " + JointLimitsPage.NAMES.get(i).toLowerCase(Locale.ROOT);
+      String joint = Language.ofProcess().withinSentence(JointLimitsPage.NAMES.get(i));
       if (before.jointSpeedRadPerS().get(i) != after.jointSpeedRadPerS().get(i)) {
         lines.add(
-            joint
-                + " speed: "
-                + speed.text(before.jointSpeedRadPerS().get(i))
-                + " to "
-                + speed.words(after.jointSpeedRadPerS().get(i)));
+            text(
+                "jointSpeedChanged",
+                set,
+                joint,
+                speed.text(before.jointSpeedRadPerS().get(i)),
+                speed.words(after.jointSpeedRadPerS().get(i))));
       }
       if (before.jointMinRad().get(i) != after.jointMinRad().get(i)
           || before.jointMaxRad().get(i) != after.jointMaxRad().get(i)) {
-        lines.add(joint + " range: " + range(before, i, angle) + " to " + range(after, i, angle));
+        lines.add(
+            text("jointRangeChanged", set, joint, range(before, i, angle), range(after, i, angle)));
       }
     }
   }
@@ -79,18 +82,18 @@ final class SafetyChanges {
     for (SafetyPlane each : after) {
       Optional<SafetyPlane> was = named(before, each.name());
       if (was.isEmpty()) {
-        lines.add("Plane " + each.name() + ": new");
+        lines.add(text("planeNew", each.name()));
       } else if (!was.get().equals(each)) {
-        lines.add("Plane " + each.name() + ": changed");
+        lines.add(text("planeChanged", each.name()));
       }
     }
     for (SafetyPlane each : before) {
       if (named(after, each.name()).isEmpty()) {
-        lines.add("Plane " + each.name() + ": removed");
+        lines.add(text("planeRemoved", each.name()));
       }
     }
     if (lines.isEmpty() && !before.equals(after)) {
-      lines.add("Planes: another order");
+      lines.add(text("planesAnotherOrder"));
     }
   }
 

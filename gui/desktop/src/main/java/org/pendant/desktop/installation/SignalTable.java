@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -31,8 +33,9 @@ final class SignalTable extends AbstractTableModel {
   private static final int USE = 2;
   private static final int DOMAIN = 3;
   private static final int LEVEL = 4;
-  private static final List<String> COLUMNS = List.of("Signal", "Name", "Use", "Made of", "Level");
-  private static final String NOTHING = "Nothing";
+  private static final List<String> COLUMNS =
+      List.of(text("signal"), text("name"), text("useColumn"), text("madeOf"), text("level"));
+  private static final String NOTHING = text("noUse");
 
   private final transient Editing editing;
   private final transient Consumer<String> refused;
@@ -43,12 +46,12 @@ final class SignalTable extends AbstractTableModel {
 
   /** Which signals are listed. */
   enum Group {
-    DIGITAL("Digital"),
-    ANALOG("Analog"),
-    FLAGS("Flags"),
-    INPUT_REGISTERS("Input registers"),
-    OUTPUT_REGISTERS("Output registers"),
-    ALL("All");
+    DIGITAL(text("digital")),
+    ANALOG(text("analog")),
+    FLAGS(text("flags")),
+    INPUT_REGISTERS(text("inputRegisters")),
+    OUTPUT_REGISTERS(text("outputRegisters")),
+    ALL(text("all"));
 
     private final String title;
 
@@ -157,7 +160,8 @@ final class SignalTable extends AbstractTableModel {
 
   private static String level(SignalId id, ControllerState state) {
     return switch (id) {
-      case SignalId.Digital digital -> state.io().level(digital.signal()) ? "High" : "Low";
+      case SignalId.Digital digital ->
+          state.io().level(digital.signal()) ? text("high") : text("low");
       case SignalId.Analog(AnalogBank bank, int index) -> {
         AnalogSignal signal = state.signals().analog().signal(bank, index);
         yield signal.domain() == AnalogDomain.CURRENT
@@ -167,7 +171,7 @@ final class SignalTable extends AbstractTableModel {
       case SignalId.Register(RegisterDirection direction, RegisterKind kind, int address) -> {
         RegisterLevels registers = state.signals().registers(direction);
         yield switch (kind) {
-          case BOOLEAN -> registers.bool(address) ? "High" : "Low";
+          case BOOLEAN -> registers.bool(address) ? text("high") : text("low");
           case INTEGER -> Integer.toString(registers.integer(address));
           case FLOAT -> String.format(Locale.ROOT, "%.4g", registers.floating(address));
         };
@@ -213,27 +217,27 @@ final class SignalTable extends AbstractTableModel {
   private static String inputWords(InputAction action) {
     return switch (action) {
       case DEFAULT -> NOTHING;
-      case FREEDRIVE -> "High: freedrive";
+      case FREEDRIVE -> text("highFreedrive");
     };
   }
 
   private static String words(RunStateAction action) {
     return switch (action) {
       case PRESERVE -> NOTHING;
-      case LOW_WHEN_NOT_RUNNING -> "Low when not running";
-      case HIGH_WHEN_NOT_RUNNING -> "High when not running";
-      case HIGH_WHEN_RUNNING -> "High when running, low when stopped";
-      case LOW_ON_UNSCHEDULED_STOP -> "Low on unscheduled stop";
-      case HIGH_FROM_START_LOW_ON_UNSCHEDULED_STOP -> "High from start, low on unscheduled stop";
-      case HIGH_WITH_POWER -> "High with power";
-      case LOW_WITH_POWER -> "Low with power";
+      case LOW_WHEN_NOT_RUNNING -> text("lowWhenNotRunning");
+      case HIGH_WHEN_NOT_RUNNING -> text("highWhenNotRunning");
+      case HIGH_WHEN_RUNNING -> text("highWhenRunningLowWhenStopped");
+      case LOW_ON_UNSCHEDULED_STOP -> text("lowOnUnscheduledStop");
+      case HIGH_FROM_START_LOW_ON_UNSCHEDULED_STOP -> text("highFromStartLowOnUnscheduled");
+      case HIGH_WITH_POWER -> text("highWithPower");
+      case LOW_WITH_POWER -> text("lowWithPower");
     };
   }
 
   private static String words(AnalogDomain domain) {
     return switch (domain) {
-      case CURRENT -> "Current";
-      case VOLTAGE -> "Voltage";
+      case CURRENT -> text("current");
+      case VOLTAGE -> text("voltage");
     };
   }
 

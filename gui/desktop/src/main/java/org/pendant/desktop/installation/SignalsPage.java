@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.awt.event.ActionEvent;
 import java.util.Locale;
 import javax.swing.AbstractAction;
@@ -26,7 +28,7 @@ final class SignalsPage implements Page {
   private static final int MIN_ROWS = 10;
   private static final int LIVE_MS = 100;
 
-  private final TitledCard card = new TitledCard("I/O", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("io"), "[grow, fill]");
   private final SignalTable model;
   private final SignalsTable table;
   private final Remark problem = new Remark("signals-problem", Palette::error);
@@ -37,7 +39,7 @@ final class SignalsPage implements Page {
   SignalsPage(Editing editing) {
     model = new SignalTable(editing, problem::say);
     table = new SignalsTable(model);
-    TitledCard.named(table, "signals-table", "Signals: F2 changes the chosen cell");
+    TitledCard.named(table, "signals-table", text("signalsF2ChangesTheChosenCell"));
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setCellSelectionEnabled(true);
     table.putClientProperty("terminateEditOnFocusLost", true);
@@ -47,14 +49,14 @@ final class SignalsPage implements Page {
     for (int i = 0; i < widths.length; i++) {
       table.getColumnModel().getColumn(i).setPreferredWidth(widths[i]);
     }
-    TitledCard.named(group, "signals-group", "Which signals are listed");
+    TitledCard.named(group, "signals-group", text("whichSignalsAreListed"));
     group.addActionListener(
         event -> {
           stop();
           model.show(group.getItemAt(Math.max(0, group.getSelectedIndex())), filter.getText());
         });
-    TitledCard.named(filter, "signals-filter", "Part of a signal or name");
-    filter.putClientProperty("JTextField.placeholderText", "Filter");
+    TitledCard.named(filter, "signals-filter", text("partOfASignalOrName"));
+    filter.putClientProperty("JTextField.placeholderText", text("filter"));
     filter
         .getDocument()
         .addDocumentListener(
@@ -66,7 +68,7 @@ final class SignalsPage implements Page {
                 }));
     JPanel head = new JPanel(new MigLayout("insets 0, gap 8", "[][][grow, fill]"));
     head.setOpaque(false);
-    JLabel label = new JLabel("Show");
+    JLabel label = new JLabel(text("show"));
     label.setLabelFor(group);
     head.add(label);
     head.add(group);
@@ -77,9 +79,7 @@ final class SignalsPage implements Page {
     card.add(scroll, "wmin 0, growy, pushy, h " + MIN_ROWS * 24 + ":" + MIN_ROWS * 24 + ":");
     card.add(problem, Remark.LAYOUT);
     Remark note = new Remark("signals-note", Palette::quiet);
-    note.say(
-        "Use: what a high input does, or what an output does when programs start and end. The level"
-            + " is that of the controller now.");
+    note.say(text("useWhatAHighInputDoes"));
     card.add(note, Remark.LAYOUT);
     table
         .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)

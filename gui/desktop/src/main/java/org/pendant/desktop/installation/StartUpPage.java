@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JComponent;
@@ -18,14 +20,14 @@ final class StartUpPage implements Page {
   private static final List<String> INPUTS = inputs();
 
   private final Editing editing;
-  private final TitledCard card = new TitledCard("Start-up", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("startUp"), "[grow, fill]");
   private final PartsForm<Installation> form;
 
   StartUpPage(Editing editing) {
     this.editing = editing;
     form = new PartsForm<>("start-up", editing::whole, editing::takeWhole);
     form.text(
-            "Load program",
+            text("loadProgram"),
             now -> now.startUp().program(),
             (before, name) ->
                 with(
@@ -37,9 +39,9 @@ final class StartUpPage implements Page {
                             s.startOnHigh(),
                             s.powerInput(),
                             s.powerOnHigh())))
-        .note("The file in the programs folder that pendant serve loads; empty for none.")
+        .note(text("theFileInTheProgramsFolder"))
         .<String>choice(
-            "Start program by",
+            text("startProgramBy"),
             now -> INPUTS,
             StartUpPage::words,
             now -> now.startUp().startInput(),
@@ -50,7 +52,7 @@ final class StartUpPage implements Page {
                         new StartUp(
                             s.program(), input, s.startOnHigh(), s.powerInput(), s.powerOnHigh())))
         .<Boolean>choice(
-            "Start on",
+            text("startOn"),
             now -> List.of(true, false),
             StartUpPage::edge,
             now -> now.startUp().startOnHigh(),
@@ -61,7 +63,7 @@ final class StartUpPage implements Page {
                         new StartUp(
                             s.program(), s.startInput(), high, s.powerInput(), s.powerOnHigh())))
         .<String>choice(
-            "Switch arm on by",
+            text("switchArmOnBy"),
             now -> INPUTS,
             StartUpPage::words,
             now -> now.startUp().powerInput(),
@@ -72,7 +74,7 @@ final class StartUpPage implements Page {
                         new StartUp(
                             s.program(), s.startInput(), s.startOnHigh(), input, s.powerOnHigh())))
         .<Boolean>choice(
-            "Switch on at",
+            text("switchOnAt"),
             now -> List.of(true, false),
             StartUpPage::edge,
             now -> now.startUp().powerOnHigh(),
@@ -82,17 +84,17 @@ final class StartUpPage implements Page {
                     s ->
                         new StartUp(
                             s.program(), s.startInput(), s.startOnHigh(), s.powerInput(), high)))
-        .heading("Robot")
+        .heading(text("robot"))
         .<String>choice(
-            "Made for",
+            text("madeFor"),
             now -> robots(),
-            id -> id.isEmpty() ? "Any robot" : "UR" + id.substring(2),
+            id -> id.isEmpty() ? text("anyRobot") : "UR" + id.substring(2),
             Installation::robot,
             (before, id) -> before.with(parts -> parts.robot = id))
         .<Double>choice(
-            "Safety transition",
+            text("safetyTransition"),
             now -> List.of(0.0, 1.0),
-            hard -> hard == 0 ? "Hard" : "Soft",
+            hard -> hard == 0 ? text("hard") : text("soft"),
             Installation::transitionHardness,
             (before, hard) -> before.with(parts -> parts.transitionHardness = hard));
     card.add(form.component());
@@ -108,11 +110,11 @@ final class StartUpPage implements Page {
   }
 
   private static String words(String input) {
-    return input.isEmpty() ? "Nothing" : input;
+    return input.isEmpty() ? text("noInput") : input;
   }
 
   private static String edge(boolean high) {
-    return high ? "Rising edge" : "Falling edge";
+    return high ? text("risingEdge") : text("fallingEdge");
   }
 
   private static List<String> inputs() {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -27,15 +29,17 @@ final class TcpPage implements Page {
     items =
         new Items<>(
             "tcp",
-            "TCPs",
-            "No TCP yet: programs move the flange. Add one and type where it is.",
+            text("tcps"),
+            text("noTcpYetProgramsMoveThe"),
             new Listed<>(
                 editing, Installation::tools, (parts, all) -> parts.tools = all, TcpPage::follow),
-            tool -> tool.name() + (isActive(tool) ? "  (active)" : ""));
-    items.adder("Add TCP", () -> new NamedTool(items.freshName("TCP"), Pose.ZERO));
+            tool -> isActive(tool) ? text("activeOne", tool.name()) : tool.name());
+    items.adder(text("addTcp"), () -> new NamedTool(items.freshName("TCP"), Pose.ZERO));
     PartsForm<NamedTool> form = items.form().in(editing.measures());
     form.text(
-        "Name", NamedTool::name, (before, name) -> new NamedTool(name.strip(), before.inFlange()));
+        text("name"),
+        NamedTool::name,
+        (before, name) -> new NamedTool(name.strip(), before.inFlange()));
     PoseRows.addTo(
         form,
         "tcp",
@@ -43,17 +47,17 @@ final class TcpPage implements Page {
         NamedTool::inFlange,
         (before, pose) -> new NamedTool(before.name(), pose),
         now -> true);
-    JButton set = new JButton("Set TCP");
-    TitledCard.named(set, "tcp-set", "Make this the active TCP");
+    JButton set = new JButton(text("setTcp"));
+    TitledCard.named(set, "tcp-set", text("makeThisTheActiveTcp"));
     set.addActionListener(
         event -> items.chosen().ifPresent(tool -> editing.take(p -> p.activeTool = tool.name())));
     form.buttons(set);
-    form.note("Where the TCP is in the flange, and how it is turned.");
+    form.note(text("whereTheTcpIsInThe"));
     active = new PartsForm<>("tcp-active", editing::whole, editing::takeWhole);
     active.choice(
-        "Active TCP",
+        text("activeTcp"),
         TcpPage::names,
-        name -> name.isEmpty() ? "None: the flange" : name,
+        name -> name.isEmpty() ? text("noneTheFlange") : name,
         Installation::activeTool,
         (before, name) -> before.with(parts -> parts.activeTool = name));
     card.add(active.component());

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -15,7 +17,7 @@ import org.pendant.kit.layout.TitledCard;
 /** Tool connector page: how the connector at the tool flange is used. */
 final class ToolConnectorPage implements Page {
   private final Editing editing;
-  private final TitledCard card = new TitledCard("Tool connector", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("toolConnector"), "[grow, fill]");
   private final PartsForm<Wiring> form;
 
   ToolConnectorPage(Editing editing) {
@@ -26,25 +28,25 @@ final class ToolConnectorPage implements Page {
             next -> editing.refusal(parts -> parts.wiring = next),
             next -> editing.take(parts -> parts.wiring = next));
     form.<Integer>choice(
-            "Voltage",
+            text("voltage"),
             now -> List.of(0, 12, 24),
             v -> v + " V",
             Wiring::toolVoltage,
             (w, v) -> outputs(w, v, w.toolOutputMode(), w.toolPins()))
         .<ToolOutputMode>choice(
-            "Outputs",
+            text("outputs"),
             now -> List.of(ToolOutputMode.values()),
             mode ->
                 switch (mode) {
-                  case DIGITAL -> "Digital";
-                  case DUAL_PIN_POWER -> "Dual pin power";
+                  case DIGITAL -> text("digital");
+                  case DUAL_PIN_POWER -> text("dualPinPower");
                 },
             Wiring::toolOutputMode,
             (w, mode) -> outputs(w, w.toolVoltage(), mode, w.toolPins()));
     for (int i = 0; i < 2; i++) {
       int pin = i;
       form.<ToolPinMode>choice(
-          "Output " + i,
+          text("output", i),
           now -> List.of(ToolPinMode.values()),
           ToolConnectorPage::words,
           now -> now.toolPins().get(pin),
@@ -59,9 +61,9 @@ final class ToolConnectorPage implements Page {
   }
 
   private void addLine() {
-    form.heading("Serial line")
+    form.heading(text("serialLine"))
         .check(
-            "On",
+            text("on"),
             now -> now.toolCommunication().enabled(),
             (w, on) ->
                 line(
@@ -75,7 +77,7 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .<Integer>choice(
-            "Baud rate",
+            text("baudRate"),
             now -> ToolCommunication.BAUD_RATES,
             String::valueOf,
             now -> now.toolCommunication().baudRate(),
@@ -91,13 +93,13 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .<ToolCommunication.Parity>choice(
-            "Parity",
+            text("parity"),
             now -> List.of(ToolCommunication.Parity.values()),
             parity ->
                 switch (parity) {
-                  case NONE -> "None";
-                  case ODD -> "Odd";
-                  case EVEN -> "Even";
+                  case NONE -> text("noParity");
+                  case ODD -> text("odd");
+                  case EVEN -> text("even");
                 },
             now -> now.toolCommunication().parity(),
             (w, parity) ->
@@ -112,7 +114,7 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .<Integer>choice(
-            "Stop bits",
+            text("stopBits"),
             now -> List.of(1, 2),
             String::valueOf,
             now -> now.toolCommunication().stopBits(),
@@ -128,7 +130,7 @@ final class ToolConnectorPage implements Page {
                             c.rxIdleChars(),
                             c.txIdleChars())))
         .numberRow(
-            "RX idle characters",
+            text("rxIdleCharacters"),
             Measure.PLAIN,
             now -> now.toolCommunication().rxIdleChars(),
             (w, chars) ->
@@ -143,7 +145,7 @@ final class ToolConnectorPage implements Page {
                             chars.floatValue(),
                             c.txIdleChars())))
         .numberRow(
-            "TX idle characters",
+            text("txIdleCharacters"),
             Measure.PLAIN,
             now -> now.toolCommunication().txIdleChars(),
             (w, chars) ->
@@ -178,9 +180,9 @@ final class ToolConnectorPage implements Page {
 
   private static String words(ToolPinMode mode) {
     return switch (mode) {
-      case SINKING -> "Sinking (NPN)";
-      case SOURCING -> "Sourcing (PNP)";
-      case PUSH_PULL -> "Push-pull";
+      case SINKING -> text("sinkingNpn");
+      case SOURCING -> text("sourcingPnp");
+      case PUSH_PULL -> text("pushPull");
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -20,7 +22,7 @@ final class ToolDirectionPage implements Page {
   private static final List<String> AXES = List.of("X", "Y", "Z");
 
   private final SafetyDraft draft;
-  private final TitledCard card = new TitledCard("Tool direction", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("toolDirection"), "[grow, fill]");
   private final SafetyBar bar;
   private final PartsForm<SafetyConfiguration> form;
 
@@ -30,18 +32,18 @@ final class ToolDirectionPage implements Page {
     form = new PartsForm<>("direction", draft::refusal, draft::edit);
     form.in(draft.measures());
     form.check(
-        "Restrict how far the tool may be tilted",
+        text("restrictHowFarTheToolMay"),
         c -> c.toolDirection().isPresent(),
         (c, on) -> with(c, on ? Optional.of(DOWN) : Optional.empty()));
     form.numberRow(
-        "Largest angle",
+        text("largestAngle"),
         Measure.DEGREE,
         c -> of(c).largestAngleRad(),
         (c, rad) ->
             change(
                 c, d -> new ToolDirection(d.allowedInBase(), d.toolInFlange(), rad, d.applies())));
     form.<Applies>choice(
-        "Holds",
+        text("holds"),
         now -> List.of(Applies.NORMAL, Applies.REDUCED, Applies.BOTH),
         PlanesPage::words,
         c -> of(c).applies(),
@@ -51,14 +53,14 @@ final class ToolDirectionPage implements Page {
                 d ->
                     new ToolDirection(
                         d.allowedInBase(), d.toolInFlange(), d.largestAngleRad(), applies)));
-    form.heading("Where it should point, along the axes of the base");
+    form.heading(text("whereItShouldPointAlongThe"));
     axes(
-        "Base ",
+        "baseAxis",
         ToolDirection::allowedInBase,
         (d, axis) -> new ToolDirection(axis, d.toolInFlange(), d.largestAngleRad(), d.applies()));
-    form.heading("The tool's own direction, along the axes of the flange");
+    form.heading(text("theToolsOwnDirectionAlongThe"));
     axes(
-        "Flange ",
+        "flangeAxis",
         ToolDirection::toolInFlange,
         (d, axis) -> new ToolDirection(d.allowedInBase(), axis, d.largestAngleRad(), d.applies()));
     card.add(bar.component());
@@ -76,7 +78,7 @@ final class ToolDirectionPage implements Page {
     for (int i = 0; i < AXES.size(); i++) {
       int axis = i;
       form.numberRow(
-          name + AXES.get(i),
+          text(name, AXES.get(i)),
           Measure.PLAIN,
           c -> PlanesPage.side(get.apply(of(c)))[axis],
           (c, part) ->

@@ -1,5 +1,7 @@
 package org.pendant.desktop.installation;
 
+import static org.pendant.desktop.installation.InstallationTexts.text;
+
 import javax.swing.JComponent;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationVariable;
@@ -8,37 +10,36 @@ import org.pendant.kit.layout.TitledCard;
 
 /** Variables page: variables that every program has, and that keep their values. */
 final class VariablesPage implements Page {
-  private final TitledCard card = new TitledCard("Variables", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("variables"), "[grow, fill]");
   private final Items<InstallationVariable> items;
 
   VariablesPage(Editing editing) {
     items =
         new Items<>(
             "variable",
-            "Installation variables",
-            "No variable yet. Every program made of nodes has the variables that you add here, and"
-                + " what it leaves in them is what the next one begins with.",
+            text("installationVariables"),
+            text("noVariableYetEveryProgramMade"),
             new Listed<>(editing, Installation::variables, (parts, all) -> parts.variables = all),
             each -> (each.favourite() ? "\u2605 " : "") + each.name() + " = " + each.value());
     items.adder(
-        "Add variable", () -> new InstallationVariable(items.freshName("i_var"), "0", false));
+        text("addVariable"), () -> new InstallationVariable(items.freshName("i_var"), "0", false));
     items
         .form()
         .text(
-            "Name",
+            text("name"),
             InstallationVariable::name,
             (before, name) ->
                 new InstallationVariable(name.strip(), before.value(), before.favourite()))
         .text(
-            "Value",
+            text("value"),
             InstallationVariable::value,
             (before, value) ->
                 new InstallationVariable(before.name(), value.strip(), before.favourite()))
         .check(
-            "Favourite",
+            text("favourite"),
             InstallationVariable::favourite,
             (before, on) -> new InstallationVariable(before.name(), before.value(), on))
-        .note("A value is a literal of the language: 5, 0.5, True, \"text\", [1, 2] or p[...].");
+        .note(text("aValueIsALiteralOf"));
     card.add(items.component());
   }
 
