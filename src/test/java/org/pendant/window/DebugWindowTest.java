@@ -1,5 +1,6 @@
 package org.pendant.window;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -65,6 +66,35 @@ final class DebugWindowTest {
     window.awaitHidden("debug-bar-stop");
     window.click("debug-bar-step-back");
     window.awaitShown("past-banner");
+    window.press("ESCAPE");
+    window.awaitHidden("past-banner");
+  }
+
+  @Test
+  void theButtonThatStepsBackStaysUnderThePointerWhenLookingBackBegins() {
+    sharedWindow.program("a = 1", "sleep(0.1)", "a = 2", "halt");
+    toScript();
+    window.press("DOWN");
+    window.press("F9");
+    window.press("F5");
+    window.awaitShown("debug-bar-step");
+    window.settle();
+    String paused = window.place("debug-bar-step-back");
+    window.click("debug-bar-step-back");
+    window.awaitShown("past-banner");
+    window.settle();
+    assertEquals(paused, window.place("debug-bar-step-back"));
+    window.press("ESCAPE");
+    window.awaitHidden("past-banner");
+    window.click("debug-bar-run");
+    window.awaitWords("program-state", "stopped");
+    window.awaitHidden("debug-bar-step");
+    window.settle();
+    String ended = window.place("debug-bar-step-back");
+    window.click("debug-bar-step-back");
+    window.awaitShown("past-banner");
+    window.settle();
+    assertEquals(ended, window.place("debug-bar-step-back"));
     window.press("ESCAPE");
     window.awaitHidden("past-banner");
   }

@@ -140,6 +140,10 @@ final class Driver {
       case "shows" -> {
         return Places.dispatched(() -> Boolean.toString(Eyes.find(what).isPresent()));
       }
+      case "place" -> {
+        Rectangle at = Places.of(what);
+        return at.x + "," + at.y;
+      }
       case "enabled" -> {
         return Places.dispatched(() -> Boolean.toString(Places.find(what).isEnabled()));
       }

@@ -286,6 +286,12 @@ final class OpenWindow implements AutoCloseable {
     return Boolean.parseBoolean(ask("shows", name));
   }
 
+  /** Where a component is on the screen, such as {@code 640,120}. */
+  String place(String name) {
+    awaitShown(name);
+    return ask("place", name);
+  }
+
   /** Whether a switch or a check box is on. */
   boolean selected(String name) {
     awaitShown(name);

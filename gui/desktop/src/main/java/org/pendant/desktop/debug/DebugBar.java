@@ -1,5 +1,6 @@
 package org.pendant.desktop.debug;
 
+import java.awt.Dimension;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import javax.swing.Icon;
@@ -30,6 +31,12 @@ public final class DebugBar extends JPanel {
   private final transient PastSteps past;
   private final transient List<Tool> tools;
   private boolean staying;
+
+  /** Whether a program has ended and it stays. */
+  private boolean over;
+
+  /** So wide it is at least, px. */
+  private int roomPx;
 
   /** When a button is there. */
   private enum When {
@@ -118,6 +125,24 @@ public final class DebugBar extends JPanel {
     staying = true;
   }
 
+  /**
+   * While people look back it is as wide as it was when they began to, and after a run as it will
+   * be then: it stands at the end of a row, and its first buttons lead back.
+   */
+  @Override
+  public Dimension getPreferredSize() {
+    Dimension size = super.getPreferredSize();
+    int toComePx = over ? widthPx(When.PAST) : 0;
+    return new Dimension(Math.max(size.width + toComePx, roomPx), size.height);
+  }
+
+  private int widthPx(When when) {
+    return tools.stream()
+        .filter(each -> each.when() == when && !each.button().isVisible())
+        .mapToInt(each -> each.button().getPreferredSize().width)
+        .sum();
+  }
+
   private boolean wanted() {
     return past.back() || debug.held() || debug.steps().canStep();
   }
@@ -135,7 +160,8 @@ public final class DebugBar extends JPanel {
   /** Shows what can be done now. */
   public void refresh() {
     boolean runs = workbench.session().state().program().state() != ProgramState.STOPPED;
-    boolean over = staying && !runs && !wanted() && workbench.session().runTime().known();
+    roomPx = past.back() && isVisible() ? getPreferredSize().width : 0;
+    over = staying && !runs && !wanted() && workbench.session().runTime().known();
     boolean wanted = wanted() || over || (runs && tools.stream().anyMatch(Tool::focused));
     When other = past.back() ? When.NOW : When.PAST;
     for (Tool each : tools) {

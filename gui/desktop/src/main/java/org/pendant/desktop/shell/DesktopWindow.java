@@ -305,11 +305,10 @@ final class DesktopWindow {
     JPanel above = new JPanel(new BorderLayout());
     above.add(notices, BorderLayout.NORTH);
     above.add(armBar, BorderLayout.CENTER);
-    above.add(views.past().banner(), BorderLayout.SOUTH);
     middle.add(above, BorderLayout.NORTH);
     middle.add(docks.component(), BorderLayout.CENTER);
     JPanel south = new JPanel(new BorderLayout());
-    south.add(status, BorderLayout.NORTH);
+    south.add(new StatusRow(views.past().banner(), status), BorderLayout.NORTH);
     south.add(footer, BorderLayout.CENTER);
     JFrame frame = window.frame();
     frame.getRootPane().setTransferHandler(new FileDrop(this::open, this::warn));

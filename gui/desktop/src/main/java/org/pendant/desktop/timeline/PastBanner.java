@@ -2,6 +2,7 @@ package org.pendant.desktop.timeline;
 
 import java.awt.Color;
 import java.awt.event.ActionEvent;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
@@ -14,7 +15,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Past banner: stands above the views while they show the past, so that it is not taken for the
+ * Past banner: stands below the views while they show the past, so that it is not taken for the
  * present.
  */
 @SuppressWarnings("serial") // never written to a stream
@@ -27,7 +28,9 @@ public final class PastBanner extends JPanel {
 
   /** Hidden until the user looks back. */
   public PastBanner(LookBack lookBack, RecordedText text) {
-    super(new MigLayout("insets 6 12 6 12, gap 8, hidemode 3", "[grow, fill, 0::][][]"));
+    super(
+        new MigLayout(
+            "insets 2 12 2 12, gap 8, hidemode 3", "[grow, fill, 0::][][]", "[grow, center]"));
     this.lookBack = lookBack;
     this.text = text;
     setName("past-banner");
@@ -37,6 +40,9 @@ public final class PastBanner extends JPanel {
     recorded.setName("past-banner-text");
     recorded.setToolTipText("The program has changed since, or is not open");
     recorded.addActionListener(event -> text.open(this));
+    for (JButton each : List.of(recorded, live)) {
+      each.putClientProperty("FlatLaf.style", "margin: 0,8,0,8");
+    }
     add(words, "wmin 0");
     add(recorded);
     add(live);

@@ -1,0 +1,34 @@
+package org.pendant.desktop.shell;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * Status row: what was told last, and beside it, while people look at the past, where they are. It
+ * is as high as either, whether that is there or not: when people begin to look back, nothing above
+ * moves under their pointer.
+ */
+@SuppressWarnings("serial") // never written to a stream
+final class StatusRow extends JPanel {
+  /**
+   * @param past is there while people look at the past
+   * @param status what was told last
+   */
+  StatusRow(JComponent past, JComponent status) {
+    super(new MigLayout("insets 0, gap 0, hidemode 3, filly"));
+    add(past, "grow, pushx 300, wmin 0");
+    add(status, "grow, pushx 100, wmin 180");
+  }
+
+  @Override
+  public Dimension getPreferredSize() {
+    Dimension size = super.getPreferredSize();
+    for (Component each : getComponents()) {
+      size.height = Math.max(size.height, each.getPreferredSize().height);
+    }
+    return size;
+  }
+}
