@@ -18,7 +18,7 @@ import org.pendant.kit.theme.Palette;
 final class MessagesPanel {
   private final RecentMessages messages = new RecentMessages();
   private final JPanel card =
-      new Card(new MigLayout("insets 16, gap 8 4, wrap 2", "[right][grow, fill, 0::]", ""));
+      new Card(new MigLayout("insets 16, gap 8 4, wrap 2", "[right][grow, fill]", ""));
   private final JLabel heading = new JLabel(text("messages"));
 
   MessagesPanel() {
@@ -69,7 +69,7 @@ final class MessagesPanel {
       text.setToolTipText(each.whole());
       text.setForeground(color(each.level()));
       card.add(time);
-      card.add(text);
+      card.add(text, "wmin 0");
     }
     card.revalidate();
     card.repaint();
