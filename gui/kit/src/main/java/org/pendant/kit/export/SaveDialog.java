@@ -130,6 +130,15 @@ public final class SaveDialog {
       }
     }
 
+    /** Another look would say above the folder that files are to be opened. */
+    @Override
+    public void updateUI() {
+      super.updateUI();
+      if (getDialogType() == SAVE_DIALOG) {
+        firePropertyChange(DIALOG_TYPE_CHANGED_PROPERTY, OPEN_DIALOG, SAVE_DIALOG);
+      }
+    }
+
     /** The name gets the ending of the filter that people choose from now on. */
     void followFilter() {
       addPropertyChangeListener(
