@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.IntFunction;
 import org.pendant.controller.io.Signal;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.models.arm.Joints;
@@ -219,22 +220,37 @@ public record FirstDifference(
 
   /** All of it in sentences. */
   public String words() {
+    return words(FirstDifference::line);
+  }
+
+  /**
+   * All of it in sentences.
+   *
+   * @param place what a line of the first program is called, such as {@code node 15 Feeder}
+   */
+  public String words(IntFunction<String> place) {
     StringBuilder words = new StringBuilder();
     words.append(
         String.format(
             Locale.ROOT,
-            "%s first %.3f s after the start, in line %d",
+            "%s first %.3f s after the start, in %s",
             measured ? "the same but for readings, which differ" : "differs",
             sinceStartS,
-            line));
+            place.apply(line)));
     if (lineBefore != line) {
-      words.append(" (was in line ").append(lineBefore).append(')');
+      boolean same = textLine.isEmpty() || lineBefore < textLine.getAsInt();
+      String before = same ? place.apply(lineBefore) : line(lineBefore);
+      words.append(" (was in ").append(before).append(')');
     }
     words.append(": ").append(String.join("; ", what));
     if (textLine.isPresent()) {
-      words.append(". The texts of the programs differ from line ");
-      words.append(textLine.getAsInt()).append(" on");
+      words.append(". The texts of the programs differ from ");
+      words.append(place.apply(textLine.getAsInt())).append(" on");
     }
     return words.toString();
+  }
+
+  private static String line(int line) {
+    return "line " + line;
   }
 }

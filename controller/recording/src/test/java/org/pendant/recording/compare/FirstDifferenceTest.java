@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
@@ -66,6 +67,17 @@ final class FirstDifferenceTest {
     assertTrue(
         difference.words().startsWith("differs first 0.100 s after the start, in line 1"),
         difference.words());
+  }
+
+  @Test
+  void nodesAreNamedInThePlaceOfLinesWhereTheyCanBeTold() {
+    FirstDifference difference =
+        new FirstDifference(
+            0.1, 5.1, 8, 7, List.of("digital_out[0] 0, was 1"), false, OptionalInt.of(6));
+    assertEquals(
+        "differs first 0.100 s after the start, in node 4 (was in line 7): digital_out[0] 0, was 1."
+            + " The texts of the programs differ from node 3 on",
+        difference.words(line -> "node " + line / 2));
   }
 
   @Test

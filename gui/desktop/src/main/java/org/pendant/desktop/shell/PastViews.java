@@ -10,6 +10,7 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.safety.SafetyChecksum;
@@ -62,6 +63,7 @@ final class PastViews {
   private Optional<List<LogEntry>> shownLog = Optional.empty();
   private Optional<ControllerState> explainedAt = Optional.empty();
   private Optional<MotionExplanation> explained = Optional.empty();
+  private IntFunction<String> place = line -> "line " + line;
 
   /**
    * Shows now.
@@ -204,13 +206,18 @@ final class PastViews {
     return new HeldView(view, lookBack, workbench::notify, true);
   }
 
+  /** What a line of the program of the moment that people look at is called. */
+  void setPlaces(IntFunction<String> names) {
+    place = names;
+  }
+
   /** Opens a recording. */
   void open(Path file) {
     timeline.open(file, workbench::notify);
   }
 
   private void chooseEarlier() {
-    EarlierRun earlier = new EarlierRun(workbench, lookBack);
+    EarlierRun earlier = new EarlierRun(workbench, lookBack, place);
     OpenDialog.show(
         timeline.component(),
         text("compareTheLastRunWith"),

@@ -157,6 +157,7 @@ final class Views {
     scene.onMoment(past::explain);
     scene.onLine(line -> showTraced(workbench, programs, line));
     scene.setPlaces(line -> StateWords.capital(traced(line)));
+    past.setPlaces(line -> names.of(past.program(), line));
     program.addBelow(treeBar);
     busy =
         new BusyNotice(workbench, debug, line -> runs.node(runner.program(), debug.lineNow(line)));

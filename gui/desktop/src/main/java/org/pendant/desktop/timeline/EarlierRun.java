@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.recording.Recording;
@@ -15,15 +16,18 @@ import org.pendant.recording.compare.FirstDifference;
 public final class EarlierRun {
   private final Workbench workbench;
   private final LookBack lookBack;
+  private final IntFunction<String> place;
 
   /**
    * A comparison for a timeline.
    *
    * @param lookBack shows the moment of the first difference
+   * @param place what a line of the program of that moment is called
    */
-  public EarlierRun(Workbench workbench, LookBack lookBack) {
+  public EarlierRun(Workbench workbench, LookBack lookBack, IntFunction<String> place) {
     this.workbench = workbench;
     this.lookBack = lookBack;
+    this.place = place;
   }
 
   /** Says what differs first from the run in a file, and goes there; it is read elsewhere. */
@@ -59,6 +63,6 @@ public final class EarlierRun {
     }
     workbench.show(TimelineView.ID);
     lookBack.jump(difference.get().nowS());
-    workbench.notify("Compared with " + name + ", the last run " + difference.get().words());
+    workbench.notify("Compared with " + name + ", the last run " + difference.get().words(place));
   }
 }

@@ -17,7 +17,7 @@ final class EarlierRunTest {
   void aComparisonTellsAtOnceThatItGoesOnAsItMayTakeLong() {
     RecordedRun run = new RecordedRun().start("sleep(0.1)\n").frames(100);
     PreviewWorkbench workbench = new PreviewWorkbench();
-    new EarlierRun(workbench, new LookBack(run.ring::recording, text -> {}))
+    new EarlierRun(workbench, new LookBack(run.ring::recording, text -> {}), line -> "line " + line)
         .compareWith(folder.resolve("yesterday.rec"));
     assertEquals(List.of("Comparing the last run with yesterday.rec\u2026"), workbench.told());
   }
