@@ -107,6 +107,21 @@ train() {
   rm -rf "$cache.new" "$cache.new.config" "$caches/training"
 }
 
+# Sets crash_log to the option by which a JVM that crashes leaves its log where other logs are (StateFolder in Java); to nothing where that
+# cannot be written: the JVM takes the current folder then, or that of temporary files.
+choose_crash_log() {
+  if [ -n "${HOME:-}" ] && [ -d "$HOME/Library/Logs" ]; then
+    state=$HOME/Library/Logs/Pendant
+  else
+    state=${XDG_STATE_HOME:-${HOME:+$HOME/.local/state}}
+    state=${state:+$state/pendant}
+  fi
+  crash_log=
+  [ -n "$state" ] || return 0
+  [ -d "$state" ] || mkdir -p "$state" 2>/dev/null || return 0
+  [ ! -w "$state" ] || crash_log=-XX:ErrorFile=$state/hs_err_pid%p.log
+}
+
 # Becomes Java, which runs the words, with $cache unless that is missing or says that training failed. As it is the same process,
 # Ctrl-C and SIGTERM reach Java itself, and its exit code is ours.
 start() {
@@ -117,6 +132,7 @@ start() {
   fi
   # What people give the JVM may be an agent, which writes at the exit what it has seen: it has its exit.
   [ -n "$PENDANT_JAVA_OPTIONS$JDK_JAVA_OPTIONS$JAVA_TOOL_OPTIONS" ] || own="$own -Dpendant.end-at-once=true"
+  choose_crash_log
   # shellcheck disable=SC2086 # flags and options are words
-  exec "$java" $flags $compilers $own $PENDANT_JAVA_OPTIONS "$@"
+  exec "$java" ${crash_log:+"$crash_log"} $flags $compilers $own $PENDANT_JAVA_OPTIONS "$@"
 }

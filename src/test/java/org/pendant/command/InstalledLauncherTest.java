@@ -42,6 +42,8 @@ final class InstalledLauncherTest {
         "#!/bin/sh\nfor word; do case $word in"
             + " -XX:AOTCacheOutput=*) echo recorded >\"${word#*=}\";;"
             + " -XX:AOTCache=*) echo \"with ${word##*/}\";;"
+            + " -XX:ErrorFile=*) crashes=${word#*=};;"
+            + " crashes) echo \"$crashes\";;"
             + " -jar) runs=1;; esac; done\n"
             + "[ -z \"$runs\" ] || echo \"${word}\"\n");
     Files.setPosixFilePermissions(java, PosixFilePermissions.fromString("rwx------"));
@@ -55,6 +57,7 @@ final class InstalledLauncherTest {
     builder.environment().remove("DISPLAY");
     builder.environment().remove("WAYLAND_DISPLAY");
     builder.environment().put("XDG_CACHE_HOME", folder.resolve("user").toString());
+    builder.environment().put("XDG_STATE_HOME", folder.resolve("my state").toString());
     Process process = builder.start();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "it ends");
@@ -92,6 +95,26 @@ final class InstalledLauncherTest {
 
     assertEquals("with pendant.aot\n--version\n", run(prefix.resolve("bin/pendant"), "--version"));
     assertFalse(Files.exists(old.resolve("pendant.aot")));
+  }
+
+  @Test
+  void aJvmThatCrashesLeavesItsLogWhereTheLogsAre() throws Exception {
+    Files.createDirectories(library.resolve("caches"));
+    Files.writeString(library.resolve("caches/pendant.aot"), "");
+
+    assertEquals(
+        folder.resolve("my state/pendant/hs_err_pid%p.log") + "\ncrashes\n",
+        run(prefix.resolve("bin/pendant"), "crashes"));
+    assertTrue(Files.isDirectory(folder.resolve("my state/pendant")));
+  }
+
+  @Test
+  void whereTheFolderOfLogsCannotBeTheJvmChoosesAPlace() throws Exception {
+    Files.createDirectories(library.resolve("caches"));
+    Files.writeString(library.resolve("caches/pendant.aot"), "");
+    Files.writeString(folder.resolve("my state"), "a file");
+
+    assertEquals("\ncrashes\n", run(prefix.resolve("bin/pendant"), "crashes"));
   }
 
   @Test

@@ -15,9 +15,10 @@ final class DoctorCommand implements Subcommand {
       Option.output("--report", "FILE.zip", "write what helps to find a fault in Pendant as well")
           .documented(
               "problem.zip",
-              "write a file to report a problem with: what is printed, and the faults that the"
-                  + " window has noted. Names of you, your home folder and this computer are"
-                  + " replaced; no programs, settings or logs are in it");
+              "write a file to report a problem with: what is printed, the faults that the window"
+                  + " has noted, and how the last crashes of the JVM came about. Names of you, your"
+                  + " home folder and this computer are replaced; no programs, settings or logs are"
+                  + " in it");
 
   private final Supplier<Doctor> doctor;
 

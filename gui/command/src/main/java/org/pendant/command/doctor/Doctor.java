@@ -27,6 +27,7 @@ public final class Doctor {
     List<Inspection> all = new ArrayList<>();
     all.add(new JavaInspection());
     all.add(new DiskInspection());
+    all.add(new CrashInspection(CrashLogs.folders(System.getenv())));
     ServiceLoader.load(Inspection.class).forEach(all::add);
     all.add(new SerialInspection());
     all.add(new PortInspection(StandardPort.ALL, new PortHolder()));

@@ -14,8 +14,8 @@ import org.pendant.command.service.StateFolder;
 
 /**
  * Problem report: a file that people send with a report of a fault. It has what the {@link Doctor}
- * found and the faults that the window has noted, without names of the user, the home folder and
- * the computer; no programs, settings or logs.
+ * found, the faults that the window has noted and what the last crashes of the JVM were, without
+ * names of the user, the home folder and the computer; no programs, settings or logs.
  */
 public final class ProblemReport {
   private final Map<String, String> texts;
@@ -28,13 +28,19 @@ public final class ProblemReport {
    * The report of this computer.
    *
    * @param findings what there is
-   * @throws IOException if the faults cannot be read
+   * @throws IOException if the faults or the logs of crashes cannot be read
    */
   public static ProblemReport of(List<Finding> findings) throws IOException {
-    return of(findings, StateFolder.faults(System.getenv()), PrivateNames.of(System.getenv()));
+    Map<String, String> environment = System.getenv();
+    return of(
+        findings,
+        StateFolder.faults(environment),
+        CrashLogs.folders(environment),
+        PrivateNames.of(environment));
   }
 
-  static ProblemReport of(List<Finding> findings, Path faults, PrivateNames names)
+  static ProblemReport of(
+      List<Finding> findings, Path faults, List<Path> crashes, PrivateNames names)
       throws IOException {
     Map<String, String> texts = new LinkedHashMap<>();
     texts.put("doctor.txt", String.join("\n", Doctor.lines(findings)) + "\n");
@@ -42,6 +48,9 @@ public final class ProblemReport {
       if (Files.exists(file)) {
         texts.put(file.getFileName().toString(), Files.readString(file));
       }
+    }
+    for (Path file : CrashLogs.newest(crashes)) {
+      texts.put(file.getFileName().toString(), CrashLogs.excerpt(file));
     }
     texts.replaceAll((name, text) -> names.removedFrom(text));
     return new ProblemReport(texts);

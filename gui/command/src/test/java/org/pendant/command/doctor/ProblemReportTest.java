@@ -24,7 +24,7 @@ final class ProblemReportTest {
   @TempDir private Path folder;
 
   private ProblemReport report() throws IOException {
-    return ProblemReport.of(FINDINGS, folder.resolve("errors.txt"), NAMES);
+    return ProblemReport.of(FINDINGS, folder.resolve("errors.txt"), List.of(folder), NAMES);
   }
 
   @Test
@@ -39,6 +39,32 @@ final class ProblemReportTest {
 
     assertEquals("doctor.txt, older-errors.txt, errors.txt", report().contents());
     assertEquals("newer\n", report().texts().get("errors.txt"));
+  }
+
+  @Test
+  void whatTheLastCrashesWereIsInIt() throws IOException {
+    Files.writeString(
+        folder.resolve("hs_err_pid12.log"),
+        """
+        #  SIGSEGV (0xb) at pc=0x00007fd34dec9f14, pid=12, tid=13
+        Command Line: -XX:+UseSerialGC /home/maria/pendant.jar run /home/maria/secret.script
+        C  [libGL.so.1+0x85f14]
+
+        Registers:
+        RAX=0x0
+        Environment Variables:
+        PASSWORD=1234
+        """);
+
+    assertEquals("doctor.txt, hs_err_pid12.log", report().contents());
+    assertEquals(
+        """
+        #  SIGSEGV (0xb) at pc=0x00007fd34dec9f14, pid=12, tid=13
+        Command Line: -XX:+UseSerialGC ~/pendant.jar run ...
+        C  [libGL.so.1+0x85f14]
+
+        """,
+        report().texts().get("hs_err_pid12.log"));
   }
 
   @Test

@@ -1,0 +1,46 @@
+package org.pendant.command.doctor;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.ZoneOffset;
+import java.util.List;
+import org.pendant.controller.disk.FileTrouble;
+
+/** Looks whether a JVM has crashed under Pendant. */
+final class CrashInspection implements Inspection {
+  private static final String SUBJECT = "Crashes";
+
+  private final List<Path> folders;
+
+  /**
+   * Looks into {@code folders}.
+   *
+   * @param folders where logs of crashes are; some may be missing
+   */
+  CrashInspection(List<Path> folders) {
+    this.folders = List.copyOf(folders);
+  }
+
+  @Override
+  public List<Finding> findings() {
+    try {
+      List<Path> logs = CrashLogs.newest(folders);
+      return List.of(logs.isEmpty() ? Finding.ok(SUBJECT, "none") : last(logs.getFirst()));
+    } catch (IOException e) {
+      return List.of(
+          Finding.note(SUBJECT, FileTrouble.reason(e), "whether there were any cannot be told"));
+    }
+  }
+
+  private static Finding last(Path log) throws IOException {
+    return Finding.note(
+        SUBJECT,
+        "the last on %s: %s"
+            .formatted(
+                Files.getLastModifiedTime(log).toInstant().atOffset(ZoneOffset.UTC).toLocalDate(),
+                log),
+        "report it, Help > Report a problem or --report takes it along; remove the file when that"
+            + " is done");
+  }
+}
