@@ -45,6 +45,8 @@ final class SceneOverlay {
   private static final double SAME_PLACE_EM = 0.3;
 
   private static final int MIN_WIDTH_FOR_LEGEND = 150;
+  private static final int SEEN_THROUGH = 215;
+  private static final int OPAQUE = 255;
   private static final double NEAR_POINTER_EM = 1.2;
 
   private final Graphics2D graphics;
@@ -326,7 +328,8 @@ final class SceneOverlay {
       int lines = (int) words.get().lines().count();
       double left = Math.clamp(x, 0, Math.max(0, width - chipWidth(words.get())));
       double top = Math.clamp(y, 0, Math.max(0, height - chipHeight(lines)));
-      chip(words.get(), left, top);
+      // Names that it lies on are not read through it.
+      chip(words.get(), left, top, OPAQUE);
     }
   }
 
@@ -340,8 +343,12 @@ final class SceneOverlay {
 
   /** A short text on a plate with this corner. */
   private void chip(String text, double left, double top) {
+    chip(text, left, top, SEEN_THROUGH);
+  }
+
+  private void chip(String text, double left, double top, int alpha) {
     List<String> lines = text.lines().toList();
-    plate(left, top, chipWidth(text), chipHeight(lines.size()));
+    plate(left, top, chipWidth(text), chipHeight(lines.size()), alpha);
     graphics.setColor(Palette.dark() ? Color.WHITE : Color.BLACK);
     double base = top + em / 8.0 + metrics.getAscent();
     for (String each : lines) {
@@ -351,9 +358,16 @@ final class SceneOverlay {
   }
 
   private void plate(double x, double y, double wide, double high) {
+    plate(x, y, wide, high, SEEN_THROUGH);
+  }
+
+  /**
+   * @param alpha how little is seen of what is below, up to 255 for nothing
+   */
+  private void plate(double x, double y, double wide, double high, int alpha) {
     RoundRectangle2D plate = new RoundRectangle2D.Double(x, y, wide, high, em / 2.0, em / 2.0);
     Color card = Palette.card();
-    graphics.setColor(new Color(card.getRed(), card.getGreen(), card.getBlue(), 215));
+    graphics.setColor(new Color(card.getRed(), card.getGreen(), card.getBlue(), alpha));
     graphics.fill(plate);
     graphics.setColor(Palette.line());
     graphics.setStroke(new BasicStroke(1));
