@@ -220,15 +220,16 @@ public record FirstDifference(
 
   /** All of it in sentences. */
   public String words() {
-    return words(FirstDifference::line);
+    return words(FirstDifference::line, what.size());
   }
 
   /**
-   * All of it in sentences.
+   * It in sentences.
    *
    * @param place what a line of the first program is called, such as {@code node 15 Feeder}
+   * @param most how many of the values that differ are told, at most
    */
-  public String words(IntFunction<String> place) {
+  public String words(IntFunction<String> place, int most) {
     StringBuilder words = new StringBuilder();
     words.append(
         String.format(
@@ -242,7 +243,10 @@ public record FirstDifference(
       String before = same ? place.apply(lineBefore) : line(lineBefore);
       words.append(" (was in ").append(before).append(')');
     }
-    words.append(": ").append(String.join("; ", what));
+    words.append(": ").append(String.join("; ", what.subList(0, Math.min(most, what.size()))));
+    if (what.size() > most) {
+      words.append("; and ").append(what.size() - most).append(" more");
+    }
     if (textLine.isPresent()) {
       words.append(". The texts of the programs differ from ");
       words.append(place.apply(textLine.getAsInt())).append(" on");

@@ -77,7 +77,7 @@ final class FirstDifferenceTest {
     assertEquals(
         "differs first 0.100 s after the start, in node 4 (was in line 7): digital_out[0] 0, was 1."
             + " The texts of the programs differ from node 3 on",
-        difference.words(line -> "node " + line / 2));
+        difference.words(line -> "node " + line / 2, 1));
   }
 
   @Test
@@ -87,6 +87,12 @@ final class FirstDifferenceTest {
     assertEquals(3, difference.line());
     assertEquals(OptionalInt.of(3), difference.textLine());
     assertTrue(difference.what().getFirst().startsWith("target position of joint "));
+    int more = difference.what().size() - 1;
+    assertTrue(
+        difference
+            .words(line -> "line " + line, 1)
+            .contains(difference.what().getFirst() + "; and " + more + " more. The texts"),
+        difference.toString());
   }
 
   @Test

@@ -14,6 +14,9 @@ import org.pendant.recording.compare.FirstDifference;
 
 /** Earlier run: compares the last run of the timeline with that of a recording. */
 public final class EarlierRun {
+  /** What of a difference has room in a notice. */
+  private static final int MAX_VALUES = 1;
+
   private final Workbench workbench;
   private final LookBack lookBack;
   private final IntFunction<String> place;
@@ -63,6 +66,7 @@ public final class EarlierRun {
     }
     workbench.show(TimelineView.ID);
     lookBack.jump(difference.get().nowS());
-    workbench.notify("Compared with " + name + ", the last run " + difference.get().words(place));
+    workbench.notify(
+        "Compared with " + name + ", the last run " + difference.get().words(place, MAX_VALUES));
   }
 }

@@ -1,6 +1,7 @@
 package org.pendant.desktop.shell.chrome;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Dimension;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.time.LocalTime;
@@ -33,6 +34,7 @@ public final class StatusLine extends JPanel {
   /** How long a notice stands here. */
   private static final int FADES_MS = 8_000;
 
+  private static final String UNDER_WAY = "\u2026";
   private static final int MAX_HISTORY = 20;
   private static final DateTimeFormatter TIME =
       DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
@@ -72,6 +74,8 @@ public final class StatusLine extends JPanel {
     told.getAccessibleContext().setAccessibleName(ChromeTexts.text("lastNotice"));
     punctual.setName("status-frames");
     punctual.getAccessibleContext().setAccessibleName(ChromeTexts.text("paceOfRobotTime"));
+    // Words about the pace take room from the notice.
+    punctual.addPropertyChangeListener("text", event -> fit());
     whole.setName("status-more");
     whole.setVisible(false);
     whole.setToolTipText(ChromeTexts.text("showsTheNoticeAsAWhole"));
@@ -102,7 +106,10 @@ public final class StatusLine extends JPanel {
         });
   }
 
-  /** Shows a sentence for eight seconds, or until the next one. */
+  /**
+   * Shows a sentence for eight seconds, or until the next one; until that one if an ellipsis at its
+   * end says that something is under way.
+   */
   public void tell(String text) {
     tell(text, () -> true);
   }
@@ -118,9 +125,17 @@ public final class StatusLine extends JPanel {
       }
       last = text;
       earlier.setVisible(true);
-      fading.restart();
+      fading.stop();
+      if (!text.endsWith(UNDER_WAY)) {
+        fading.start();
+      }
     }
     alsoTold.accept(text);
+  }
+
+  /** Whether what stands there goes by itself. */
+  boolean fades() {
+    return fading.isRunning();
   }
 
   private void show(String text) {
@@ -130,15 +145,23 @@ public final class StatusLine extends JPanel {
   }
 
   private void showEarlier() {
+    JPopupMenu menu = earlierNotices();
+    menu.show(earlier, 0, -menu.getPreferredSize().height);
+  }
+
+  /** What was told, newest first, no wider than the window: a click shows the whole. */
+  JPopupMenu earlierNotices() {
     JPopupMenu menu = new JPopupMenu();
     menu.setName("status-history");
     history.forEach(
         each -> {
           JMenuItem item = new JMenuItem(each);
           item.addActionListener(event -> showWhole.accept(each));
+          Dimension whole = item.getPreferredSize();
+          item.setPreferredSize(new Dimension(Math.min(whole.width, getWidth()), whole.height));
           menu.add(item);
         });
-    menu.show(earlier, 0, -menu.getPreferredSize().height);
+    return menu;
   }
 
   /** Has {@code listener} hear from now on what is told. */

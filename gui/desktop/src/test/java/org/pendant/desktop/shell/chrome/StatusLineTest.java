@@ -1,7 +1,10 @@
 package org.pendant.desktop.shell.chrome;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import javax.swing.JLabel;
@@ -15,9 +18,12 @@ final class StatusLineTest {
   private final StatusLine line = new StatusLine(text -> {});
 
   private String shown() {
+    return ((JLabel) part("status-text")).getText().strip();
+  }
+
+  private Component part(String name) {
     return Stream.of(line.getComponents())
-        .filter(each -> "status-text".equals(each.getName()))
-        .map(each -> ((JLabel) each).getText().strip())
+        .filter(each -> name.equals(each.getName()))
         .findFirst()
         .orElseThrow();
   }
@@ -44,6 +50,33 @@ final class StatusLineTest {
     line.tell("Saved a");
     refresh();
     assertEquals("Saved a", shown());
+  }
+
+  @Test
+  void whatIsUnderWayStandsUntilSomethingIsToldOfIt() {
+    line.tell("Comparing the last run with a.rec\u2026");
+    assertFalse(line.fades());
+    line.tell("The last run equals a.rec in all 500 frames");
+    assertTrue(line.fades());
+  }
+
+  @Test
+  void theWholeIsOfferedWhenWordsAboutThePaceTakeTheRoom() {
+    String notice = "The program never waits, so robot time crawls";
+    line.setSize(new JLabel(notice).getPreferredSize().width + 150, 30);
+    line.tell(notice);
+    assertFalse(part("status-more").isVisible());
+    ((JLabel) part("status-frames")).setText("robot time at 49 % of real time: computer busy");
+    assertTrue(part("status-more").isVisible());
+  }
+
+  @Test
+  void earlierNoticesAreNoWiderThanTheWindow() {
+    line.setSize(1024, 30);
+    line.tell("The last run differs: " + "target position; ".repeat(30));
+    line.tell("Saved a");
+    Component notices = line.earlierNotices();
+    assertTrue(notices.getPreferredSize().width < 1050, notices::toString);
   }
 
   @Test
