@@ -41,8 +41,8 @@ final class Measurements {
    * Without arguments all benchmarks run; {@code quick} makes them short, to see whether they work.
    * {@code typing} types in a window instead, {@code tree} opens and scrolls a program tree there,
    * {@code rate} works with one, {@code ports} measures what clients of the ports see, {@code
-   * coverage} what coverage costs, {@code lsp} how long editors wait for the language server. Any
-   * other arguments are those of JMH.
+   * coverage} what coverage costs, {@code lsp} how long editors wait for the language server,
+   * {@code start} how long people wait for the window. Any other arguments are those of JMH.
    */
   public static void main(String[] arguments) throws Exception {
     if (arguments.length > 0 && arguments[0].equals("typing")) {
@@ -59,6 +59,10 @@ final class Measurements {
     }
     if (arguments.length > 0 && arguments[0].equals("lsp")) {
       LanguageServerLatency.main(new String[0]);
+      return;
+    }
+    if (arguments.length > 0 && arguments[0].equals("start")) {
+      WindowStart.main(Arrays.copyOfRange(arguments, 1, arguments.length));
       return;
     }
     if (arguments.length > 0 && arguments[0].equals("ports")) {
