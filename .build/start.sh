@@ -70,7 +70,9 @@ choose() {
         # free given back then, down to where it began. There is no limit: what people open may be as large as it is.
         # What malloc has free, compiling and drawing need much of it for a moment, is given back once a minute.
         # The heap is collected as a whole when 15 % of what is reserved for code have been used: of 48 MB before the first picture.
-        own='-XX:TrimNativeHeapInterval=60000 -XX:ReservedCodeCacheSize=128m'
+        # Before Java takes the fonts that the window brings it reads all that it knows to be installed, to find one of the same
+        # name; with an empty path to them it knows of none. Those for characters that ours do not have come from fontconfig.
+        own='-XX:TrimNativeHeapInterval=60000 -XX:ReservedCodeCacheSize=128m -Dsun.java2d.fontpath='
         heap_is_ours && own="$own -Xms64m -Xmn24m -XX:MinHeapFreeRatio=10 -XX:MaxHeapFreeRatio=20 -XX:-ShrinkHeapInSteps -XX:MetaspaceSize=64m"
         export MALLOC_ARENA_MAX="${MALLOC_ARENA_MAX:-2}"
       fi

@@ -16,7 +16,10 @@ import org.pendant.desktop.session.Programs;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.layout.WholeTabs;
 
-/** Editor tabs: the open programs as tabs. The tab in front is the program that Run runs. */
+/**
+ * Editor tabs: the open programs as tabs. The tab in front is the program that Run runs. At first
+ * it is the only one, as making editors takes time: {@link #follow} makes those behind it.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class EditorTabs extends JTabbedPane {
   /** Marks the program that Run runs. */
@@ -55,7 +58,10 @@ final class EditorTabs extends JTabbedPane {
         .put(KeyStroke.getKeyStroke(KeyEvent.VK_TAB, KeyEvent.CTRL_DOWN_MASK), "none");
     programs.addListener(this::follow);
     addChangeListener(event -> chosen());
-    follow();
+    following = true;
+    insert(programs.current(), 0);
+    following = false;
+    front();
   }
 
   /** The editor in front. */
@@ -67,7 +73,8 @@ final class EditorTabs extends JTabbedPane {
     return List.copyOf(open);
   }
 
-  private void follow() {
+  /** Has a tab for each of the open programs, in their order. */
+  void follow() {
     following = true;
     List<ProgramDocument> wanted = programs.all();
     for (int i = open.size() - 1; i >= 0; i--) {
@@ -76,9 +83,9 @@ final class EditorTabs extends JTabbedPane {
         open.remove(i).end();
       }
     }
-    for (ProgramDocument program : wanted) {
-      if (open.stream().noneMatch(each -> each.program() == program)) {
-        add(program);
+    for (int i = 0; i < wanted.size(); i++) {
+      if (i == open.size() || open.get(i).program() != wanted.get(i)) {
+        insert(wanted.get(i), i);
       }
     }
     setSelectedIndex(wanted.indexOf(programs.current()));
@@ -86,10 +93,10 @@ final class EditorTabs extends JTabbedPane {
     front();
   }
 
-  private void add(ProgramDocument program) {
+  private void insert(ProgramDocument program, int index) {
     ProgramEditor editor = editors.apply(program);
-    open.add(editor);
-    addTab(program.name(), editor);
+    open.add(index, editor);
+    insertTab(program.name(), null, editor, null, index);
     program.addListener(
         new ProgramDocument.Listener() {
           @Override

@@ -114,6 +114,11 @@ public final class ScriptEditor implements View {
     EditorActions.addTo(workbench.actions(), this);
   }
 
+  /** Makes the editors of the programs behind the one in front, which a start need not wait for. */
+  public void openBehind() {
+    tabs.follow();
+  }
+
   /** At the end of the row of tabs. */
   private JPanel trailing() {
     JPanel end = new JPanel(new BorderLayout());

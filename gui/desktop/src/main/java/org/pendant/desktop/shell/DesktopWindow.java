@@ -228,6 +228,8 @@ final class DesktopWindow {
     refresh = new RefreshTimer(session, this::refresh, () -> docks.seen(WindowFrame::seen));
     build();
     follow();
+    window.oncePainted(window::drawIcon);
+    window.oncePainted(views::openBehind);
   }
 
   private Menus menus() {
@@ -388,8 +390,6 @@ final class DesktopWindow {
     refresh();
     typing.start();
     window.frame().setVisible(true);
-    // after the first painting
-    EventQueue.invokeLater(window::drawIcon);
     docks.mainView().ifPresent(docks::show);
     docks.raiseWindows();
     refresh.start();

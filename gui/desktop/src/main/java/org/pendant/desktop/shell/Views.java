@@ -411,6 +411,11 @@ final class Views {
     }
   }
 
+  /** Makes what is behind the program in front, which a start need not wait for. */
+  void openBehind() {
+    editor.openBehind();
+  }
+
   /** Shows what is known about the name at the caret, or does {@code otherwise}. */
   void explain(Runnable otherwise) {
     if (editor.component().isShowing()) {

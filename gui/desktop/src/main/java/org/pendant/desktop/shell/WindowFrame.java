@@ -3,7 +3,9 @@ package org.pendant.desktop.shell;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Frame;
+import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
 import java.awt.Image;
@@ -16,6 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JRootPane;
 import javax.swing.SwingUtilities;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.icon.SvgIcon;
@@ -31,7 +34,8 @@ final class WindowFrame {
   private static final Color GROUND = new Color(0x2F5D8C);
 
   private final Settings settings;
-  private final JFrame frame = new JFrame("Pendant");
+  private final JFrame frame = new PaintedFrame();
+  private final List<Runnable> waiting = new ArrayList<>();
 
   /**
    * The frame where it was last time, not visible yet.
@@ -58,6 +62,39 @@ final class WindowFrame {
 
   JFrame frame() {
     return frame;
+  }
+
+  /** Has something done that people need not wait for when they have seen the window. */
+  void oncePainted(Runnable work) {
+    waiting.add(work);
+  }
+
+  private void painted() {
+    List<Runnable> next = List.copyOf(waiting);
+    waiting.clear();
+    next.forEach(EventQueue::invokeLater);
+  }
+
+  /** Tells when all of it has been painted, which is after much else that follows its showing. */
+  @SuppressWarnings("serial") // never written to a stream
+  private final class PaintedFrame extends JFrame {
+    PaintedFrame() {
+      super("Pendant");
+    }
+
+    @Override
+    protected JRootPane createRootPane() {
+      JRootPane root =
+          new JRootPane() {
+            @Override
+            public void paint(Graphics graphics) {
+              super.paint(graphics);
+              painted();
+            }
+          };
+      root.setOpaque(true);
+      return root;
+    }
   }
 
   /** Gives it its picture, which takes longer to draw than anything in the window. */

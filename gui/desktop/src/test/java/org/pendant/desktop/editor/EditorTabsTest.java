@@ -15,6 +15,8 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -81,6 +83,33 @@ final class EditorTabsTest {
     }
     await(last);
     EventQueue.invokeAndWait(() -> assertTrue(row().contains(tabs.getBoundsAt(last))));
+  }
+
+  @Test
+  void programsBehindTheOneInFrontComeLaterInTheirOrder() throws Exception {
+    List<ProgramDocument> programs =
+        Stream.of("a.script", "b.script", "c.script")
+            .map(name -> ProgramDocument.untitled(name, "sleep(1)\n"))
+            .toList();
+    ProgramDocument front = programs.get(1);
+    EventQueue.invokeAndWait(
+        () -> {
+          EditorWindow begun = EditorWindow.begin(false, programs, front);
+          ScriptEditor editor = begun.editor();
+          tabs =
+              (JTabbedPane) SwingUtilities.getAncestorOfClass(JTabbedPane.class, editor.current());
+          assertEquals(List.of("b.script"), titles());
+          editor.setBreakpointMemory(program -> new TreeSet<>(Set.of(1)));
+          editor.openBehind();
+          assertEquals(List.of("a.script", "b.script", "c.script"), titles());
+          assertEquals(front, editor.current().program());
+          programs.forEach(each -> assertEquals(Set.of(1), editor.breakpoints(each)));
+          begun.close();
+        });
+  }
+
+  private List<String> titles() {
+    return IntStream.range(0, tabs.getTabCount()).mapToObj(tabs::getTitleAt).toList();
   }
 
   @Test

@@ -48,11 +48,18 @@ public final class EditorWindow extends PreviewWorkbench {
 
   /** Opens a window on {@code documents}, the first in front. */
   static EditorWindow open(boolean dark, List<ProgramDocument> documents) {
+    EditorWindow window = begin(dark, documents, documents.getFirst());
+    window.editor.openBehind();
+    return window;
+  }
+
+  /** Opens a window on {@code documents} in which only {@code front} has an editor yet. */
+  static EditorWindow begin(boolean dark, List<ProgramDocument> documents, ProgramDocument front) {
     PreviewLook.install(dark);
     EditorWindow window = new EditorWindow(documents.getFirst());
+    documents.forEach(window.programs::open);
+    window.programs.select(front);
     window.build();
-    documents.forEach(window.programs::select);
-    window.programs.select(documents.getFirst());
     return window;
   }
 
