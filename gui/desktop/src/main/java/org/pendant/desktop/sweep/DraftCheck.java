@@ -87,21 +87,27 @@ final class DraftCheck {
     Set<String> names = new HashSet<>();
     for (DraftParameter each : draft.chosen()) {
       if (each.name().isBlank()) {
-        wrong(field(each.target(), Part.NAME), each.title() + ": the column has no name");
+        wrong(field(each.target(), Part.NAME), SweepTexts.text("columnWithoutName", each.title()));
       } else if (!names.add(each.name().strip())) {
         wrong(
             field(each.target(), Part.NAME),
-            "two columns are called " + each.name().strip() + ", each must have its own name");
+            SweepTexts.text("twoColumnsOfOneName", each.name().strip()));
       }
       range(each)
           .map(range -> new SweepParameter(each.name().strip(), each.target(), range))
           .ifPresent(parameters::add);
     }
     if (draft.chosen().isEmpty()) {
-      wrong(WHOLE, "Nothing is varied yet: tick one or more parameters");
+      wrong(WHOLE, SweepTexts.text("nothingVaried"));
     }
     long runs = runs(parameters);
-    long seed = whole("sampling-seed", "seed", choice.seed(), Long.MIN_VALUE, Long.MAX_VALUE);
+    long seed =
+        whole(
+            "sampling-seed",
+            SweepTexts.text("seedOfSampling"),
+            choice.seed(),
+            Long.MIN_VALUE,
+            Long.MAX_VALUE);
     Optional<SearchGoal> goal =
         choice.method() == SamplingMethod.SEARCH ? Optional.of(goal()) : Optional.empty();
     RunSettings settings = settings();
@@ -147,9 +153,9 @@ final class DraftCheck {
       if (number >= least && number <= most) {
         return number;
       }
-      wrong(field, name + " is " + number + ", must be " + least + " to " + most);
+      wrong(field, SweepTexts.text("numberOutside", name, number, least, most));
     } catch (NumberFormatException e) {
-      wrong(field, name + " is '" + text.strip() + "', must be a whole number");
+      wrong(field, SweepTexts.text("notWhole", name, text.strip()));
     }
     return least;
   }
@@ -165,10 +171,9 @@ final class DraftCheck {
     }
     wrong(
         field,
-        name
-            + (text.isBlank()
-                ? " is empty, must be a number"
-                : " is '" + text.strip() + "', must be a number"));
+        text.isBlank()
+            ? SweepTexts.text("emptyNotNumber", name)
+            : SweepTexts.text("notNumber", name, text.strip()));
     return OptionalDouble.empty();
   }
 
@@ -177,20 +182,21 @@ final class DraftCheck {
       if (draft.sampling().method() == SamplingMethod.SEARCH) {
         wrong(
             field(parameter.target(), Part.VALUES),
-            parameter.title() + " has a list, a search needs from and to: empty the list");
+            SweepTexts.text("searchWithList", parameter.title()));
         return Optional.empty();
       }
       return listed(parameter);
     }
     if (parameter.target() instanceof ParameterTarget.RobotModel) {
-      wrong(
-          field(parameter.target(), Part.VALUES),
-          "arm needs a list of values, such as ur5e, ur10e");
+      wrong(field(parameter.target(), Part.VALUES), SweepTexts.text("armNeedsList"));
       return Optional.empty();
     }
     String title = parameter.title();
     OptionalDouble from =
-        number(field(parameter.target(), Part.FROM), title + ": from", parameter.from());
+        number(
+            field(parameter.target(), Part.FROM),
+            SweepTexts.text("fromOf", title),
+            parameter.from());
     OptionalDouble to = number(field(parameter.target(), Part.TO), title + ": to", parameter.to());
     int steps = 0;
     SamplingMethod method = draft.sampling().method();
@@ -199,7 +205,7 @@ final class DraftCheck {
           (int)
               whole(
                   field(parameter.target(), Part.STEPS),
-                  title + ": steps",
+                  SweepTexts.text("stepsOf", title),
                   parameter.steps(),
                   2,
                   MAX_STEPS);
@@ -210,7 +216,7 @@ final class DraftCheck {
     if (!(from.getAsDouble() < to.getAsDouble())) {
       wrong(
           field(parameter.target(), Part.TO),
-          title + ": to is " + parameter.to().strip() + ", must be above from");
+          SweepTexts.text("toBelowFrom", title, parameter.to().strip()));
       return Optional.empty();
     }
     return Optional.of(new ParameterRange.Between(from.getAsDouble(), to.getAsDouble(), steps));
@@ -223,11 +229,10 @@ final class DraftCheck {
       if (value.isEmpty()) {
         wrong(
             field(parameter.target(), Part.VALUES),
-            parameter.title()
-                + ": '"
-                + each
-                + "' must be a "
-                + (parameter.target().whole() ? "whole number" : "number"));
+            SweepTexts.text(
+                parameter.target().whole() ? "listedNotWhole" : "listedNotNumber",
+                parameter.title(),
+                each));
         return Optional.empty();
       }
       values.add(value.get());
@@ -287,7 +292,12 @@ final class DraftCheck {
           choice.method() == SamplingMethod.SEARCH
               ? MAX_SEARCH
               : choice.method() == SamplingMethod.SOBOL ? Integer.MAX_VALUE : Sampling.MAX_RUNS;
-      return whole("runs", "runs", choice.runs(), 1, Math.min(most, Sampling.MAX_RUNS));
+      return whole(
+          "runs",
+          SweepTexts.text("numberOfRuns"),
+          choice.runs(),
+          1,
+          Math.min(most, Sampling.MAX_RUNS));
     }
     long first = parameters.isEmpty() ? 0 : parameters.getFirst().gridSize();
     double runs = 1;
@@ -296,20 +306,19 @@ final class DraftCheck {
       if (choice.method() == SamplingMethod.LIST && each.gridSize() != first) {
         wrong(
             field(each.target(), Part.VALUES),
-            each.name()
-                + " has "
-                + each.gridSize()
-                + " values, must have "
-                + first
-                + " as "
-                + parameters.getFirst().name());
+            SweepTexts.text(
+                "listsOfOtherLengths",
+                each.name(),
+                each.gridSize(),
+                first,
+                parameters.getFirst().name()));
       }
     }
     if (choice.method() == SamplingMethod.LIST) {
       return first;
     }
     if (runs > Sampling.MAX_RUNS) {
-      wrong(WHOLE, "The grid has more than " + Sampling.MAX_RUNS + " runs: fewer steps, or random");
+      wrong(WHOLE, SweepTexts.text("gridTooLarge", Sampling.MAX_RUNS));
       return 1;
     }
     return (long) runs;
@@ -318,24 +327,25 @@ final class DraftCheck {
   private SearchGoal goal() {
     PlanDraft.Choice choice = draft.sampling();
     if (choice.column().isBlank()) {
-      wrong("goal", "a search needs a column of the results to go for, such as duration");
+      wrong("goal", SweepTexts.text("searchNeedsColumn"));
     }
     int population =
         choice.population().isBlank()
             ? SearchGoal.standardPopulation(draft.chosen().size())
-            : (int) whole(WHOLE, "population", choice.population(), 4, MAX_POPULATION);
+            : (int)
+                whole(WHOLE, SweepTexts.text("population"), choice.population(), 4, MAX_POPULATION);
     return new SearchGoal(
         choice.column().strip(),
         choice.maximize(),
         parts(choice.limits(), "[;\n]"),
         population,
-        (int) whole("stall", "generations", choice.stall(), 1, MAX_STALL));
+        (int) whole("stall", SweepTexts.text("generations"), choice.stall(), 1, MAX_STALL));
   }
 
   private void checkGoal(SearchGoal goal, SweepPlan plan) {
     ResultTable table = ResultTable.of(plan);
     if (table.columns().stream().noneMatch(each -> each.name().equals(goal.column()))) {
-      wrong("goal", "the results have no column " + goal.column());
+      wrong("goal", SweepTexts.text("noSuchColumn", goal.column()));
     }
     for (String each : goal.limits()) {
       try {
@@ -348,25 +358,24 @@ final class DraftCheck {
 
   private RunSettings settings() {
     PlanDraft.Settings settings = draft.settings();
-    OptionalDouble limitS = number("time-limit", "longest run", settings.timeLimit());
+    OptionalDouble limitS =
+        number("time-limit", SweepTexts.text("longestRun"), settings.timeLimit());
     if (limitS.isPresent()
         && !(limitS.getAsDouble() >= 0.002 && limitS.getAsDouble() <= RunSettings.MAX_TIME_S)) {
       wrong(
           "time-limit",
-          "longest run is "
-              + settings.timeLimit().strip()
-              + " s, must be 0.002 to "
-              + (long) RunSettings.MAX_TIME_S
-              + " s");
+          SweepTexts.text(
+              "longestRunOutside", settings.timeLimit().strip(), (long) RunSettings.MAX_TIME_S));
     }
     for (String each : parts(settings.inputs(), ",")) {
       if (!each.contains("=")) {
-        wrong("inputs", "'" + each + "' must be NAME=LEVEL, such as digital_in[0]=true");
+        wrong("inputs", SweepTexts.text("inputNotLevel", each));
       }
     }
     return new RunSettings(
         limitS.orElse(RunSettings.STANDARD_TIME_S),
-        whole(WHOLE, "seed", settings.seed(), Long.MIN_VALUE, Long.MAX_VALUE),
+        whole(
+            WHOLE, SweepTexts.text("seedOfRuns"), settings.seed(), Long.MIN_VALUE, Long.MAX_VALUE),
         settings.idealArm(),
         settings.noise(),
         settings.startRamp(),

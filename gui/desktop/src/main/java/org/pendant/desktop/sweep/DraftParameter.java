@@ -117,21 +117,24 @@ record DraftParameter(
   String title() {
     return switch (target) {
       case ParameterTarget.Variable _ -> nameOf(target);
-      case ParameterTarget.CallArgument(var line, var argument) -> argument + " in line " + line;
+      case ParameterTarget.CallArgument(var line, var argument) ->
+          SweepTexts.text("argumentInLine", argument, line);
       case ParameterTarget.MoveFactor(var argument) ->
-          argument.equals("v") ? "speed of all moves" : "acceleration of all moves";
-      case ParameterTarget.Slider _ -> "speed slider";
+          argument.equals("v")
+              ? SweepTexts.text("speedOfAllMoves")
+              : SweepTexts.text("accelerationOfAllMoves");
+      case ParameterTarget.Slider _ -> SweepTexts.text("speedSlider");
       case ParameterTarget.Load(var component) ->
           component == 0
-              ? "mass at the flange"
-              : "centre of gravity, " + "xyz".charAt(component - 1);
-      case ParameterTarget.BasePlace(var axis) -> axis.word() + " of the base";
+              ? SweepTexts.text("massAtTheFlange")
+              : SweepTexts.text("centreOfGravity", "xyz".charAt(component - 1));
+      case ParameterTarget.BasePlace(var axis) -> SweepTexts.text("ofTheBase", axis.word());
       case ParameterTarget.FeaturePlace(var feature, var axis) -> feature + ", " + axis.word();
       case ParameterTarget.ObjectPlace(var object, var axis) -> object + ", " + axis.word();
-      case ParameterTarget.InputLevel(var signal) -> signal + " from the start";
-      case ParameterTarget.InputTime(var signal) -> signal + " becomes high";
-      case ParameterTarget.Seed _ -> "seed of noise and random numbers";
-      case ParameterTarget.RobotModel _ -> "arm";
+      case ParameterTarget.InputLevel(var signal) -> SweepTexts.text("fromTheStart", signal);
+      case ParameterTarget.InputTime(var signal) -> SweepTexts.text("becomesHigh", signal);
+      case ParameterTarget.Seed _ -> SweepTexts.text("seedOfNoiseAndRandomNumbers");
+      case ParameterTarget.RobotModel _ -> SweepTexts.text("robotModel");
     };
   }
 

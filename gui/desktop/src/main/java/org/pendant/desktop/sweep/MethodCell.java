@@ -1,5 +1,7 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import java.awt.Component;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
@@ -17,24 +19,24 @@ final class MethodCell extends DefaultListCellRenderer {
 
   static String title(SamplingMethod method) {
     return switch (method) {
-      case GRID -> "Grid";
-      case LIST -> "List";
-      case RANDOM -> "Random";
-      case LATIN_HYPERCUBE -> "Latin hypercube";
-      case SOBOL -> "Sobol";
-      case SEARCH -> "Search for the best";
+      case GRID -> text("grid");
+      case LIST -> text("list");
+      case RANDOM -> text("random");
+      case LATIN_HYPERCUBE -> text("latinHypercube");
+      case SOBOL -> text("sobol");
+      case SEARCH -> text("searchForTheBest");
     };
   }
 
   /** What it means, in a sentence. */
   static String about(SamplingMethod method) {
     return switch (method) {
-      case GRID -> "Every combination of all steps";
-      case LIST -> "The first values of all, then the second of all";
-      case RANDOM -> "Each value at random in its range";
-      case LATIN_HYPERCUBE -> "At random, with each slice of each range once";
-      case SOBOL -> "Points that fill the ranges evenly";
-      case SEARCH -> "Goes to the best values by CMA-ES, within the limits";
+      case GRID -> text("everyCombinationOfAllSteps");
+      case LIST -> text("theFirstValuesOfAllThen");
+      case RANDOM -> text("eachValueAtRandomInIts");
+      case LATIN_HYPERCUBE -> text("atRandomWithEachSliceOf");
+      case SOBOL -> text("pointsThatFillTheRangesEvenly");
+      case SEARCH -> text("goesToTheBestValuesBy");
     };
   }
 }

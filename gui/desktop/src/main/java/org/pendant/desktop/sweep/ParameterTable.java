@@ -1,5 +1,7 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import java.awt.Component;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
@@ -30,7 +32,15 @@ final class ParameterTable extends JTable {
   private static final int NOW = 2;
   private static final int VALUES = 6;
   private static final List<String> TITLES =
-      List.of("", "Parameter", "Now", "From", "To", "Steps", "or values", "Column");
+      List.of(
+          "",
+          text("parameterColumn"),
+          text("nowColumn"),
+          text("fromColumn"),
+          text("toColumn"),
+          text("stepsColumn"),
+          text("valuesColumn"),
+          text("nameColumn"));
   private static final List<Integer> WIDTHS = List.of(28, 200, 78, 64, 64, 50, 84, 84);
   private static final int MIN_WIDTH = 44;
   private static final int MIN_NAME = 130;
@@ -47,7 +57,7 @@ final class ParameterTable extends JTable {
     super(model);
     this.presenter = presenter;
     this.model = model;
-    TableLook.apply(this, "sweep-parameters", "Parameters that the sweep can vary");
+    TableLook.apply(this, "sweep-parameters", text("parametersThatTheSweepCanVary"));
     TableLook.editInPlace(this);
     JTextField field = new JTextField();
     field.setName("sweep-cell");
@@ -108,7 +118,7 @@ final class ParameterTable extends JTable {
     int row = rowAtPoint(event.getPoint());
     int column = columnAtPoint(event.getPoint());
     if (row < 0 || column < 0) {
-      return "Space ticks a parameter, F2 or a double click edits a cell";
+      return text("spaceTicksAParameterF2Or");
     }
     DraftParameter at = model.at(row);
     return model
@@ -116,14 +126,9 @@ final class ParameterTable extends JTable {
         .orElseGet(
             () ->
                 column == WHAT
-                    ? at.group()
-                        + ": "
-                        + at.title()
-                        + " (in plans: "
-                        + TargetText.of(at.target())
-                        + ")"
+                    ? text("inPlans", at.group(), at.title(), TargetText.of(at.target()))
                     : column == VALUES
-                        ? "A list in place of from, to and steps, with commas between"
+                        ? text("aListInPlaceOfFrom")
                         : String.valueOf(model.getValueAt(row, column)));
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Color;
@@ -11,7 +13,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -71,7 +72,7 @@ final class PlanPanel extends JPanel {
   private final transient Map<String, JComponent> fields = new HashMap<>();
   private final transient List<Runnable> shows = new ArrayList<>();
   private final JTextField filter = new JTextField(16);
-  private final JCheckBox chosenOnly = new JCheckBox("Only ticked");
+  private final JCheckBox chosenOnly = new JCheckBox(text("onlyTicked"));
   private final JLabel program = new JLabel();
   private final JLabel around = new JLabel();
   private final JComboBox<SamplingMethod> method = new JComboBox<>(SamplingMethod.values());
@@ -81,10 +82,10 @@ final class PlanPanel extends JPanel {
       new JPanel(new MigLayout("insets 0, gap 8 4, wrap 2", LEFT_TO_RIGHT));
   private final JLabel count = new JLabel();
   private final Remark wrong = new Remark("sweep-wrong", this::wrongColor);
-  private final JButton start = button("start", "Start", "Saves the plan and runs it");
-  private final JButton resume =
-      button("resume", "Resume", "Goes on behind the rows that there are");
-  private final JButton save = button("save", "Save plan", "Saves the plan without running it");
+  private final JButton start = button("start", text("start"), text("savesThePlanAndRunsIt"));
+  private final JButton resume = button("resume", text("resume"), text("goesOnBehindTheRowsThat"));
+  private final JButton save =
+      button("save", text("savePlan"), text("savesThePlanWithoutRunningIt"));
   private final CardSheet sheet = new CardSheet(GAP, REST_WIDTH);
   private final JPanel rest =
       new JPanel(new MigLayout("insets 0, gap 10 10, wrap", "[grow, fill]"));
@@ -151,14 +152,13 @@ final class PlanPanel extends JPanel {
   }
 
   private JComponent programCard() {
-    TitledCard card = new TitledCard("Program", LEFT_TO_RIGHT);
+    TitledCard card = new TitledCard(text("program"), LEFT_TO_RIGHT);
     program.setName("sweep-program");
     around.setName("sweep-around");
     JComboBox<String> robot = new JComboBox<>();
     robot.addItem("");
     SweepPresenter.arms().forEach(robot::addItem);
-    TitledCard.named(
-        robot, "sweep-robot", "The arm; empty for that of the installation or program");
+    TitledCard.named(robot, "sweep-robot", text("theArmEmptyForThatOf"));
     robot.addActionListener(
         event ->
             typed(
@@ -180,24 +180,24 @@ final class PlanPanel extends JPanel {
             robot.setSelectedItem(wanted);
           }
         });
-    card.add(new JLabel("File"));
+    card.add(new JLabel(text("programFile")));
     card.add(program, "wrap, wmin 0");
-    card.add(new JLabel("With"));
+    card.add(new JLabel(text("programWith")));
     card.add(around, "wrap, wmin 0");
-    card.add(label("Arm", robot));
+    card.add(label(text("arm"), robot));
     card.add(robot, "wrap, growx 0");
     fields.put("program", program);
     return card;
   }
 
   private JComponent parametersCard() {
-    TitledCard card = new TitledCard("What varies", "[grow, fill]");
+    TitledCard card = new TitledCard(text("whatVaries"), "[grow, fill]");
     if (card.getLayout() instanceof MigLayout layout) {
       layout.setRowConstraints("[][][grow, fill]");
     }
-    filter.putClientProperty("JTextField.placeholderText", "Filter parameters");
+    filter.putClientProperty("JTextField.placeholderText", text("filterParameters"));
     filter.putClientProperty("JTextField.showClearButton", true);
-    TitledCard.named(filter, "sweep-filter", "Show parameters with this text");
+    TitledCard.named(filter, "sweep-filter", text("showParametersWithThisText"));
     filter.getDocument().addDocumentListener(new Typed(this::filterChanged));
     chosenOnly.setName("sweep-only-ticked");
     chosenOnly.setOpaque(false);
@@ -218,8 +218,8 @@ final class PlanPanel extends JPanel {
   }
 
   private JComponent variantsCard() {
-    TitledCard card = new TitledCard("Variants", "[grow, fill]");
-    TitledCard.named(method, "sweep-method", "How the values are chosen");
+    TitledCard card = new TitledCard(text("variants"), "[grow, fill]");
+    TitledCard.named(method, "sweep-method", text("howTheValuesAreChosen"));
     method.setRenderer(new MethodCell());
     method.addActionListener(
         event ->
@@ -234,7 +234,7 @@ final class PlanPanel extends JPanel {
     card.add(about, "wmin 0");
     counted.add(
         label(
-            "Runs",
+            text("runsLabel"),
             field(
                 "runs", 7, d -> d.sampling().runs(), (d, t) -> d.with(d.sampling().withRuns(t)))));
     counted.add(fields.get("runs"));
@@ -244,12 +244,13 @@ final class PlanPanel extends JPanel {
             5,
             d -> d.sampling().seed(),
             (d, t) -> d.with(d.sampling().withSeed(t)));
-    counted.add(label("Seed", seed));
+    counted.add(label(text("seed"), seed));
     counted.add(seed);
     card.add(counted, "wmin 0");
     search.setOpaque(false);
-    JComboBox<String> direction = new JComboBox<>(new String[] {"Least", "Largest"});
-    TitledCard.named(direction, "sweep-direction", "Whether the search wants it small or large");
+    JComboBox<String> direction =
+        new JComboBox<>(new String[] {text("searchLeast"), text("searchLargest")});
+    TitledCard.named(direction, "sweep-direction", text("whetherTheSearchWantsItSmall"));
     direction.addActionListener(
         event ->
             typed(
@@ -258,7 +259,7 @@ final class PlanPanel extends JPanel {
     shows.add(() -> direction.setSelectedIndex(draft().sampling().maximize() ? 1 : 0));
     JComboBox<String> goal = new JComboBox<>(GOALS.toArray(String[]::new));
     goal.setEditable(true);
-    TitledCard.named(goal, "sweep-goal", "A column of the results");
+    TitledCard.named(goal, "sweep-goal", text("aColumnOfTheResults"));
     goal.addActionListener(
         event ->
             typed(
@@ -272,67 +273,67 @@ final class PlanPanel extends JPanel {
     JTextField limits =
         field(
             "limits", 20, d -> d.sampling().limits(), (d, t) -> d.with(d.sampling().withLimits(t)));
-    limits.setToolTipText("What must hold of a run; several with semicolons between");
-    search.add(label("Limits", limits));
+    limits.setToolTipText(text("whatMustHoldOfARun"));
+    search.add(label(text("limits"), limits));
     search.add(limits);
     JTextField stall =
         field("stall", 5, d -> d.sampling().stall(), (d, t) -> d.with(d.sampling().withStall(t)));
-    stall.setToolTipText("The search ends after so many generations without a better run");
-    search.add(label("Ends after", stall));
+    stall.setToolTipText(text("theSearchEndsAfterSoMany"));
+    search.add(label(text("endsAfter"), stall));
     JPanel generations = row();
     generations.add(stall);
-    generations.add(new JLabel("idle generations"));
+    generations.add(new JLabel(text("idleGenerations")));
     search.add(generations, "wmin 0");
     card.add(search, "wmin 0");
     return card;
   }
 
   private JComponent runCard() {
-    TitledCard card = new TitledCard("Each run", LEFT_TO_RIGHT);
+    TitledCard card = new TitledCard(text("eachRun"), LEFT_TO_RIGHT);
     JTextField limit =
         field(
             "time-limit",
             7,
             d -> d.settings().timeLimit(),
             (d, t) -> d.with(d.settings().withTimeLimit(t)));
-    limit.setToolTipText("Robot time after which a run counts as one that never ends");
+    limit.setToolTipText(text("robotTimeAfterWhichARun"));
     JPanel atMost = row();
     atMost.add(limit);
     atMost.add(new JLabel("s"));
-    card.add(label("At most", limit));
+    card.add(label(text("longestRunAtMost"), limit));
     card.add(atMost, "wrap, wmin 0");
-    JCheckBox ideal = new JCheckBox("Ideal arm");
-    ideal.setToolTipText("An arm that is always exactly on target: faster, without loads");
+    JCheckBox ideal = new JCheckBox(text("idealArm"));
+    ideal.setToolTipText(text("anArmThatIsAlwaysExactly"));
     check(
         ideal,
         "ideal",
         d -> d.settings().idealArm(),
         (d, on) -> d.with(d.settings().withIdealArm(on)));
-    JCheckBox noise = new JCheckBox("Noise of sensors");
-    noise.setToolTipText("Sensors that err as those of recorded arms");
+    JCheckBox noise = new JCheckBox(text("noiseOfSensors"));
+    noise.setToolTipText(text("sensorsThatErrAsThoseOf"));
     check(noise, "noise", d -> d.settings().noise(), (d, on) -> d.with(d.settings().withNoise(on)));
-    card.add(new JLabel("Arm"));
+    card.add(new JLabel(text("arm")));
     card.add(ideal, "wrap, wmin 0");
     card.add(noise, "skip, wrap, wmin 0");
     texts(
         card,
         "variables",
-        "Tell variables",
-        "Global variables whose last values become columns",
+        text("tellVariables"),
+        text("globalVariablesWhoseLastValuesBecome"),
         d -> d.settings().variables(),
         (d, t) -> d.with(d.settings().withVariables(t)));
     texts(
         card,
         "fixed",
-        "Poses in the cell",
-        "Variables whose poses stay where they are in the cell when the base moves",
+        text("posesInTheCell"),
+        text("variablesWhosePosesStayWhereThey"),
         d -> d.settings().fixed(),
         (d, t) -> d.with(d.settings().withFixed(t)));
     texts(
         card,
         "inputs",
-        "Inputs at first",
-        "Levels from the start, such as digital_in[0]=true",
+        text("inputsAtFirst"),
+        text("levelsFromTheStartSuchAs"),
         d -> d.settings().inputs(),
         (d, t) -> d.with(d.settings().withInputs(t)));
     return card;
@@ -347,7 +348,7 @@ final class PlanPanel extends JPanel {
       BiFunction<PlanDraft, String, PlanDraft> taken) {
     JTextField field = field(name, 16, shown, taken);
     field.setToolTipText(tip);
-    field.putClientProperty("JTextField.placeholderText", "none");
+    field.putClientProperty("JTextField.placeholderText", text("nothingTyped"));
     card.add(label(title, field));
     card.add(field, "wrap, wmin 0");
   }
@@ -409,25 +410,24 @@ final class PlanPanel extends JPanel {
     count.setName("sweep-count");
     EntryField plan =
         new EntryField(18, PlanPanel::refusal, text -> typed(draft -> withPlan(draft, text)));
-    TitledCard.named(plan, "sweep-plan-file", "The file of the plan");
-    plan.withTip("The file of the plan, which the command pendant sweep runs as well");
+    TitledCard.named(plan, "sweep-plan-file", text("theFileOfThePlan"));
+    plan.withTip(text("theFileOfThePlanWhich"));
     shows.add(() -> plan.follow(nameOf(draft().files())));
     fields.put("plan-file", plan);
-    JButton choose = button("choose", "\u2026", "Choose where the plan is saved");
-    choose.getAccessibleContext().setAccessibleName("Choose where the plan is saved");
+    JButton choose = button("choose", "\u2026", text("chooseWhereThePlanIsSaved"));
+    choose.getAccessibleContext().setAccessibleName(text("chooseWhereThePlanIsSaved"));
     choose.addActionListener(event -> choose());
     JSpinner workers = new JSpinner(new SpinnerNumberModel(presenter.workers(), 1, MAX_WORKERS, 1));
-    TitledCard.named(
-        workers, "sweep-workers", "How many runs there are at a time; one core is for the window");
+    TitledCard.named(workers, "sweep-workers", text("howManyRunsThereAreAt"));
     workers.addChangeListener(event -> presenter.setWorkers((Integer) workers.getValue()));
     start.addActionListener(event -> start());
     resume.addActionListener(event -> presenter.start(Sweep.Start.RESUME));
     save.addActionListener(event -> presenter.save());
     bar.add(count);
-    bar.add(label("Plan", plan));
+    bar.add(label(text("plan"), plan));
     bar.add(plan);
     bar.add(choose);
-    bar.add(label("Workers", workers));
+    bar.add(label(text("workers"), workers));
     bar.add(workers);
     bar.add(save);
     bar.add(resume);
@@ -447,10 +447,10 @@ final class PlanPanel extends JPanel {
   private static String refusal(String text) {
     try {
       return Path.of(text.strip()).getFileName() == null || text.isBlank()
-          ? "The plan needs the name of a file"
+          ? text("thePlanNeedsTheNameOf")
           : "";
     } catch (InvalidPathException e) {
-      return "'" + text + "' is no name of a file: " + e.getReason();
+      return text("notAFileName", text, e.getReason());
     }
   }
 
@@ -474,7 +474,7 @@ final class PlanPanel extends JPanel {
   private void choose() {
     SaveDialog.ask(
         this,
-        new SaveRequest("Save the plan as", draft().files().plan(), List.of("toml"), List.of()),
+        new SaveRequest(text("saveThePlanAs"), draft().files().plan(), List.of("toml"), List.of()),
         chosen -> chosen.ifPresent(file -> typed(draft -> withPlan(draft, file.toString()))));
   }
 
@@ -523,7 +523,7 @@ final class PlanPanel extends JPanel {
             .flatMap(Optional::stream)
             .map(each -> each.getFileName().toString())
             .collect(Collectors.joining(", "));
-    around.setText(with.isEmpty() ? "no installation, no scene" : with);
+    around.setText(with.isEmpty() ? text("noInstallationNoScene") : with);
     SamplingMethod now = draft.sampling().method();
     about.setText("<html>" + MethodCell.about(now));
     counted.setVisible(now.counted());
@@ -540,10 +540,11 @@ final class PlanPanel extends JPanel {
     boolean ready = presenter.whyNotStart().isEmpty();
     long rows = presenter.rowsThere();
     start.setEnabled(ready);
-    start.setText(rows == 0 ? "Start" : sure ? "Replace " + rows + " results" : "Start anew\u2026");
+    start.setText(
+        rows == 0 ? text("start") : sure ? text("replaceResults", rows) : text("startAnew"));
     resume.setVisible(presenter.canResume());
     resume.setEnabled(ready);
-    resume.setText("Resume behind " + rows);
+    resume.setText(text("resumeBehind", rows));
     save.setEnabled(
         presenter.check().plan().isPresent()
             && !presenter.runs()
@@ -565,12 +566,7 @@ final class PlanPanel extends JPanel {
         .plan()
         .map(
             plan ->
-                String.format(
-                    Locale.ROOT,
-                    "%s%,d %s",
-                    draft.sampling().method() == SamplingMethod.SEARCH ? "at most " : "",
-                    plan.size(),
-                    plan.size() == 1 ? "run" : "runs"))
-        .orElse("no runs yet");
+                SweepWords.runs(plan.size(), draft.sampling().method() == SamplingMethod.SEARCH))
+        .orElseGet(() -> text("noRunsInPlan"));
   }
 }

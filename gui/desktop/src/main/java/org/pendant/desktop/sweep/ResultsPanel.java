@@ -1,11 +1,12 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -43,12 +44,12 @@ final class ResultsPanel extends JPanel {
   private final JLabel progress = new JLabel(" ");
   private final JLabel outcomes = new JLabel(" ");
   private final Remark trouble = new Remark("sweep-trouble", Palette::error);
-  private final JButton cancel = button("cancel", "Cancel", "Ends the sweep; what is done stays");
-  private final JButton resume = button("go-on", "Resume", "Goes on behind the last row");
-  private final JButton report = button("report", "Open report", "Plots of all runs as one page");
+  private final JButton cancel = button("cancel", text("cancel"), text("endsTheSweepWhatIsDone"));
+  private final JButton resume = button("go-on", text("resume"), text("goesOnBehindTheLastRow"));
+  private final JButton report = button("report", text("openReport"), text("plotsOfAllRunsAsOne"));
   private final JButton open =
-      button("open-run", "Open run", "Shows the selected run in the window (Enter)");
-  private final JCheckBox all = new JCheckBox("All columns");
+      button("open-run", text("openRun"), text("showsTheSelectedRunInThe"));
+  private final JCheckBox all = new JCheckBox(text("allColumns"));
   private final JComboBox<String> across = new JComboBox<>();
   private final JComboBox<String> upwards = new JComboBox<>();
   private final JComboBox<String> colored = new JComboBox<>();
@@ -99,7 +100,7 @@ final class ResultsPanel extends JPanel {
   private JComponent head() {
     JPanel head = new JPanel(new BorderLayout());
     JPanel row = new JPanel(new WrappingRow(8));
-    TitledCard.named(bar, "sweep-bar", "How far the sweep is");
+    TitledCard.named(bar, "sweep-bar", text("howFarTheSweepIs"));
     progress.setName("sweep-progress");
     outcomes.setName("sweep-outcomes");
     row.add(cancel);
@@ -121,9 +122,9 @@ final class ResultsPanel extends JPanel {
     rows.setBorder(BorderFactory.createEmptyBorder());
     JPanel plotted = new JPanel(new BorderLayout());
     JPanel axes = new JPanel(new WrappingRow(6));
-    axis(axes, "x axis", across, "across");
-    axis(axes, "y axis", upwards, "upwards");
-    axis(axes, "Colour", colored, "colour");
+    axis(axes, text("xAxis"), text("columnForXAxis"), across, "across");
+    axis(axes, text("yAxis"), text("columnForYAxis"), upwards, "upwards");
+    axis(axes, text("colour"), text("columnForColour"), colored, "colour");
     plotted.add(axes, BorderLayout.NORTH);
     plotted.add(plot, BorderLayout.CENTER);
     split.setName("sweep-split");
@@ -141,11 +142,10 @@ final class ResultsPanel extends JPanel {
     return split;
   }
 
-  private void axis(JPanel axes, String title, JComboBox<String> choice, String name) {
+  private void axis(JPanel axes, String title, String tip, JComboBox<String> choice, String name) {
     JLabel label = new JLabel(title);
     label.setLabelFor(choice);
-    TitledCard.named(
-        choice, "sweep-" + name, "A column of the results for " + title.toLowerCase(Locale.ROOT));
+    TitledCard.named(choice, "sweep-" + name, tip);
     choice.setPrototypeDisplayValue("torque_share");
     choice.addActionListener(
         event -> {
@@ -276,11 +276,11 @@ final class ResultsPanel extends JPanel {
     progress.setText(
         sweep
             .map(SweepWords::progress)
-            .orElseGet(() -> rows.isPresent() ? rowsThere + " runs" : "No runs yet"));
+            .orElseGet(() -> rows.isPresent() ? text("runCount", rowsThere) : text("noRunsYet")));
     outcomes.setText(rows.map(each -> SweepWords.outcomes(each.outcomes())).orElse(" "));
     outcomes.setToolTipText(
         rows.filter(each -> each.size() >= RunRows.MAX_ROWS).isPresent()
-            ? "The window shows the first " + RunRows.MAX_ROWS + " runs; results.csv has them all"
+            ? text("theWindowShowsTheFirstRuns", RunRows.MAX_ROWS)
             : null);
     trouble.say(presenter.trouble());
   }

@@ -61,7 +61,7 @@ final class RunTable extends JTable {
   private RunTable(Model model, Consumer<RunRow> open) {
     super(model);
     this.model = model;
-    TableLook.apply(this, "sweep-rows", "Runs of the sweep");
+    TableLook.apply(this, "sweep-rows", SweepTexts.text("runsOfTheSweep"));
     this.open = open;
     setAutoResizeMode(AUTO_RESIZE_OFF);
     setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);

@@ -79,7 +79,7 @@ final class RunningSweep implements SweepListener {
     } catch (IOException e) {
       trouble = order.folder() + ": " + FileTrouble.reason(e);
     } catch (RuntimeException | Error fault) {
-      trouble = "internal error, " + fault;
+      trouble = SweepTexts.text("internalError", fault);
       Faults.report(fault);
     } finally {
       ended = true;
@@ -100,7 +100,7 @@ final class RunningSweep implements SweepListener {
     try (ResultReader reader = new ResultReader(results)) {
       List<String> columns = sweep.table().columns().stream().map(each -> each.name()).toList();
       if (!reader.columns().equals(columns)) {
-        throw new SweepFolderException(results + " has other columns than its plan");
+        throw new SweepFolderException(SweepTexts.text("hasOtherColumnsThanItsPlan", results));
       }
       Optional<List<String>> row = reader.next();
       while (row.isPresent() && rows.size() < RunRows.MAX_ROWS && !stopped.now()) {

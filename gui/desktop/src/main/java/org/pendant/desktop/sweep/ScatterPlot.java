@@ -1,5 +1,7 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -53,7 +55,7 @@ final class ScatterPlot extends JPanel {
   ScatterPlot(IntConsumer choose, IntConsumer open) {
     setName("sweep-plot");
     setToolTipText("");
-    getAccessibleContext().setAccessibleName("Plot of two columns of all runs");
+    getAccessibleContext().setAccessibleName(text("plotOfTwoColumnsOfAll"));
     addMouseListener(
         new MouseAdapter() {
           @Override
@@ -157,7 +159,7 @@ final class ScatterPlot extends JPanel {
       dots(pen, inner(area), across, upwards);
     } else {
       pen.setColor(Palette.quiet());
-      String text = "No runs yet";
+      String text = text("noRunsYet");
       pen.drawString(
           text, area.x + (area.width - metrics.stringWidth(text)) / 2, area.y + area.height / 2);
     }
@@ -317,17 +319,13 @@ final class ScatterPlot extends JPanel {
       return null;
     }
     RunRow row = rows.orElseThrow().get(place);
-    return "run "
-        + row.run()
-        + ": "
-        + rows.get().outcome(row)
-        + ", "
-        + name(x)
-        + " "
-        + SweepWords.brief(row.number(x))
-        + ", "
-        + name(y)
-        + " "
-        + SweepWords.brief(row.number(y));
+    return text(
+        "runAtPoint",
+        row.run(),
+        rows.get().outcome(row),
+        name(x),
+        SweepWords.brief(row.number(x)),
+        name(y),
+        SweepWords.brief(row.number(y)));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -140,10 +142,8 @@ final class SweepPresenter {
   String whyNoPlan() {
     SweepSubject now = subject.get();
     return runs()
-        ? "A sweep is running"
-        : now.program().isEmpty()
-            ? now.name() + " has no file yet: a sweep runs the program as it is saved"
-            : "";
+        ? text("aSweepIsRunning")
+        : now.program().isEmpty() ? text("programWithoutFile", now.name()) : "";
   }
 
   /** Begins a plan of the program in front, unless one is being made that has no file yet. */
@@ -191,7 +191,7 @@ final class SweepPresenter {
         return plan;
       }
     }
-    throw new IOException("there are " + MAX_NAMES + " plans beside " + program + " already");
+    throw new IOException(text("tooManyPlans", MAX_NAMES, program));
   }
 
   /** Takes another draft. */
@@ -244,7 +244,7 @@ final class SweepPresenter {
   /** Opens the file of a plan, with the results that it has. */
   void open(Path file) {
     if (runs()) {
-      tell.accept("Not opened: a sweep is running, cancel it first");
+      tell.accept(text("notOpenedASweepIsRunning"));
       return;
     }
     Path plan = file.toAbsolutePath().normalize();
@@ -280,7 +280,7 @@ final class SweepPresenter {
         bytes = in.readNBytes(PlanReader.MAX_BYTES + 1);
       }
       if (bytes.length > PlanReader.MAX_BYTES) {
-        throw new IOException(file + " has more than " + PlanReader.MAX_BYTES + " bytes");
+        throw new IOException(text("planTooLarge", file, PlanReader.MAX_BYTES));
       }
       SweepPlan plan = PlanReader.read(file.toString(), new String(bytes, StandardCharsets.UTF_8));
       Path folder = Sweep.folderOf(file);
@@ -357,22 +357,14 @@ final class SweepPresenter {
         each -> {
           Path plan = each.files().plan();
           if (!plan.getFileName().toString().endsWith(".toml")) {
-            errors.put("plan-file", "the plan is " + plan.getFileName() + ", must end in .toml");
+            errors.put("plan-file", text("planNotToml", plan.getFileName()));
           } else if (found.plan().equals(plan)
               && found.there()
               && !known.equals(Optional.of(plan))) {
-            errors.put(
-                "plan-file",
-                plan.getFileName() + " exists already: open it, or choose another name");
+            errors.put("plan-file", text("planExists", plan.getFileName()));
           }
         });
-    unsaved()
-        .ifPresent(
-            file ->
-                errors.put(
-                    "program",
-                    file.getFileName()
-                        + " has changes that are not saved: a sweep runs what is on disk"));
+    unsaved().ifPresent(file -> errors.put("program", text("unsavedChanges", file.getFileName())));
     return errors;
   }
 
@@ -394,10 +386,10 @@ final class SweepPresenter {
   /** Why the sweep cannot be started; empty if it can. */
   String whyNotStart() {
     if (runs()) {
-      return "The sweep is running";
+      return text("theSweepIsRunning");
     }
     return draft.isEmpty()
-        ? "There is no plan yet"
+        ? text("thereIsNoPlanYet")
         : errors().values().stream().findFirst().orElse("");
   }
 
@@ -456,14 +448,14 @@ final class SweepPresenter {
   /** Makes the recording of a run and opens it. */
   void openRun(RunRow row) {
     Shown of = shown.orElseThrow();
-    tell.accept("Run " + row.run() + " is run once more for its recording");
+    tell.accept(text("runOnceMore", row.run()));
     elsewhere.run(
         () -> recorded(of, row),
         file -> {
-          tell.accept("Run " + row.run() + ": " + file);
+          tell.accept(text("runRecorded", row.run(), file));
           opener.accept(file);
         },
-        failure -> tell.accept("Run " + row.run() + " cannot be shown: " + failure.getMessage()));
+        failure -> tell.accept(text("runCannotBeShown", row.run(), failure.getMessage())));
   }
 
   private static Path recorded(Shown of, RunRow row) throws IOException {
@@ -500,7 +492,7 @@ final class SweepPresenter {
           }
         },
         then,
-        failure -> tell.accept("No report: " + failure.getMessage()));
+        failure -> tell.accept(text("noReport", failure.getMessage())));
   }
 
   /** Saves the plan without running it. */
@@ -518,9 +510,9 @@ final class SweepPresenter {
         file -> {
           known = Optional.of(file);
           lookForFiles();
-          tell.accept("Saved " + file);
+          tell.accept(text("saved", file));
         },
-        failure -> tell.accept("Not saved: " + failure.getMessage()));
+        failure -> tell.accept(text("notSaved", failure.getMessage())));
   }
 
   /** The arms that there are, by name. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
@@ -54,9 +56,9 @@ public final class SweepView implements View {
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
-  private final JToggleButton planTab = new JToggleButton("Plan", true);
-  private final JToggleButton resultsTab = new JToggleButton("Results");
-  private final JButton fresh = button("new", "Sweep of this program", "");
+  private final JToggleButton planTab = new JToggleButton(text("plan"), true);
+  private final JToggleButton resultsTab = new JToggleButton(text("results"));
+  private final JButton fresh = button("new", text("sweepOfThisProgram"), "");
   private final JButton open;
   private final JLabel note = new HtmlLabel(SwingConstants.CENTER);
   private final Timer look = Faults.timer(LOOK_MS, this::look);
@@ -89,7 +91,7 @@ public final class SweepView implements View {
     this.scene = scene;
     presenter = new SweepPresenter(this::subject, Background::run, workbench::notify, recording);
     this.page = page;
-    open = button("open", "Open plan\u2026", "Opens the file of a plan, with its results");
+    open = button("open", text("openPlan"), text("opensTheFileOfAPlan"));
     open.addActionListener(event -> choose.run());
     fresh.addActionListener(event -> planThis());
     content.setName("sweep-view");
@@ -112,8 +114,10 @@ public final class SweepView implements View {
   private JComponent head() {
     JPanel head = new JPanel(new WrappingRow(6));
     ButtonGroup tabs = new ButtonGroup();
+    planTab.setName("sweep-tab-plan");
+    resultsTab.setName("sweep-tab-results");
     for (JToggleButton each : List.of(planTab, resultsTab)) {
-      each.setName("sweep-tab-" + each.getText().toLowerCase(Locale.ROOT));
+
       tabs.add(each);
       head.add(each);
     }
@@ -137,15 +141,15 @@ public final class SweepView implements View {
     actions.add(
         new Action(
             ID + ".new",
-            "Sweep: plan one of this program\u2026",
+            text("sweepPlanOneOfThisProgram"),
             "",
             () -> presenter.whyNoPlan().isEmpty(),
             this::planThis));
-    actions.add(Action.of(ID + ".open", "Sweep: open a plan\u2026", "", choose));
+    actions.add(Action.of(ID + ".open", text("sweepOpenAPlan"), "", choose));
     actions.add(
         new Action(
             ID + ".start",
-            "Sweep: start",
+            text("sweepStart"),
             "",
             () -> presenter.whyNotStart().isEmpty(),
             () -> {
@@ -153,18 +157,18 @@ public final class SweepView implements View {
               panels.ifPresent(each -> each.plan().start());
             }));
     actions.add(
-        new Action(ID + ".cancel", "Sweep: cancel", "", presenter::runs, presenter::cancel));
+        new Action(ID + ".cancel", text("sweepCancel"), "", presenter::runs, presenter::cancel));
     actions.add(
         new Action(
             ID + ".open-run",
-            "Sweep: open the selected run",
+            text("sweepOpenTheSelectedRun"),
             "",
             () -> panels.filter(each -> each.results().selected()).isPresent(),
             () -> panels.ifPresent(each -> each.results().openSelected())));
     actions.add(
         new Action(
             ID + ".report",
-            "Sweep: open the report",
+            text("sweepOpenTheReport"),
             "",
             () -> presenter.shown().isPresent(),
             () -> presenter.report(page)));
@@ -241,10 +245,8 @@ public final class SweepView implements View {
         "<html><center>"
             + Markup.escaped(
                 presenter.reading()
-                    ? "Reading\u2026"
-                    : why.isEmpty()
-                        ? "Runs the program in thousands of variants, and shows which are good."
-                        : why));
+                    ? text("reading")
+                    : why.isEmpty() ? text("runsTheProgramInThousandsOf") : why));
     note.setForeground(presenter.trouble().isEmpty() ? Palette.quiet() : Palette.error());
     planTab.setVisible(there);
     resultsTab.setVisible(there);
@@ -253,7 +255,7 @@ public final class SweepView implements View {
     fresh.setEnabled(presenter.whyNoPlan().isEmpty());
     fresh.setToolTipText(
         presenter.whyNoPlan().isEmpty()
-            ? "Begins a plan of " + programs.current().name()
+            ? text("beginsAPlanOf", programs.current().name())
             : presenter.whyNoPlan());
     open.setEnabled(!presenter.runs());
     if (there && panels.isEmpty()) {
@@ -277,7 +279,7 @@ public final class SweepView implements View {
 
   @Override
   public String title() {
-    return "Sweep";
+    return text("sweep");
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.sweep;
 
+import static org.pendant.desktop.sweep.SweepTexts.text;
+
 import java.awt.Color;
 import java.util.Locale;
 import java.util.Map;
@@ -49,29 +51,55 @@ final class SweepWords {
         .collect(Collectors.joining(", "));
   }
 
+  /**
+   * How many runs a plan has.
+   *
+   * @param search whether it may end before it has run them all
+   */
+  static String runs(long count, boolean search) {
+    if (search) {
+      return text(count == 1 ? "atMostOneRun" : "atMostRuns", count(count));
+    }
+    return text(count == 1 ? "oneRunInPlan" : "runsInPlan", count(count));
+  }
+
   /** How far a sweep is. */
   static String progress(RunningSweep sweep) {
     if (sweep.size() == 0) {
-      return sweep.ended() ? "not started" : "reading the plan";
+      return sweep.ended() ? text("notStarted") : text("readingThePlan");
     }
-    String done = String.format(Locale.ROOT, "%,d of %,d runs", sweep.done(), sweep.size());
-    double perS = sweep.perS();
+    return progress(sweep.done(), sweep.size(), sweep.perS(), sweep.ended());
+  }
+
+  /**
+   * How far a sweep is.
+   *
+   * @param perS runs in a second; 0 while it is not known
+   */
+  static String progress(long doneRuns, long runs, double perS, boolean ended) {
+    String done = text("done", count(doneRuns), count(runs));
+
     if (perS <= 0) {
       return done;
     }
-    String rate = String.format(Locale.ROOT, "%s, %,.0f a minute", done, perS * MINUTE_S);
-    return sweep.ended()
-        ? rate
-        : rate + ", " + duration(Math.round((sweep.size() - sweep.done()) / perS)) + " left";
+    String aMinute = String.format(Locale.ROOT, "%,.0f", perS * MINUTE_S);
+    return ended
+        ? text("doneWithRate", done, aMinute)
+        : text(
+            "doneWithRateAndRest", done, aMinute, duration(Math.round((runs - doneRuns) / perS)));
+  }
+
+  private static String count(long runs) {
+    return String.format(Locale.ROOT, "%,d", runs);
   }
 
   /** A duration, such as {@code 2 min 5 s}. */
   static String duration(long seconds) {
     if (seconds < MINUTE_S) {
-      return seconds + " s";
+      return text("seconds", seconds);
     }
     return seconds < HOUR_S
-        ? seconds / MINUTE_S + " min " + seconds % MINUTE_S + " s"
-        : seconds / HOUR_S + " h " + seconds % HOUR_S / MINUTE_S + " min";
+        ? text("minutesSeconds", seconds / MINUTE_S, seconds % MINUTE_S)
+        : text("hoursMinutes", seconds / HOUR_S, seconds % HOUR_S / MINUTE_S);
   }
 }
