@@ -11,7 +11,7 @@ import org.pendant.desktop.unit.DisplayUnit;
  */
 final class Draft {
   /** Said of numbers that the user has typed. */
-  static final String GOAL = "A goal, not where the arm is: hold the button to go there.";
+  static final String GOAL = MoveTexts.text("goalNotWhereTheArmIs");
 
   /** What else must be true of a number. */
   @FunctionalInterface

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.Map;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -18,24 +20,24 @@ import org.pendant.models.pose.Pose;
  */
 final class FrameCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard("Frame in the base", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("frameInTheBase"), "[grow, fill]");
   private final PoseFields fields;
   private final Remark problem = new Remark("move-frame-problem", Palette::error);
   private final JComboBox<String> features = new JComboBox<>();
   private Map<String, Pose> frames = Map.of();
-  private final JButton set = new JButton("Set frame");
-  private final JButton reset = new JButton("Discard");
+  private final JButton set = new JButton(text("setFrame"));
+  private final JButton reset = new JButton(text("discard"));
 
   FrameCard(MovePresenter presenter) {
     this.presenter = presenter;
     FramePresenter frame = presenter.frame();
-    fields = new PoseFields(frame.draft(), "move-own-frame-", "Frame in the base");
-    JButton here = new JButton("Set to TCP");
-    TitledCard.named(set, "move-set-frame", "Move along the axes of this frame from now on");
+    fields = new PoseFields(frame.draft(), "move-own-frame-", text("frameInTheBase"));
+    JButton here = new JButton(text("setToTcp"));
+    TitledCard.named(set, "move-set-frame", text("moveAlongTheAxesOfThis"));
     set.addActionListener(event -> frame.setTyped());
-    TitledCard.named(reset, "move-reset-frame", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-frame", text("forgetWhatYouHaveTyped"));
     reset.addActionListener(event -> frame.draft().reset());
-    TitledCard.named(here, "move-frame-here", "Put the frame where the TCP is");
+    TitledCard.named(here, "move-frame-here", text("putTheFrameWhereTheTcp"));
     here.addActionListener(event -> presenter.setFrameHere());
     TitledCard.compact(set, reset, here);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
@@ -43,7 +45,7 @@ final class FrameCard {
     row.add(set);
     row.add(reset);
     row.add(here);
-    TitledCard.named(features, "move-frame-features", "Take a feature of the installation");
+    TitledCard.named(features, "move-frame-features", text("takeAFeatureOfTheInstallation"));
     features.addActionListener(event -> choose());
     offer(Map.of());
     card.add(features, "growx");
@@ -57,7 +59,7 @@ final class FrameCard {
   void offer(Map<String, Pose> offered) {
     frames = Map.of();
     features.removeAllItems();
-    features.addItem("Take a feature\u2026");
+    features.addItem(text("takeAFeature"));
     offered.keySet().forEach(features::addItem);
     features.setVisible(!offered.isEmpty());
     frames = offered;

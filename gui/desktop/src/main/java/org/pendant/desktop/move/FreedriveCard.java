@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -21,16 +23,14 @@ import org.pendant.kit.theme.Palette;
  */
 final class FreedriveCard {
   private static final List<String> AXES = List.of("X", "Y", "Z", "RX", "RY", "RZ");
-  private static final String HINT =
-      "Drag the arm in the 3D picture to pull it. With Ctrl, or with Drag arm there, freedrive is"
-          + " on for the drag.";
+  private static final String HINT = text("dragTheArmInThe3d");
 
   private final FreedrivePresenter presenter;
-  private final TitledCard card = new TitledCard("Freedrive", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("freedrive"), "[grow, fill]");
   private final Segments<JogAxes> frames;
   private final List<JToggleButton> axes = new ArrayList<>();
   private final HoldButton hold;
-  private final JToggleButton keep = new JToggleButton("Keep on");
+  private final JToggleButton keep = new JToggleButton(text("keepOn"));
   private final Remark status = new Remark("move-freedrive-status", Palette::quiet);
   private final Remark warning = new Remark("move-freedrive-warning", Palette::warning);
   private final Remark reason = new Remark("move-freedrive-reason", Palette::warning);
@@ -43,11 +43,11 @@ final class FreedriveCard {
             presenter.axes(),
             "move-free-frame-",
             JogAxes::title,
-            each -> "The free axes are those of " + each.meaning(),
+            each -> text("theFreeAxesAreThoseOf", each.meaning()),
             presenter::setAxes);
-    hold = new HoldButton("Hold for freedrive", null, presenter::begin, presenter::release);
-    TitledCard.named(hold, "move-freedrive", "The arm can be guided by hand while this is held");
-    TitledCard.named(keep, "move-freedrive-keep", "Keep freedrive on until this is switched off");
+    hold = new HoldButton(text("holdForFreedrive"), null, presenter::begin, presenter::release);
+    TitledCard.named(hold, "move-freedrive", text("theArmCanBeGuidedBy"));
+    TitledCard.named(keep, "move-freedrive-keep", text("keepFreedriveOnUntilThisIs"));
     keep.addActionListener(event -> switchTo(keep.isSelected()));
     compact(keep);
     TitledCard.compact(hold);
@@ -72,16 +72,16 @@ final class FreedriveCard {
   private JComponent choices() {
     JPanel grid = new JPanel(new MigLayout("insets 0, gap 8 6, wrap", "[][grow]"));
     grid.setOpaque(false);
-    grid.add(new JLabel("Axes of"));
+    grid.add(new JLabel(text("axesOf")));
     grid.add(frames.component());
-    grid.add(new JLabel("Free"));
+    grid.add(new JLabel(text("freeLabel")));
     JPanel row = new JPanel(new MigLayout("insets 0, gap 2", ""));
     row.setOpaque(false);
     for (int i = 0; i < AXES.size(); i++) {
       row.add(axis(i));
     }
-    JButton all = new JButton("All");
-    TitledCard.named(all, "move-free-all", "Free all axes");
+    JButton all = new JButton(text("allAxes"));
+    TitledCard.named(all, "move-free-all", text("freeAllAxes"));
     TitledCard.compact(all);
     all.addActionListener(event -> presenter.setFree(FreeAxes.ALL));
     row.add(all, "gapleft 8");
@@ -96,7 +96,7 @@ final class FreedriveCard {
     TitledCard.named(
         button,
         "move-free-" + name.toLowerCase(Locale.ROOT),
-        (axis < 3 ? "Free to move along " + name : "Free to turn about " + name.substring(1)));
+        (axis < 3 ? text("freeToMoveAlong", name) : text("freeToTurnAbout", name.substring(1))));
     button.addActionListener(event -> presenter.setFree(axis, button.isSelected()));
     axes.add(button);
     return button;

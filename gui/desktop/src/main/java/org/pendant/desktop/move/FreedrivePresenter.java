@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.ManualCommand;
 import org.pendant.controller.command.Command;
@@ -114,9 +116,8 @@ final class FreedrivePresenter {
             now ->
                 switch (now.distance()) {
                   case NORMAL -> "";
-                  case NEAR -> "Near a singularity: locked axes begin to resist.";
-                  case TOO_CLOSE ->
-                      "Too close to a singularity: with locked axes the arm is hard to move.";
+                  case NEAR -> text("nearASingularityLockedAxesBegin");
+                  case TOO_CLOSE -> text("tooCloseToASingularityWith");
                 })
         .orElse("");
   }
@@ -128,10 +129,10 @@ final class FreedrivePresenter {
         .map(
             mode ->
                 switch (mode.holder()) {
-                  case PROGRAM -> "The program has switched freedrive on.";
-                  case HAND -> "Freedrive is on.";
-                  case INPUT -> "An input has switched freedrive on.";
+                  case PROGRAM -> text("theProgramHasSwitchedFreedriveOn");
+                  case HAND -> text("freedriveIsOn");
+                  case INPUT -> text("anInputHasSwitchedFreedriveOn");
                 })
-        .orElse("Freedrive is off.");
+        .orElse(text("freedriveIsOff"));
   }
 }

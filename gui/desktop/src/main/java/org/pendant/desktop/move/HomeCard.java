@@ -1,8 +1,9 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -19,28 +20,27 @@ import org.pendant.models.arm.Joints;
 /** Home card: where home is: go there, put it where the arm is, or type it. */
 final class HomeCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard("Home", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("home"), "[grow, fill]");
   private final List<NumberField> fields = new ArrayList<>();
   private final List<JLabel> units = new ArrayList<>();
   private final Remark problem = new Remark("move-home-problem", Palette::error);
   private final HoldButton go;
-  private final JButton here = new JButton("Set home to here");
-  private final JButton set = new JButton("Set");
-  private final JButton reset = new JButton("Discard");
-  private final JButton standard = new JButton("Standard");
+  private final JButton here = new JButton(text("setHomeToHere"));
+  private final JButton set = new JButton(text("setTyped"));
+  private final JButton reset = new JButton(text("discard"));
+  private final JButton standard = new JButton(text("standard"));
 
   HomeCard(MovePresenter presenter) {
     this.presenter = presenter;
-    go = new HoldButton("Hold to go home", null, presenter::holdHome, presenter.jog()::release);
-    TitledCard.named(go, "move-home", "Hold to move all joints home");
-    TitledCard.named(here, "move-home-here", "Make the present joint positions home");
+    go = new HoldButton(text("holdToGoHome"), null, presenter::holdHome, presenter.jog()::release);
+    TitledCard.named(go, "move-home", text("holdToMoveAllJointsHome"));
+    TitledCard.named(here, "move-home-here", text("makeThePresentJointPositionsHome"));
     here.addActionListener(event -> presenter.setHomeHere());
-    TitledCard.named(set, "move-set-home", "Make the typed joint positions home");
+    TitledCard.named(set, "move-set-home", text("makeTheTypedJointPositionsHome"));
     set.addActionListener(event -> presenter.home().setTyped());
-    TitledCard.named(reset, "move-reset-home", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-home", text("forgetWhatYouHaveTyped"));
     reset.addActionListener(event -> presenter.home().draft().reset());
-    TitledCard.named(
-        standard, "move-standard-home", "Home is where a robot is when it is switched on");
+    TitledCard.named(standard, "move-standard-home", text("homeIsWhereARobotIs"));
     standard.addActionListener(event -> presenter.home().set(BoxSetup.START_RAD));
     card.add(grid(), "grow");
     card.add(new RemarkSpace(1, problem), Remark.LAYOUT);
@@ -56,10 +56,7 @@ final class HomeCard {
       String name = JointNames.of(i);
       NumberField field =
           new NumberField(
-              presenter.home().draft(),
-              i,
-              "move-home-" + name.toLowerCase(Locale.ROOT).replace(' ', '-'),
-              "Home of " + name);
+              presenter.home().draft(), i, "move-home-" + JointNames.id(i), text("homeOf", name));
       JLabel label = new JLabel(name);
       label.setLabelFor(field);
       fields.add(field);
@@ -104,9 +101,9 @@ final class HomeCard {
   private static String problemText(Draft draft, boolean reachable) {
     for (int i = 0; i < Joints.COUNT; i++) {
       if (!draft.problem(i).isEmpty()) {
-        return JointNames.of(i) + ": " + draft.problem(i);
+        return JointNames.problem(i, draft.problem(i));
       }
     }
-    return reachable ? "" : "Home is outside the range of a joint: the arm cannot go there.";
+    return reachable ? "" : text("homeIsOutsideTheRangeOf");
   }
 }

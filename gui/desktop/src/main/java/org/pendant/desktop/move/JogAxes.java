@@ -1,10 +1,12 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 /** Jog axes: along whose axes the tool moves. */
 enum JogAxes {
-  BASE("Base", "the base"),
-  TOOL("Tool", "the tool"),
-  FRAME("Frame", "the frame that you have set");
+  BASE(text("baseAxes"), text("theBase")),
+  TOOL(text("toolAxes"), text("theTool")),
+  FRAME(text("frameAxes"), text("theFrameOfYours"));
 
   private final String title;
   private final String meaning;

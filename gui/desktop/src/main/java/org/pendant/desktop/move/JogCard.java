@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,11 +19,10 @@ import org.pendant.kit.theme.Palette;
 
 /** Jog card: the pads that move and turn the tool, by mouse, finger or keys, and how they do it. */
 final class JogCard {
-  private static final String HINT =
-      "Keys: arrows for X and Y, page up and down for Z; with Shift they turn the tool.";
+  private static final String HINT = text("keysArrowsForXAndY");
 
   private final JogPresenter presenter;
-  private final TitledCard card = new TitledCard("Tool", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("toolCard"), "[grow, fill]");
   private final List<HoldButton> buttons = new ArrayList<>();
   private final Segments<JogAxes> axes;
   private final Segments<JogSize> sizes;
@@ -36,7 +37,7 @@ final class JogCard {
             presenter.axes(),
             "move-frame-",
             JogAxes::title,
-            each -> "Move and turn the tool along the axes of " + each.meaning(),
+            each -> text("moveAndTurnTheToolAlong", each.meaning()),
             presenter::setAxes);
     sizes =
         new Segments<>(
@@ -70,18 +71,17 @@ final class JogCard {
   private JComponent choices() {
     JPanel grid = new JPanel(new MigLayout("insets 0, gap 8 6, wrap", "[][grow, fill]"));
     grid.setOpaque(false);
-    grid.add(new JLabel("Axes of"));
+    grid.add(new JLabel(text("axesOf")));
     grid.add(axes.component(), "growx 0");
-    grid.add(new JLabel("Step"));
+    grid.add(new JLabel(text("step")));
     grid.add(sizes.component(), "growx 0, split 2");
-    JLabel units = new JLabel("mm, deg");
+    JLabel units = new JLabel(text("stepUnits"));
     units.setForeground(Palette.quiet());
     grid.add(units);
     JSlider slider = new JSlider(1, 100, (int) Math.round(100 * presenter.speedFraction()));
-    TitledCard.named(
-        slider, "move-speed", "Speed of moves by hand; all of it is 250 mm/s, or 34 deg/s a joint");
+    TitledCard.named(slider, "move-speed", text("speedOfMovesByHandAll"));
     slider.addChangeListener(event -> setSpeed(slider.getValue()));
-    JLabel label = new JLabel("Speed");
+    JLabel label = new JLabel(text("speed"));
     label.setLabelFor(slider);
     grid.add(label);
     grid.add(slider, "split 2, wmin 60, w 100, growx, pushx");

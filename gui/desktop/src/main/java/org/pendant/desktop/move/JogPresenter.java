@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.Optional;
 import java.util.function.IntFunction;
 import org.pendant.controller.jog.JogDirection;
@@ -77,7 +79,7 @@ final class JogPresenter {
         remark = "";
         steps.turn(joint, direction, size, now().arm().targetPositionRad(), speedFraction);
       } else {
-        remark = "joint " + joint + " is at the end of its range";
+        remark = text("jointAtTheEnd", JointNames.of(joint));
       }
     }
   }

@@ -1,9 +1,11 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 /** Jog size: how far the arm moves when the user presses a button. */
 enum JogSize {
   /** As long as the button is held. */
-  HELD("Hold", 0),
+  HELD(text("holdSize"), 0),
   FINE("0.1", 0.1),
   MEDIUM("1", 1),
   COARSE("10", 10);
@@ -23,9 +25,12 @@ enum JogSize {
 
   /** What it means, as a sentence without its end. */
   String meaning() {
-    return this == HELD
-        ? "Move as long as a button is held"
-        : "Move by " + title + " mm or turn by " + title + " deg at each press";
+    return this == HELD ? text("moveAsLongAsAButton") : text("moveByMmOrTurnBy", title, title);
+  }
+
+  /** What the action that chooses it says. */
+  String action() {
+    return this == HELD ? text("actionHeld") : text("actionStep", title, title);
   }
 
   double lengthM() {

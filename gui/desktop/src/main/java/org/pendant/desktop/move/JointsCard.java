@@ -1,8 +1,9 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import javax.swing.JButton;
@@ -21,7 +22,7 @@ import org.pendant.models.arm.Joints;
 /** Joints card: the six joints: turn them, see how far they may, and type where they should go. */
 final class JointsCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard("Joints", "[][][grow, fill][][fill][]");
+  private final TitledCard card = new TitledCard(text("joints"), "[][][grow, fill][][fill][]");
   private final List<HoldButton> holds = new ArrayList<>();
   private final List<RangeBar> bars = new ArrayList<>();
   private final List<NumberField> fields = new ArrayList<>();
@@ -29,7 +30,7 @@ final class JointsCard {
   private final Remark problem = new Remark("move-joints-problem", Palette::error);
   private final Remark hint = new Remark("move-joints-hint", Palette::quiet);
   private final HoldButton go;
-  private final JButton reset = new JButton("Discard");
+  private final JButton reset = new JButton(text("discard"));
 
   /**
    * A card.
@@ -43,18 +44,15 @@ final class JointsCard {
       addRow(i);
     }
     card.add(new RemarkSpace(1, problem, hint), "span, " + Remark.LAYOUT);
-    go = new HoldButton("Hold to go", null, presenter::holdJointGoal, presenter.jog()::release);
-    TitledCard.named(
-        go, "move-go-joints", "Hold to move to the joint positions that you have typed");
-    TitledCard.named(
-        reset, "move-reset-joints", "Forget what you have typed and show the arm again");
+    go = new HoldButton(text("holdToGo"), null, presenter::holdJointGoal, presenter.jog()::release);
+    TitledCard.named(go, "move-go-joints", text("holdToMoveToTheJoint"));
+    TitledCard.named(reset, "move-reset-joints", text("forgetWhatYouHaveTypedAnd"));
     reset.addActionListener(event -> presenter.goals().discard());
-    JButton copyButton = new JButton("Copy");
-    TitledCard.named(copyButton, "move-copy-joints", "Copy the joint positions as URScript");
+    JButton copyButton = new JButton(text("copy"));
+    TitledCard.named(copyButton, "move-copy-joints", text("copyTheJointPositionsAsUrscript"));
     copyButton.addActionListener(event -> copy.accept(presenter.jointsScript()));
-    JButton insert = new JButton("Insert");
-    TitledCard.named(
-        insert, "move-insert-movej", "Insert movej to these joint positions in the program");
+    JButton insert = new JButton(text("insert"));
+    TitledCard.named(insert, "move-insert-movej", text("insertMovejToTheseJointPositions"));
     insert.addActionListener(event -> waypoint.accept("movej(" + presenter.jointsScript() + ")"));
     TitledCard.compact(go, reset, copyButton, insert);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][grow][][]"));
@@ -71,7 +69,7 @@ final class JointsCard {
   }
 
   private void addRow(int joint) {
-    String id = JointNames.of(joint).toLowerCase(Locale.ROOT).replace(' ', '-');
+    String id = JointNames.id(joint);
     RangeBar bar = new RangeBar();
     bars.add(bar);
     NumberField field =
@@ -79,7 +77,7 @@ final class JointsCard {
             presenter.goals().joints(),
             joint,
             "move-joint-" + id,
-            "Position of " + JointNames.of(joint));
+            text("positionOf", JointNames.of(joint)));
     fields.add(field);
     JLabel label = new JLabel(JointNames.of(joint));
     label.setLabelFor(field);
@@ -99,7 +97,10 @@ final class JointsCard {
             text, null, () -> presenter.jog().turn(joint, direction), presenter.jog()::letGo);
     String way = direction > 0 ? "up" : "down";
     button.putClientProperty("FlatLaf.style", "minimumWidth: 0");
-    TitledCard.named(button, "move-" + id + "-" + way, "Turn " + JointNames.of(joint) + " " + way);
+    TitledCard.named(
+        button,
+        "move-" + id + "-" + way,
+        text(direction > 0 ? "turnUp" : "turnDown", JointNames.of(joint)));
     holds.add(button);
     return button;
   }
@@ -127,7 +128,7 @@ final class JointsCard {
 
   private String hintText(Draft draft, Draft pose) {
     if (pose.edited()) {
-      return presenter.goals().poseReachable() ? "Where the joints are at the typed pose." : "";
+      return presenter.goals().poseReachable() ? text("whereTheJointsAreAtThe") : "";
     }
     return draft.edited() && draft.valid() ? Draft.GOAL : "";
   }
@@ -135,7 +136,7 @@ final class JointsCard {
   private static String problemText(Draft draft) {
     for (int i = 0; i < Joints.COUNT; i++) {
       if (!draft.problem(i).isEmpty()) {
-        return JointNames.of(i) + ": " + draft.problem(i);
+        return JointNames.problem(i, draft.problem(i));
       }
     }
     return "";
@@ -144,13 +145,12 @@ final class JointsCard {
   private String rangeText(int joint, JointRange range) {
     DisplayUnit unit = presenter.goals().joints().unit(joint);
     return range.unlimited()
-        ? JointNames.of(joint) + " turns without end"
-        : JointNames.of(joint)
-            + " can turn from "
-            + unit.text(range.minRad())
-            + " to "
-            + unit.text(range.maxRad())
-            + " "
-            + unit.symbol();
+        ? text("turnsWithoutEnd", JointNames.of(joint))
+        : text(
+            "canTurnFromTo",
+            JointNames.of(joint),
+            unit.text(range.minRad()),
+            unit.text(range.maxRad()),
+            unit.symbol());
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -76,12 +78,11 @@ final class MovePresenter {
     return range.contains(positionRad)
         ? Optional.empty()
         : Optional.of(
-            "must be "
-                + form.angle().text(range.minRad())
-                + " to "
-                + form.angle().text(range.maxRad())
-                + " "
-                + form.angle().symbol());
+            text(
+                "jointOutside",
+                form.angle().text(range.minRad()),
+                form.angle().text(range.maxRad()),
+                form.angle().symbol()));
   }
 
   /** Another robot has been switched on. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.Toolkit;
@@ -74,19 +76,19 @@ public final class MoveView implements View {
     actions.add(
         Action.of(
             "move.copy-pose",
-            "Copy TCP pose as URScript",
+            text("copyTcpPoseAsUrscript"),
             "",
             () -> copy(workbench, PositionText.of(now().arm().targetTcpInBase()))));
     actions.add(
         Action.of(
             "move.copy-joints",
-            "Copy joint positions as URScript",
+            text("copyJointPositionsAsUrscript"),
             "",
             () -> copy(workbench, PositionText.of(now().arm().targetPositionRad()))));
     actions.add(
         Action.of(
             "move.insert-waypoint",
-            "Insert move to where the arm is",
+            text("insertMoveToWhereTheArm"),
             "",
             () ->
                 insertWaypoint.accept(
@@ -98,7 +100,7 @@ public final class MoveView implements View {
       actions.add(
           Action.of(
                   "move.step-" + each.name().toLowerCase(Locale.ROOT),
-                  "Move by hand: " + each.meaning().toLowerCase(Locale.ROOT),
+                  each.action(),
                   "",
                   () -> presenter.jog().setSize(each))
               .chosen(() -> presenter.jog().size() == each));
@@ -107,18 +109,17 @@ public final class MoveView implements View {
       actions.add(
           Action.of(
                   "move.axes-" + each.name().toLowerCase(Locale.ROOT),
-                  "Move by hand along the axes of " + each.meaning(),
+                  text("moveByHandAlongTheAxes", each.meaning()),
                   "",
                   () -> presenter.jog().setAxes(each))
               .chosen(() -> presenter.jog().axes() == each));
     }
     actions.add(
-        Action.of("move.freedrive", "Freedrive", "", this::switchFreedrive)
+        Action.of("move.freedrive", text("freedrive"), "", this::switchFreedrive)
             .checked(() -> presenter.freedrive().on()));
-    actions.add(Action.of("move.home-here", "Set home to here", "", presenter::setHomeHere));
+    actions.add(Action.of("move.home-here", text("setHomeToHere"), "", presenter::setHomeHere));
     actions.add(
-        Action.of(
-            "move.frame-here", "Set the frame for moves to the TCP", "", presenter::setFrameHere));
+        Action.of("move.frame-here", text("setTheFrameForMovesTo"), "", presenter::setFrameHere));
   }
 
   private void switchFreedrive() {
@@ -136,7 +137,7 @@ public final class MoveView implements View {
 
   private static void copy(Workbench workbench, String text) {
     Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
-    workbench.notify("Copied " + text);
+    workbench.notify(text("copied", text));
   }
 
   private MoveCards cards() {
@@ -205,7 +206,7 @@ public final class MoveView implements View {
 
   @Override
   public String title() {
-    return "Move";
+    return text("move");
   }
 
   @Override

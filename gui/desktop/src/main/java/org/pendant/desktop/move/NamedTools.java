@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -44,12 +46,14 @@ final class NamedTools {
   /** Why a name cannot be kept, as a sentence; empty if it can. */
   static String problem(String name) {
     if (name.isBlank()) {
-      return "Give the TCP a name to keep it.";
+      return text("giveTheTcpANameTo");
     }
     if (name.length() > MAX_NAME) {
-      return "The name has " + name.length() + " characters, at most " + MAX_NAME + " fit.";
+      return text("theNameHasCharactersAtMost", name.length(), MAX_NAME);
     }
-    return name.chars().anyMatch(Character::isISOControl) ? "The name has control characters." : "";
+    return name.chars().anyMatch(Character::isISOControl)
+        ? text("theNameHasControlCharacters")
+        : "";
   }
 
   /** Those of the installation; they come before others of the same name. */

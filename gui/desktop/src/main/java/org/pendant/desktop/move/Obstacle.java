@@ -30,8 +30,8 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
     if (readiness.light() != ArmReadiness.Light.READY && !recovery) {
       String text =
           readiness.command().isPresent()
-              ? readiness.text() + ": the arm cannot be moved."
-              : readiness.text() + ". " + readiness.hint() + ".";
+              ? MoveTexts.text("notReady", readiness.text())
+              : MoveTexts.text("notReadyWithHint", readiness.text(), readiness.hint());
       return Optional.of(new Obstacle(text, readiness.remedy(), readiness.command()));
     }
     if (state.program().state() != ProgramState.STOPPED) {
@@ -43,18 +43,14 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
   private static Obstacle program(ControllerState state) {
     boolean paused = state.debug().held() || state.program().state() == ProgramState.PAUSED;
     return new Obstacle(
-        "Program "
-            + state.program().name()
-            + (paused ? " is paused" : " is running")
-            + ". Stop it to move the arm by hand.",
-        "Stop program",
+        MoveTexts.text(paused ? "programPaused" : "programRunning", state.program().name()),
+        MoveTexts.text("stopProgram"),
         Optional.of(new ProgramCommand.StopProgram()));
   }
 
   private static Optional<String> pace(Pace pace) {
     return switch (pace) {
-      case Pace.Paused paused ->
-          Optional.of("Robot time is paused. Continue it to move the arm by hand.");
+      case Pace.Paused paused -> Optional.of(MoveTexts.text("robotTimePaused"));
       case Pace.Unlimited unlimited -> Optional.of(tooFast());
       case Pace.Times times ->
           times.factor() > MAX_PACE ? Optional.of(tooFast()) : Optional.empty();
@@ -62,12 +58,12 @@ record Obstacle(String text, String remedy, Optional<Command> command) {
   }
 
   private static String tooFast() {
-    return "Robot time runs too fast to move the arm by hand. Choose at most 4 times real time.";
+    return MoveTexts.text("robotTimeTooFast");
   }
 
   private static Optional<String> slider(ControllerState state) {
     return state.arm().speedFraction() == 0
-        ? Optional.of("The speed slider is at 0 %, so the arm stands still. Move it up.")
+        ? Optional.of(MoveTexts.text("theSpeedSliderIsAt0"))
         : Optional.empty();
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -37,7 +39,7 @@ final class Pad {
     this.press = press;
     this.letGo = letGo;
     panel.setOpaque(false);
-    JLabel heading = new JLabel(along() ? "Move" : "Turn");
+    JLabel heading = new JLabel(along() ? text("moveHeading") : text("turnHeading"));
     heading.putClientProperty("FlatLaf.styleClass", "small");
     panel.add(heading, "span 4, center");
     add('Y', 1, 1, "cell 1 1");
@@ -68,7 +70,7 @@ final class Pad {
             + (along() ? "" : "turn-")
             + Character.toLowerCase(axis)
             + (sign > 0 ? "-up" : "-down"),
-        (along() ? "Move along " : "Turn about ") + (sign > 0 ? "+" : "-") + axis);
+        MoveTexts.text(along() ? "moveAlong" : "turnAbout", (sign > 0 ? "+" : "-") + axis));
     buttons.add(button);
     panel.add(button, cell + ", w 42::, h 42::, sg jog");
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JButton;
@@ -15,28 +17,28 @@ import org.pendant.kit.theme.Palette;
 /** Payload card: what is mounted on the flange: mass, centre of gravity, inertia. */
 final class PayloadCard {
   private static final List<String> LABELS =
-      List.of("Mass", "X", "Y", "Z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");
+      List.of(text("mass"), "X", "Y", "Z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz");
   private static final List<String> NAMES =
       List.of("m", "x", "y", "z", "ixx", "iyy", "izz", "ixy", "ixz", "iyz");
 
   private final ToolPresenter presenter;
-  private final TitledCard card = new TitledCard("Payload", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("payload"), "[grow, fill]");
   private final List<NumberField> fields = new ArrayList<>();
   private final List<JLabel> units = new ArrayList<>();
   private final Remark problem = new Remark("move-payload-problem", Palette::error);
-  private final JButton set = new JButton("Set payload");
-  private final JButton reset = new JButton("Discard");
+  private final JButton set = new JButton(text("setPayload"));
+  private final JButton reset = new JButton(text("discard"));
 
   PayloadCard(ToolPresenter presenter) {
     this.presenter = presenter;
-    TitledCard.named(set, "move-set-payload", "Declare this payload; zeroes the force sensor");
+    TitledCard.named(set, "move-set-payload", text("declareThisPayloadZeroesTheForce"));
     set.addActionListener(event -> presenter.setPayload());
-    TitledCard.named(reset, "move-reset-payload", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-payload", text("forgetWhatYouHaveTyped"));
     reset.addActionListener(event -> presenter.resetPayload());
     card.add(grid(0, ToolPresenter.INERTIA), "grow");
-    card.add(quiet("X, Y, Z: centre of gravity, in the flange"));
+    card.add(quiet(text("xYZCentreOfGravity")));
     card.add(grid(ToolPresenter.INERTIA, LABELS.size()), "grow, gaptop 8");
-    card.add(quiet("Inertia about it, along the axes of the flange"));
+    card.add(quiet(text("inertiaAboutItAlongTheAxes")));
     card.add(new RemarkSpace(1, problem), Remark.LAYOUT);
     TitledCard.compact(set, reset);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8"));
@@ -67,9 +69,9 @@ final class PayloadCard {
   private void add(JPanel grid, int index, int column, int row) {
     String tip =
         switch (index) {
-          case 0 -> "Mass of the payload";
-          case 1, 2, 3 -> "Centre of gravity " + LABELS.get(index);
-          default -> "Inertia " + LABELS.get(index);
+          case 0 -> text("massOfThePayload");
+          case 1, 2, 3 -> text("centreOfGravity", LABELS.get(index));
+          default -> text("inertiaOf", LABELS.get(index));
         };
     NumberField field =
         new NumberField(presenter.payload(), index, "move-payload-" + NAMES.get(index), tip);

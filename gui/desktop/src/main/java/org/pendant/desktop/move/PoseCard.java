@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -22,7 +24,7 @@ import org.pendant.kit.theme.Palette;
 /** Pose card: the pose of the TCP: read it, type another one, and go there. */
 final class PoseCard {
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard("TCP pose", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("tcpPose"), "[grow, fill]");
   private final JLabel where = new JLabel();
   private final PoseFields fields;
   private final Remark problem = new Remark("move-pose-problem", Palette::error);
@@ -31,19 +33,19 @@ final class PoseCard {
   private final HoldButton go;
   private final HoldButton align;
   private final List<Runnable> follow = new ArrayList<>();
-  private final JButton reset = new JButton("Discard");
+  private final JButton reset = new JButton(text("discard"));
 
   /** A card; see {@link JointsCard} for the arguments. */
   PoseCard(MovePresenter presenter, Consumer<String> copy, Consumer<String> waypoint) {
     this.presenter = presenter;
-    fields = new PoseFields(presenter.goals().pose(), "move-pose-", "Pose of the TCP");
+    fields = new PoseFields(presenter.goals().pose(), "move-pose-", text("poseOfTheTcp"));
     where.setName("move-pose-frame");
-    go = new HoldButton("Hold to go", null, presenter::holdPoseGoal, presenter.jog()::release);
-    TitledCard.named(go, "move-go-pose", "Hold to move all joints to the pose that you have typed");
+    go = new HoldButton(text("holdToGo"), null, presenter::holdPoseGoal, presenter.jog()::release);
+    TitledCard.named(go, "move-go-pose", text("holdToMoveAllJointsTo"));
     align =
-        new HoldButton("Hold to align", null, presenter::holdAlignment, presenter.jog()::release);
-    TitledCard.named(
-        align, "move-align", "Hold to turn the tool parallel to the nearest axis of base or frame");
+        new HoldButton(
+            text("holdToAlign"), null, presenter::holdAlignment, presenter.jog()::release);
+    TitledCard.named(align, "move-align", text("holdToTurnTheToolParallel"));
     card.add(where);
     card.add(choices(), "grow");
     card.add(fields.component(), "grow, gaptop 8");
@@ -61,21 +63,21 @@ final class PoseCard {
     row.add(
         choice(
             "move-length-unit",
-            "Unit of lengths",
+            text("unitOfLengths"),
             DisplayUnit.of(DisplayUnit.Kind.LENGTH).toArray(DisplayUnit[]::new),
             PoseForm::length,
             unit -> new PoseForm(unit, presenter.form().angle(), presenter.form().rotation())));
     row.add(
         choice(
             "move-angle-unit",
-            "Unit of angles",
+            text("unitOfAngles"),
             DisplayUnit.of(DisplayUnit.Kind.ANGLE).toArray(DisplayUnit[]::new),
             PoseForm::angle,
             unit -> new PoseForm(presenter.form().length(), unit, presenter.form().rotation())));
     row.add(
         choice(
             "move-rotation-form",
-            "How rotations are written",
+            text("howRotationsAreWritten"),
             RotationForm.values(),
             PoseForm::rotation,
             form -> new PoseForm(presenter.form().length(), presenter.form().angle(), form)));
@@ -104,14 +106,13 @@ final class PoseCard {
   }
 
   private JComponent buttons(Consumer<String> copy, Consumer<String> waypoint) {
-    TitledCard.named(reset, "move-reset-pose", "Forget what you have typed and show the arm again");
+    TitledCard.named(reset, "move-reset-pose", text("forgetWhatYouHaveTypedAnd"));
     reset.addActionListener(event -> presenter.goals().discard());
-    JButton copyButton = new JButton("Copy");
-    TitledCard.named(copyButton, "move-copy-pose", "Copy the pose in the base as URScript");
+    JButton copyButton = new JButton(text("copy"));
+    TitledCard.named(copyButton, "move-copy-pose", text("copyThePoseInTheBase"));
     copyButton.addActionListener(event -> copy.accept(presenter.poseScript()));
-    JButton insert = new JButton("Insert");
-    TitledCard.named(
-        insert, "move-insert-movel", "Insert movel to the pose in the base in the program");
+    JButton insert = new JButton(text("insert"));
+    TitledCard.named(insert, "move-insert-movel", text("insertMovelToThePoseIn"));
     insert.addActionListener(event -> waypoint.accept("movel(" + presenter.poseScript() + ")"));
     TitledCard.compact(go, align, reset, copyButton, insert);
     JPanel row = new JPanel(new MigLayout("insets 0, gap 6", "[][][grow][][]"));
@@ -130,7 +131,7 @@ final class PoseCard {
     Draft joints = goals.joints();
     follow.forEach(Runnable::run);
     where.setText(
-        presenter.jog().axes() == JogAxes.FRAME ? "In the frame" : "In the base of the robot");
+        presenter.jog().axes() == JogAxes.FRAME ? text("inTheFrame") : text("inTheBaseOfTheRobot"));
     fields.refresh(presenter.form());
     align.setEnabled(presenter.movable());
     go.setEnabled(presenter.movable() && draft.edited() && draft.valid() && goals.poseReachable());
@@ -143,7 +144,7 @@ final class PoseCard {
 
   private static String hintText(Draft draft, Draft joints, boolean unreachable) {
     if (joints.edited()) {
-      return joints.valid() ? "Where the TCP is with the typed joints." : "";
+      return joints.valid() ? text("whereTheTcpIsWithThe") : "";
     }
     return draft.edited() && draft.valid() && !unreachable ? Draft.GOAL : "";
   }

@@ -1,8 +1,9 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -13,6 +14,15 @@ import org.pendant.desktop.unit.PoseForm;
 final class PoseFields {
   private static final List<String> NAMES =
       List.of("x", "y", "z", "rotation-1", "rotation-2", "rotation-3");
+
+  private static final List<String> PARTS =
+      List.of(
+          text("poseX"),
+          text("poseY"),
+          text("poseZ"),
+          text("poseRotation1"),
+          text("poseRotation2"),
+          text("poseRotation3"));
 
   private final Draft draft;
   private final JPanel panel =
@@ -32,11 +42,7 @@ final class PoseFields {
     panel.setOpaque(false);
     for (int i = 0; i < draft.size(); i++) {
       fields.add(
-          new NumberField(
-              draft,
-              i,
-              prefix + NAMES.get(i),
-              what + ", " + NAMES.get(i).toLowerCase(Locale.ROOT).replace('-', ' ')));
+          new NumberField(draft, i, prefix + NAMES.get(i), text("partOfPose", what, PARTS.get(i))));
       labels.add(new JLabel());
       labels.get(i).setLabelFor(fields.get(i));
       units.add(new JLabel());

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
@@ -56,7 +58,7 @@ final class RangeBar extends JComponent {
    * @param unit in which the ends are written
    */
   void show(JointRange range, double positionRad, OptionalDouble goalRad, DisplayUnit unit) {
-    String low = range.unlimited() ? "no end" : endText(range.minRad(), unit);
+    String low = range.unlimited() ? text("noEnd") : endText(range.minRad(), unit);
     String high = range.unlimited() ? "" : endText(range.maxRad(), unit);
     if (!low.equals(lowEnd) || !high.equals(highEnd)) {
       lowEnd = low;

@@ -1,6 +1,5 @@
 package org.pendant.desktop.move;
 
-import java.util.Locale;
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -35,16 +34,19 @@ public record Reach(Optional<Joints> q, String text) {
       case InverseResult.Reached found ->
           new Reach(Optional.of(found.q()), singularity(arm, found.q()));
       case InverseResult.Unreachable none ->
-          new Reach(Optional.empty(), "The arm cannot reach this pose: " + none.cause().text());
+          new Reach(
+              Optional.empty(), MoveTexts.text("theArmCannotReachThisPose", none.cause().text()));
     };
   }
 
   private static String singularity(ArmDescription arm, Joints q) {
     for (Singularity each : Singularity.values()) {
       if (each.measure(arm.dh(), q) < CLOSE) {
-        return "Close to the "
-            + each.name().toLowerCase(Locale.ROOT)
-            + " singularity: joint moves get here, straight ones may not";
+        return switch (each) {
+          case SHOULDER -> MoveTexts.text("closeToShoulderSingularity");
+          case ELBOW -> MoveTexts.text("closeToElbowSingularity");
+          case WRIST -> MoveTexts.text("closeToWristSingularity");
+        };
       }
     }
     return "";

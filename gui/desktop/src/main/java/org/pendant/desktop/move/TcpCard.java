@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.List;
 import java.util.Objects;
 import javax.swing.DefaultComboBoxModel;
@@ -18,18 +20,18 @@ import org.pendant.kit.theme.Palette;
 
 /** TCP card: the active TCP, and those that are kept by name. */
 final class TcpCard {
-  private static final String CHOOSE = "Kept TCPs";
+  private static final String CHOOSE = text("keptTcps");
 
   private final MovePresenter presenter;
-  private final TitledCard card = new TitledCard("TCP in the flange", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("tcpInTheFlange"), "[grow, fill]");
   private final PoseFields fields;
   private final JComboBox<String> kept = new JComboBox<>();
   private final JTextField name = new JTextField(10);
   private final Remark problem = new Remark("move-tcp-problem", Palette::error);
-  private final JButton set = new JButton("Set TCP");
-  private final JButton reset = new JButton("Discard");
-  private final JButton keep = new JButton("Keep");
-  private final JButton forget = new JButton("Forget");
+  private final JButton set = new JButton(text("setTcp"));
+  private final JButton reset = new JButton(text("discard"));
+  private final JButton keep = new JButton(text("keep"));
+  private final JButton forget = new JButton(text("forget"));
   private List<String> shownNames = List.of();
   private String activeName = "";
   private String keepProblem = "";
@@ -38,19 +40,18 @@ final class TcpCard {
   TcpCard(MovePresenter presenter) {
     this.presenter = presenter;
     ToolPresenter tool = presenter.tool();
-    fields = new PoseFields(tool.tcp(), "move-tcp-", "TCP in the flange");
-    TitledCard.named(name, "move-tcp-name", "Name of the TCP");
+    fields = new PoseFields(tool.tcp(), "move-tcp-", text("tcpInTheFlange"));
+    TitledCard.named(name, "move-tcp-name", text("nameOfTheTcp"));
     name.getDocument().addDocumentListener(new Typed(() -> keepProblem = ""));
-    TitledCard.named(kept, "move-tcp-kept", "Show a TCP that is kept, to be set");
+    TitledCard.named(kept, "move-tcp-kept", text("showATcpThatIsKept"));
     kept.addActionListener(event -> choose());
-    TitledCard.named(set, "move-set-tcp", "Make this the active TCP");
+    TitledCard.named(set, "move-set-tcp", text("makeThisTheActiveTcp"));
     set.addActionListener(event -> tool.setTcp(name.getText().strip()));
-    TitledCard.named(reset, "move-reset-tcp", "Forget what you have typed");
+    TitledCard.named(reset, "move-reset-tcp", text("forgetWhatYouHaveTyped"));
     reset.addActionListener(event -> reset());
-    TitledCard.named(
-        keep, "move-keep-tcp", "Keep this TCP under its name, for later and other programs");
+    TitledCard.named(keep, "move-keep-tcp", text("keepThisTcpUnderItsName"));
     keep.addActionListener(event -> keepProblem = tool.keep(name.getText().strip()));
-    TitledCard.named(forget, "move-forget-tcp", "No longer keep the TCP of this name");
+    TitledCard.named(forget, "move-forget-tcp", text("noLongerKeepTheTcpOf"));
     forget.addActionListener(event -> tool.named().forget(name.getText().strip()));
     card.add(names(), "grow");
     card.add(fields.component(), "grow, gaptop 4");
@@ -62,7 +63,7 @@ final class TcpCard {
   private JComponent names() {
     JPanel row = new JPanel(new MigLayout("insets 0, gap 8", "[][grow, fill][fill]"));
     row.setOpaque(false);
-    JLabel label = new JLabel("Name");
+    JLabel label = new JLabel(text("name"));
     label.setLabelFor(name);
     row.add(label);
     row.add(name, "wmin 60");

@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.awt.event.ActionEvent;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -13,7 +15,7 @@ import org.pendant.kit.theme.Palette;
 final class TeachBar extends JPanel {
   private final JLabel text = new JLabel();
   private final JButton accept = new JButton("OK");
-  private final JButton leave = new JButton("Cancel");
+  private final JButton leave = new JButton(text("cancel"));
   private transient Runnable accepted = () -> {};
   private transient Runnable left = () -> {};
 
@@ -24,8 +26,8 @@ final class TeachBar extends JPanel {
     text.setName("teach-text");
     accept.setName("teach-ok");
     leave.setName("teach-cancel");
-    accept.setToolTipText("Takes where the arm is now");
-    leave.setToolTipText("Leaves the place as it was (Escape)");
+    accept.setToolTipText(text("takesWhereTheArmIsNow"));
+    leave.setToolTipText(text("leavesThePlaceAsItWas"));
     add(text, "wmin 0");
     add(accept);
     add(leave);
@@ -40,10 +42,10 @@ final class TeachBar extends JPanel {
   void ask(String what, Runnable whenAccepted, Runnable whenLeft) {
     accepted = whenAccepted;
     left = whenLeft;
-    text.setText("Move the arm to where " + what + " shall be, then press OK");
+    text.setText(text("moveTheArmToWhereShall", what));
     text.setToolTipText(text.getText());
-    accept.getAccessibleContext().setAccessibleName("Take where the arm is for " + what);
-    leave.getAccessibleContext().setAccessibleName("Leave " + what + " as it was");
+    accept.getAccessibleContext().setAccessibleName(text("takeWhereTheArmIsFor", what));
+    leave.getAccessibleContext().setAccessibleName(text("leaveAsItWas", what));
     setVisible(true);
     revalidate();
     accept.requestFocusInWindow();

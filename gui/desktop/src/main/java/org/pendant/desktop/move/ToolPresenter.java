@@ -1,5 +1,7 @@
 package org.pendant.desktop.move;
 
+import static org.pendant.desktop.move.MoveTexts.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -68,10 +70,10 @@ final class ToolPresenter {
 
   private Optional<String> payloadProblem(int index, double value) {
     if (index == 0 && !(value >= 0)) {
-      return Optional.of("the mass must be at least 0 kg");
+      return Optional.of(text("massNegative"));
     }
     return index >= INERTIA && index < INERTIA + 3 && !(value >= 0)
-        ? Optional.of("Ixx, Iyy and Izz must be at least 0 kg\u00b7m\u00b2")
+        ? Optional.of(text("inertiaNegative"))
         : Optional.empty();
   }
 
@@ -206,11 +208,12 @@ final class ToolPresenter {
   String payloadProblem() {
     String problem = firstOf(payload, payloadReason);
     if (problem.isEmpty() && payload.edited()) {
-      problem = inertia().flatMap(Inertia::problem).map(why -> "Inertia: " + why).orElse("");
+      problem =
+          inertia().flatMap(Inertia::problem).map(why -> text("inertiaProblem", why)).orElse("");
     }
     boolean heavy = payload.edited() && payload.values()[0] > arm.payloadKg();
     return problem.isEmpty() && heavy
-        ? "More than the " + arm.payloadKg() + " kg that " + arm.displayName() + " is made for"
+        ? text("payloadTooHeavy", arm.payloadKg(), arm.displayName())
         : problem;
   }
 

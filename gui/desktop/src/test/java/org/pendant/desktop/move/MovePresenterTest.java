@@ -446,7 +446,7 @@ final class MovePresenterTest {
     refresh(1);
     presenter.jog().setSize(JogSize.MEDIUM);
     presenter.jog().turn(5, 1);
-    assertEquals("joint 5 is at the end of its range", presenter.jog().reason());
+    assertEquals("Wrist 3 is at the end of its range", presenter.jog().reason());
     assertEquals(List.of(), sent);
   }
 
