@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 /**
  * Breakpoint mark: how a breakpoint is shown beside its line.
  *
@@ -9,5 +11,5 @@ package org.pendant.desktop.editor;
 public record BreakpointMark(boolean enabled, LineIcon.Kind kind, String about) {
   /** One that always stops. */
   public static final BreakpointMark PLAIN =
-      new BreakpointMark(true, LineIcon.Kind.STOP, "The program stops before this line");
+      new BreakpointMark(true, LineIcon.Kind.STOP, text("theProgramStopsBeforeThisLine"));
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.event.KeyAdapter;
@@ -55,7 +57,7 @@ final class CompletionPopup {
     this.background = background;
     this.inserted = inserted;
     list.setName("completions");
-    list.getAccessibleContext().setAccessibleName("Completions");
+    list.getAccessibleContext().setAccessibleName(text("completions"));
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.setFocusable(false);
     list.setVisibleRowCount(ROWS);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -28,7 +30,7 @@ final class CoverBar extends JPanel {
   CoverBar(ScriptArea area) {
     this.area = area;
     setName("cover-bar");
-    getAccessibleContext().setAccessibleName("What tests have reached");
+    getAccessibleContext().setAccessibleName(text("whatTestsHaveReached"));
     setToolTipText("");
     setVisible(false);
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import javax.swing.BorderFactory;
@@ -18,11 +20,8 @@ import org.pendant.kit.theme.Palette;
  */
 @SuppressWarnings("serial") // never written to a stream
 final class EditorStatus extends JPanel {
-  private static final String FORMAT_TIP = "How the file is written: characters and ends of lines";
-  private static final String LONG = ", long";
-  private static final String LONG_TIP =
-      "A text of more than a million characters is checked after a second without typing;"
-          + " completions come when they are asked for (Ctrl+Space), long texts are not folded";
+  private static final String FORMAT_TIP = text("howTheFileIsWrittenCharacters");
+  private static final String LONG_TIP = text("aTextOfMoreThanA");
 
   private final JButton problems = new JButton(" ");
   private final JLabel cover = new JLabel(" ");
@@ -48,15 +47,15 @@ final class EditorStatus extends JPanel {
     format.setForeground(Palette.quiet());
     problems.setName("editor-problems");
     problems.putClientProperty("JButton.buttonType", "toolBarButton");
-    problems.setToolTipText("Shows the problems of this program");
+    problems.setToolTipText(text("showsTheProblemsOfThisProgram"));
     problems.addActionListener(event -> showProblems.run());
     place.setName("editor-place");
-    place.getAccessibleContext().setAccessibleName("Place of the caret");
+    place.getAccessibleContext().setAccessibleName(text("placeOfTheCaret"));
     format.setName("editor-format");
     format.setToolTipText(FORMAT_TIP);
     add(problems);
     cover.setName("editor-cover");
-    cover.getAccessibleContext().setAccessibleName("What tests have reached of the line");
+    cover.getAccessibleContext().setAccessibleName(text("whatTestsHaveReachedOfThe"));
     add(cover, "wmin 0");
     add(place, "wmin 0");
     add(format, "wmin 0");
@@ -65,7 +64,8 @@ final class EditorStatus extends JPanel {
   void show(ProgramEditor editor) {
     place.setText(place(editor.area()));
     cover.setText(editor.coverAtCaret().map(LineCover::about).orElse(" "));
-    format.setText(format(editor.program()) + (editor.isLong() ? LONG : ""));
+    String written = format(editor.program());
+    format.setText(editor.isLong() ? text("long", written) : written);
     format.setToolTipText(editor.isLong() ? LONG_TIP : FORMAT_TIP);
     List<Problem> now = editor.analysed().map(AnalysedText::problems).orElse(counted);
     if (!now.equals(counted) || problems.getText().isBlank()) {
@@ -78,9 +78,9 @@ final class EditorStatus extends JPanel {
     boolean errors = now.stream().anyMatch(Problem::isError);
     problems.setForeground(
         errors ? Palette.error() : now.isEmpty() ? Palette.quiet() : Palette.warning());
-    String text = now.isEmpty() ? "No problems" : ProblemsView.summary(now);
+    String text = now.isEmpty() ? text("noProblems") : ProblemsView.summary(now);
     problems.setText(text);
-    problems.getAccessibleContext().setAccessibleName(text + "; shows them");
+    problems.getAccessibleContext().setAccessibleName(text("showsThem", text));
   }
 
   /** {@code Line 12, column 5}, with the length of the selection if there is one. */
@@ -88,11 +88,8 @@ final class EditorStatus extends JPanel {
     int caret = area.getCaretPosition();
     int line = area.lineAt(caret);
     int selected = area.getSelectionEnd() - area.getSelectionStart();
-    return "Line "
-        + line
-        + ", column "
-        + (caret - area.line(line).start() + 1)
-        + (selected > 0 ? ", " + selected + " selected" : "");
+    int column = caret - area.line(line).start() + 1;
+    return text(selected > 0 ? "placeAndSelection" : "lineAndColumn", line, column, selected);
   }
 
   private static String format(ProgramDocument program) {
@@ -102,6 +99,6 @@ final class EditorStatus extends JPanel {
             file ->
                 (file.charset().equals(StandardCharsets.UTF_8) ? "UTF-8" : "Latin-1")
                     + (file.carriageReturns() ? ", CRLF" : ", LF"))
-        .orElse("Not on disk yet");
+        .orElse(text("notOnDiskYet"));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.event.KeyEvent;
@@ -47,7 +49,7 @@ final class EditorTabs extends JTabbedPane {
     this.editors = editors;
     this.shown = shown;
     setName("script-tabs");
-    getAccessibleContext().setAccessibleName("Open programs");
+    getAccessibleContext().setAccessibleName(text("openPrograms"));
     setTabLayoutPolicy(SCROLL_TAB_LAYOUT);
     putClientProperty(FlatClientProperties.TABBED_PANE_TAB_CLOSABLE, true);
     putClientProperty(FlatClientProperties.TABBED_PANE_TAB_CLOSE_TOOLTIPTEXT, "Close");
@@ -116,9 +118,9 @@ final class EditorTabs extends JTabbedPane {
     setTitleAt(index, program.name() + (program.modified() ? " \u2022" : ""));
     boolean runs = index == getSelectedIndex();
     setIconAt(index, runs ? RUNS : null);
-    String place = program.file().map(Object::toString).orElse("Not on disk yet");
-    String changes = program.modified() ? "; has changes that are not saved" : "";
-    setToolTipTextAt(index, place + changes + (runs ? "; Run runs this program" : ""));
+    String place = program.file().map(Object::toString).orElse(text("notOnDiskYet"));
+    String tip = program.modified() ? text("hasChangesThatAreNotSaved", place) : place;
+    setToolTipTextAt(index, runs ? text("runRunsThisProgram", tip) : tip);
   }
 
   private void chosen() {

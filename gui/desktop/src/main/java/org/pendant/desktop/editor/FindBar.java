@@ -1,10 +1,11 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -31,16 +32,18 @@ final class FindBar extends JPanel {
   private static final int MAX_MARKED = 2_000;
 
   private final Supplier<ProgramEditor> editor;
-  private final JTextField words = field("find-words", "Find");
-  private final JTextField replacement = field("find-replacement", "Replace by");
-  private final JToggleButton matchCase = toggle("Aa", "Match case");
-  private final JToggleButton wholeWord = toggle("W", "Whole words only");
-  private final JToggleButton regex = toggle(".*", "Regular expression");
+  private final JTextField words = field("find-words", text("find"));
+  private final JTextField replacement = field("find-replacement", text("replaceBy"));
+  private final JToggleButton matchCase = toggle("Aa", "match-case", text("matchCase"));
+  private final JToggleButton wholeWord = toggle("W", "whole-words-only", text("wholeWordsOnly"));
+  private final JToggleButton regex = toggle(".*", "regular-expression", text("regularExpression"));
   private final JLabel summary = new JLabel(" ");
-  private final JLabel replaceLabel = new JLabel("Replace by");
-  private final JButton replace = button("Replace", "Replace this match (ENTER)", this::replace);
+  private final JLabel replaceLabel = new JLabel(text("replaceBy"));
+  private final JButton replace =
+      button(text("replace"), "replace-this-match", text("replaceThisMatch"), this::replace);
   private final JButton replaceAll =
-      button("Replace all", "Replace every match (alt ENTER)", this::replaceAll);
+      button(
+          text("replaceAll"), "replace-every-match", text("replaceEveryMatch"), this::replaceAll);
   private FindState state = FindState.NONE;
 
   FindBar(Supplier<ProgramEditor> editor) {
@@ -51,14 +54,14 @@ final class FindBar extends JPanel {
     this.editor = editor;
     setName("find-bar");
     setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, Palette.line()));
-    JLabel label = new JLabel("Find");
+    JLabel label = new JLabel(text("find"));
     label.setLabelFor(words);
     replaceLabel.setLabelFor(replacement);
     summary.setName("find-summary");
     JButton previous =
-        button("\u2191", "Previous match (shift ENTER, shift F3)", () -> step(false));
-    JButton next = button("\u2193", "Next match (ENTER, F3)", () -> step(true));
-    JButton close = button("\u2715", "Close (ESCAPE)", this::close);
+        button("\u2191", "previous-match", text("previousMatchKeys"), () -> step(false));
+    JButton next = button("\u2193", "next-match", text("nextMatchKeys"), () -> step(true));
+    JButton close = button("\u2715", "close", text("closeKeys"), this::close);
     add(label);
     add(words, "growx");
     add(matchCase, "split 3, gapright 0");
@@ -190,7 +193,7 @@ final class FindBar extends JPanel {
     summary.setText(text.isEmpty() ? " " : text);
     summary.setForeground(nothing ? Palette.error() : Palette.quiet());
     words.putClientProperty("JComponent.outline", nothing ? "error" : null);
-    words.setToolTipText(nothing ? text : "What to find; ENTER goes to the next match");
+    words.setToolTipText(nothing ? text : text("whatToFindEnterGoesTo"));
     replace.setEnabled(!nothing);
     replaceAll.setEnabled(!nothing);
   }
@@ -220,20 +223,20 @@ final class FindBar extends JPanel {
           editor.get().gather(() -> area.make(edits));
           search(false);
           summary.setForeground(Palette.quiet());
-          summary.setText(count == 1 ? "Replaced 1" : "Replaced " + count);
+          summary.setText(count == 1 ? text("replacedOne") : text("replacedSeveral", count));
         });
   }
 
   /** Does it, or says at the field why it cannot be done. */
   private void replaced(Runnable work) {
     if (!editor.get().area().isEditable()) {
-      replacement.setToolTipText("The script is generated; the Program screen changes it");
+      replacement.setToolTipText(text("theScriptIsGeneratedTheProgram"));
       return;
     }
     try {
       work.run();
       replacement.putClientProperty("JComponent.outline", null);
-      replacement.setToolTipText("What comes in place of a match");
+      replacement.setToolTipText(text("whatComesInPlaceOfA"));
     } catch (IllegalArgumentException e) {
       replacement.putClientProperty("JComponent.outline", "error");
       replacement.setToolTipText(e.getMessage());
@@ -250,22 +253,20 @@ final class FindBar extends JPanel {
     return field;
   }
 
-  private static JToggleButton toggle(String text, String tip) {
+  private static JToggleButton toggle(String text, String name, String tip) {
     JToggleButton toggle = new JToggleButton(text);
-    toggle.setName("find-" + tip.toLowerCase(Locale.ROOT).replace(' ', '-'));
+    toggle.setName("find-" + name);
     toggle.setToolTipText(tip);
     toggle.getAccessibleContext().setAccessibleName(tip);
     toggle.putClientProperty("JButton.buttonType", "toolBarButton");
     return toggle;
   }
 
-  private static JButton button(String text, String tip, Runnable run) {
-    int key = tip.indexOf(" (");
-    String name = key < 0 ? tip : tip.substring(0, key);
+  private static JButton button(String text, String name, String tip, Runnable run) {
     JButton button = new JButton(text);
     button.setToolTipText(tip);
     button.getAccessibleContext().setAccessibleName(tip);
-    button.setName("find-" + name.toLowerCase(Locale.ROOT).replace(' ', '-'));
+    button.setName("find-" + name);
     button.addActionListener(event -> run.run());
     return button;
   }

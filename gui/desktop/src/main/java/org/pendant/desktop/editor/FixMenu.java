@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.EventQueue;
 import java.awt.MouseInfo;
 import java.awt.Point;
@@ -102,7 +104,7 @@ final class FixMenu {
 
   private void show(AnalysedText analysed, List<QuickFix> fixes) {
     if (fixes.isEmpty()) {
-      editorHost.tell("There is no quick fix here");
+      editorHost.tell(text("thereIsNoQuickFixHere"));
       return;
     }
     JPopupMenu menu = new JPopupMenu();

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import javax.swing.JToggleButton;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.settings.Settings;
@@ -18,9 +20,8 @@ final class FollowSwitch {
   FollowSwitch(Settings settings) {
     this.settings = settings;
     button.setName("script-follow");
-    button.setToolTipText(
-        "Follow: keeps the line that runs in sight. Scrolling leaves it until the next start");
-    button.getAccessibleContext().setAccessibleName("Follow the program");
+    button.setToolTipText(text("followKeepsTheLineThatRuns"));
+    button.getAccessibleContext().setAccessibleName(text("followTheProgram"));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     button.addActionListener(event -> choose(button.isSelected()));
     again();

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -38,8 +40,8 @@ final class GeneratedBar extends JPanel {
     record Press(String name, String title, String action) {}
     for (Press each :
         List.of(
-            new Press("generated-tree", "Show the tree", "view.program"),
-            new Press("generated-save", "Save as script\u2026", "file.save-script"))) {
+            new Press("generated-tree", text("showTheTree"), "view.program"),
+            new Press("generated-save", text("saveAsScript"), "file.save-script"))) {
       JButton button = new JButton(each.title());
       button.setName(each.name());
       button.addActionListener(event -> editorHost.run(each.action()));
@@ -50,8 +52,8 @@ final class GeneratedBar extends JPanel {
   private static void say(JLabel text, ProgramDocument program) {
     text.setText(
         program.readOnly()
-            ? "Script of a PolyScope X program, read-only"
-            : "Generated from the program tree, which the Program screen edits");
+            ? text("scriptOfAPolyscopeXProgram")
+            : text("generatedFromTheProgramTreeWhich"));
     text.setToolTipText(text.getText());
   }
 }

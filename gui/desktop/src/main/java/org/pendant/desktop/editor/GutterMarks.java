@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
@@ -76,8 +78,8 @@ final class GutterMarks {
     for (Component part : gutter.getComponents()) {
       if (part instanceof IconRowHeader margin) {
         margin.setName("breakpoint-margin");
-        margin.getAccessibleContext().setAccessibleName("Breakpoints");
-        margin.setToolTipText("Click to set or clear a breakpoint (F9); the other button has more");
+        margin.getAccessibleContext().setAccessibleName(text("breakpoints"));
+        margin.setToolTipText(text("clickToSetOrClearA"));
         margin.addMouseListener(new Clicks(clicked, bulbClicked, menu));
       }
     }
@@ -225,8 +227,7 @@ final class GutterMarks {
       wanted.putIfAbsent(
           bulb,
           new Beside(
-              new LineIcon(Optional.empty(), Optional.empty(), true),
-              "There is a quick fix (alt ENTER)"));
+              new LineIcon(Optional.empty(), Optional.empty(), true), text("thereIsAQuickFixAlt")));
     }
     return wanted;
   }
@@ -239,13 +240,14 @@ final class GutterMarks {
       reach = below.isEmpty() ? LineIcon.Reach.NOWHERE : LineIcon.Reach.BELOW;
       tip =
           below.isEmpty()
-              ? "This breakpoint has no effect: no statement begins here or below"
-              : tip + "; no statement begins here, so it means line " + below.first();
+              ? text("thisBreakpointHasNoEffectNo")
+              : text("noStatementBeginsHereSoIt", tip, below.first());
     }
     LineIcon.Dot dot = new LineIcon.Dot(look.enabled(), look.kind(), reach);
     Optional<Execution.State> arrow = here ? Optional.of(state.state()) : Optional.empty();
     return new Beside(
-        new LineIcon(Optional.of(dot), arrow, false), here ? stateTip() + ". " + tip : tip);
+        new LineIcon(Optional.of(dot), arrow, false),
+        here ? text("stateAndBreakpoint", stateTip(), tip) : tip);
   }
 
   private String stateTip() {
@@ -253,9 +255,9 @@ final class GutterMarks {
       return state.note();
     }
     return switch (state.state()) {
-      case RUNNING -> "This line runs";
-      case HELD -> "The program is paused before this line";
-      case FAILED -> "The program failed here";
+      case RUNNING -> text("thisLineRuns");
+      case HELD -> text("theProgramIsPausedBeforeThis");
+      case FAILED -> text("theProgramFailedHere");
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Graphics;
@@ -25,7 +27,7 @@ final class HeatBar extends JPanel {
     this.area = area;
     this.notes = notes;
     setName("heat-bar");
-    getAccessibleContext().setAccessibleName("Share of the time of the last run");
+    getAccessibleContext().setAccessibleName(text("shareOfTheTimeOfThe"));
     setToolTipText("");
   }
 

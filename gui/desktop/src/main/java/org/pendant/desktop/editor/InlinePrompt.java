@@ -33,7 +33,7 @@ final class InlinePrompt {
     label.setLabelFor(field);
     field.setName("prompt");
     field.getAccessibleContext().setAccessibleName(question);
-    field.setToolTipText(question + "; ENTER does it, ESCAPE leaves it");
+    field.setToolTipText(EditorTexts.text("enterDoesItEscapeLeavesIt", question));
     field.setFont(EditorTheme.codeFont());
     complaint.setName("prompt-complaint");
     complaint.setForeground(Palette.error());

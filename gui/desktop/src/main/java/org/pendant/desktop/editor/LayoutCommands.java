@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.EventQueue;
 import java.util.List;
 import org.pendant.desktop.editor.text.AnalysedText;
@@ -53,14 +55,14 @@ final class LayoutCommands {
 
   private void finish(AnalysedText analysed, FormatResult result) {
     if (schedule.current().filter(now -> now == analysed).isEmpty()) {
-      editorHost.tell("Not formatted: the text has changed meanwhile");
+      editorHost.tell(text("notFormattedTheTextHasChanged"));
       return;
     }
     switch (result) {
       case FormatResult.Refused refused ->
-          editorHost.tell("Not formatted: " + ByteText.decoded(refused.reason()));
+          editorHost.tell(text("notFormatted", ByteText.decoded(refused.reason())));
       case FormatResult.Formatted formatted when formatted.edits().isEmpty() ->
-          editorHost.tell("The text is laid out already");
+          editorHost.tell(text("theTextIsLaidOutAlready"));
       case FormatResult.Formatted formatted ->
           link.gather(() -> area.make(analysed.edits(formatted.edits())));
     }
@@ -136,7 +138,7 @@ final class LayoutCommands {
   /** Asks for a line and goes there. */
   void goToLine() {
     int lines = area.getLineCount();
-    String question = "Go to line (1 to " + lines + ")";
+    String question = text("goToLine1To", lines);
     int now = area.lineAt(area.getCaretPosition());
     InlinePrompt.ask(
         area,
@@ -150,7 +152,7 @@ final class LayoutCommands {
     String text = prompt.text();
     boolean number = text.matches("\\d{1,9}");
     if (!number || Integer.parseInt(text) < 1 || Integer.parseInt(text) > lines) {
-      prompt.refuse("Line is " + text + ", must be 1 to " + lines);
+      prompt.refuse(text("lineIsMustBe1To", text, lines));
       return;
     }
     prompt.close();

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.EventQueue;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -73,8 +75,8 @@ final class NameCommands {
                       editorHost.tell(
                           analysed
                               .hover(caret)
-                              .map(hover -> ByteText.decoded(hover.head()) + " is built in")
-                              .orElse("There is no name here")));
+                              .map(hover -> text("isBuiltIn", ByteText.decoded(hover.head())))
+                              .orElse(text("thereIsNoNameHere"))));
         });
   }
 
@@ -84,7 +86,7 @@ final class NameCommands {
         analysed -> {
           List<TextSpan> spans = analysed.references(area.getCaretPosition());
           if (spans.isEmpty()) {
-            editorHost.tell("There is no name here");
+            editorHost.tell(text("thereIsNoNameHere"));
             return;
           }
           String name = area.text(spans.getFirst());
@@ -92,8 +94,8 @@ final class NameCommands {
               spans.stream()
                   .map(span -> Place.of(program.name(), program.file(), analysed.text(), span))
                   .toList();
-          String times = places.size() == 1 ? "1 place" : places.size() + " places";
-          editorHost.list(name + ": " + times, places);
+          editorHost.list(
+              text(places.size() == 1 ? "onePlaceOf" : "placesOf", name, places.size()), places);
         });
   }
 
@@ -107,7 +109,7 @@ final class NameCommands {
               .filter(span -> span.touches(caret))
               .findFirst()
               .ifPresentOrElse(
-                  span -> askForName(span), () -> editorHost.tell("There is no name here"));
+                  span -> askForName(span), () -> editorHost.tell(text("thereIsNoNameHere")));
         });
   }
 
@@ -116,7 +118,7 @@ final class NameCommands {
     InlinePrompt.ask(
         area,
         area.place(span.start()),
-        "New name for " + old,
+        text("newNameFor", old),
         old,
         prompt -> {
           if (prompt.text().equals(old)) {
@@ -139,7 +141,7 @@ final class NameCommands {
 
   private void finish(AnalysedText analysed, RenameResult result, InlinePrompt prompt) {
     if (schedule.current().filter(now -> now == analysed).isEmpty()) {
-      prompt.refuse("The text has changed meanwhile; press ENTER again");
+      prompt.refuse(text("theTextHasChangedMeanwhilePress"));
       return;
     }
     switch (result) {
@@ -148,7 +150,7 @@ final class NameCommands {
         prompt.close();
         area.make(analysed.edits(renamed.edits()));
         int places = renamed.edits().size();
-        editorHost.tell("Renamed in " + (places == 1 ? "1 place" : places + " places"));
+        editorHost.tell(text(places == 1 ? "renamedInOnePlace" : "renamedInPlaces", places));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
@@ -33,7 +35,7 @@ public final class OutlineView implements View {
   public static final String ID = "outline";
 
   /** What people read on its tab. */
-  public static final String TITLE = "Outline";
+  public static final String TITLE = text("outline");
 
   private final Workbench workbench;
   private final ScriptEditor editor;
@@ -53,8 +55,8 @@ public final class OutlineView implements View {
     content.setName("outline-panel");
     content.add(states);
     tree.setName("outline-tree");
-    tree.getAccessibleContext().setAccessibleName("Outline");
-    tree.setToolTipText("ENTER or a click goes to the definition");
+    tree.getAccessibleContext().setAccessibleName(text("outline"));
+    tree.setToolTipText(text("enterOrAClickGoesTo"));
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
     tree.setToggleClickCount(0);
@@ -73,7 +75,7 @@ public final class OutlineView implements View {
           }
         });
     editor.addListener(this::follow);
-    states.showNote("Functions, threads and globals appear here.");
+    states.showNote(text("functionsThreadsAndGlobalsAppearHere"));
     follow();
   }
 
@@ -149,7 +151,7 @@ public final class OutlineView implements View {
       tree.expandRow(row);
     }
     if (shown.isEmpty()) {
-      states.showNote("This program defines nothing yet.");
+      states.showNote(text("thisProgramDefinesNothingYet"));
     } else {
       states.showContent();
     }

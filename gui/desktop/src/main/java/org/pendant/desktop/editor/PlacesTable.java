@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -27,7 +29,7 @@ final class PlacesTable extends JTable {
   private PlacesTable(Model model, Consumer<Place> chosen) {
     super(model);
     this.model = model;
-    TableLook.apply(this, "places-table", "Places found");
+    TableLook.apply(this, "places-table", text("placesFound"));
     getColumnModel().getColumn(0).setPreferredWidth(200);
     getColumnModel().getColumn(0).setMaxWidth(360);
     getColumnModel().getColumn(1).setPreferredWidth(800);
@@ -88,7 +90,7 @@ final class PlacesTable extends JTable {
   /** The rows. */
   private static final class Model extends RowsModel<Place> {
     Model() {
-      super(List.of("Place", "Line"));
+      super(List.of(text("place"), text("line")));
     }
 
     @Override

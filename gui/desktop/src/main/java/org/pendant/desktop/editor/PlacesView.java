@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.io.IOException;
@@ -36,20 +38,19 @@ public final class PlacesView implements View {
   public static final String ID = "search";
 
   private static final String FOLDER = "search.folder";
-  private static final String NOTE =
-      "Type what to find in all scripts of the folder, then press ENTER.";
+  private static final String NOTE = text("typeWhatToFindInAll");
   private static final int SHOWN_AT_ONCE = 100;
   private static final int TOLD_EVERY = 50;
 
   private final Workbench workbench;
   private final ScriptEditor editor;
   private final WorkQueue worker = new WorkerThread("find-in-files");
-  private final JTextField words = field("search-words", "Find in files");
-  private final JTextField folder = field("search-folder", "Folder to look in");
-  private final JCheckBox matchCase = box("Match case");
-  private final JCheckBox wholeWord = box("Whole words");
-  private final JCheckBox regex = box("Regular expression");
-  private final JButton start = new JButton("Find");
+  private final JTextField words = field("search-words", text("findInFiles"));
+  private final JTextField folder = field("search-folder", text("folderToLookIn"));
+  private final JCheckBox matchCase = box("match-case", text("matchCase"));
+  private final JCheckBox wholeWord = box("whole-words", text("wholeWords"));
+  private final JCheckBox regex = box("regular-expression", text("regularExpression"));
+  private final JButton start = new JButton(text("find"));
   private final JLabel summary = new JLabel(" ");
   private final JLabel title = new JLabel();
   private final JPanel form = bar();
@@ -76,17 +77,17 @@ public final class PlacesView implements View {
     editor.setPlaces(this::list);
     workbench
         .actions()
-        .add(Action.of("editor.find-in-files", "Find in files", "control shift F", this::open));
+        .add(Action.of("editor.find-in-files", text("findInFiles"), "control shift F", this::open));
   }
 
   private JPanel bar() {
     JPanel bar = new JPanel(new MigLayout("insets 6 12 6 12, gap 6, fillx", "[][grow][]"));
-    JLabel find = new JLabel("Find");
+    JLabel find = new JLabel(text("find"));
     find.setLabelFor(words);
-    JLabel in = new JLabel("In folder");
+    JLabel in = new JLabel(text("inFolder"));
     in.setLabelFor(folder);
     start.setName("search-start");
-    start.setToolTipText("Look through all scripts of the folder (ENTER)");
+    start.setToolTipText(text("lookThroughAllScriptsOfThe"));
     start.addActionListener(event -> startOrCancel());
     words.addActionListener(event -> find());
     folder.addActionListener(event -> find());
@@ -107,10 +108,10 @@ public final class PlacesView implements View {
   private JPanel foundBar() {
     JPanel bar = new JPanel(new MigLayout("insets 6 12 6 12, gap 6, fillx", "[grow, 0::][]"));
     title.setName("places-title");
-    JButton search = new JButton("Find in files\u2026");
+    JButton search = new JButton(text("findInFilesMenu"));
     search.setName("places-search");
     search.putClientProperty("JButton.buttonType", "toolBarButton");
-    search.setToolTipText("Shows the form that finds text in all scripts of a folder");
+    search.setToolTipText(text("showsTheFormThatFindsText"));
     search.addActionListener(event -> open());
     bar.add(title, "growx, wmin 0");
     bar.add(search);
@@ -130,7 +131,7 @@ public final class PlacesView implements View {
 
   @Override
   public String title() {
-    return "Search results";
+    return text("searchResults");
   }
 
   @Override
@@ -190,7 +191,7 @@ public final class PlacesView implements View {
 
   private void cancel() {
     cancelled.set(true);
-    start.setText("Find");
+    start.setText(text("find"));
   }
 
   private void find() {
@@ -199,11 +200,11 @@ public final class PlacesView implements View {
         new SearchQuery(
             words.getText(), matchCase.isSelected(), wholeWord.isSelected(), regex.isSelected());
     if (words.getText().isEmpty()) {
-      refuse(words, "Nothing to find: type some words");
+      refuse(words, text("nothingToFindTypeSomeWords"));
       return;
     }
     if (!query.complaint().isEmpty()) {
-      refuse(words, "Regular expression: " + query.complaint());
+      refuse(words, text("regularExpressionIsWrong", query.complaint()));
       return;
     }
     Path where = folder();
@@ -212,11 +213,11 @@ public final class PlacesView implements View {
     workbench.settings().put(FOLDER, where.toString());
     AtomicBoolean stop = new AtomicBoolean();
     cancelled = stop;
-    start.setText("Cancel");
+    start.setText(text("cancel"));
     table.set(List.of());
     states.showContent();
     summary.setForeground(Palette.quiet());
-    summary.setText("Looking\u2026");
+    summary.setText(text("looking"));
     int number = ++searches;
     worker.run(0, () -> search(new FileSearch(where, query), stop, number));
   }
@@ -242,7 +243,7 @@ public final class PlacesView implements View {
       EventQueue.invokeLater(
           () -> {
             cancel();
-            refuse(folder, search.folder() + " is not a folder");
+            refuse(folder, text("isNotAFolder", search.folder()));
           });
       return;
     }
@@ -261,7 +262,7 @@ public final class PlacesView implements View {
       show(found, stop);
       EventQueue.invokeLater(() -> finish(result, stop, number));
     } catch (IOException e) {
-      EventQueue.invokeLater(() -> refuse(folder, "Not searched: " + e));
+      EventQueue.invokeLater(() -> refuse(folder, text("notSearched", e)));
     }
   }
 
@@ -269,8 +270,8 @@ public final class PlacesView implements View {
     if (done % TOLD_EVERY == 0) {
       EventQueue.invokeLater(
           () -> {
-            if (!stop.get() && start.getText().equals("Cancel")) {
-              summary.setText("Looking\u2026 " + done + " of " + all + " scripts");
+            if (!stop.get()) {
+              summary.setText(text("lookingOfScripts", done, all));
             }
           });
     }
@@ -291,12 +292,15 @@ public final class PlacesView implements View {
     if (number != searches) {
       return; // another search has begun
     }
-    String end =
-        stop.get() ? "; cancelled" : result.complete() ? "" : "; there are more, be more precise";
+    String found = result.sentence();
+    String told =
+        stop.get()
+            ? text("cancelled", found)
+            : result.complete() ? found : text("thereAreMore", found);
     cancel();
-    summary.setText(result.sentence() + end);
+    summary.setText(told);
     if (result.places() == 0) {
-      states.showNote("Nothing found. " + result.sentence() + ".");
+      states.showNote(text("nothingFound", result.sentence()));
     }
   }
 
@@ -308,9 +312,9 @@ public final class PlacesView implements View {
     return field;
   }
 
-  private static JCheckBox box(String title) {
+  private static JCheckBox box(String name, String title) {
     JCheckBox box = new JCheckBox(title);
-    box.setName("search-" + title.toLowerCase(java.util.Locale.ROOT).replace(' ', '-'));
+    box.setName("search-" + name);
     box.setToolTipText(title);
     return box;
   }

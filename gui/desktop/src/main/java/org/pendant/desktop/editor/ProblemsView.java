@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.event.MouseAdapter;
@@ -31,7 +33,7 @@ public final class ProblemsView implements View {
   public static final String ID = "problems";
 
   /** What people read on its tab. */
-  public static final String TITLE = "Problems";
+  public static final String TITLE = text("problems");
 
   private final Workbench workbench;
   private final ScriptEditor editor;
@@ -39,7 +41,7 @@ public final class ProblemsView implements View {
   private final JTable table = new JTable(model);
   private final EmptyState states = new EmptyState(new JScrollPane(table));
   private final JLabel summary = new JLabel(" ");
-  private final JButton fix = new JButton("Quick fix");
+  private final JButton fix = new JButton(text("quickFix"));
   private final JPanel content = new JPanel(new BorderLayout());
   private List<Problem> shown = List.of();
 
@@ -51,8 +53,8 @@ public final class ProblemsView implements View {
     JPanel bar = new JPanel(new MigLayout("insets 4 12 4 12, fillx", "[grow][]"));
     summary.setName("problems-summary");
     fix.setName("problems-fix");
-    fix.setToolTipText("Offer ways to put the selected problem right (alt ENTER)");
-    fix.getAccessibleContext().setAccessibleName("Quick fix of the selected problem");
+    fix.setToolTipText(text("offerWaysToPutTheSelected"));
+    fix.getAccessibleContext().setAccessibleName(text("quickFixOfTheSelectedProblem"));
     fix.setEnabled(false);
     fix.addActionListener(event -> fix());
     bar.add(summary, "growx");
@@ -61,7 +63,7 @@ public final class ProblemsView implements View {
     content.add(states);
     setUpTable();
     editor.addListener(this::follow);
-    states.showNote("What is wrong in the program appears here.");
+    states.showNote(text("whatIsWrongInTheProgram"));
     if (editor.current().analysed().isPresent()) {
       follow();
     }
@@ -69,7 +71,7 @@ public final class ProblemsView implements View {
 
   private void setUpTable() {
     table.setName("problems-table");
-    table.getAccessibleContext().setAccessibleName("Problems");
+    table.getAccessibleContext().setAccessibleName(text("problems"));
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setFillsViewportHeight(true);
     table.setDefaultRenderer(String.class, new Cell());
@@ -131,7 +133,7 @@ public final class ProblemsView implements View {
     model.replace(problems);
     summary.setText(summary(problems));
     if (problems.isEmpty()) {
-      states.showNote("No problems: this program can run.");
+      states.showNote(text("noProblemsThisProgramCanRun"));
     } else {
       states.showContent();
     }
@@ -141,11 +143,10 @@ public final class ProblemsView implements View {
   static String summary(List<Problem> problems) {
     long errors = problems.stream().filter(Problem::isError).count();
     long warnings = problems.size() - errors;
-    return count(errors, "error") + ", " + count(warnings, "warning");
-  }
-
-  private static String count(long number, String word) {
-    return (number == 0 ? "no" : Long.toString(number)) + " " + word + (number == 1 ? "" : "s");
+    return text(
+        "errorsAndWarnings",
+        text(errors == 0 ? "noErrors" : errors == 1 ? "oneError" : "errors", errors),
+        text(warnings == 0 ? "noWarnings" : warnings == 1 ? "oneWarning" : "warnings", warnings));
   }
 
   private int row() {
@@ -186,7 +187,8 @@ public final class ProblemsView implements View {
       boolean severity = table.convertColumnIndexToModel(column) == 0;
       setToolTipText(String.valueOf(value));
       if (!selected) {
-        boolean error = "Error".equals(value);
+        boolean error =
+            ((ProblemsModel) table.getModel()).row(table.convertRowIndexToModel(row)).isError();
         setForeground(
             !severity ? table.getForeground() : error ? Palette.error() : Palette.warning());
       }

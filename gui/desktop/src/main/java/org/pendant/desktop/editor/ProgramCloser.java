@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.EventQueue;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -41,13 +43,13 @@ final class ProgramCloser {
     programs.select(program);
     Map<String, Runnable> answers = new LinkedHashMap<>();
     if (program.file().isPresent()) {
-      answers.put("Save and close", () -> saveAndClose(program));
+      answers.put(text("saveAndClose"), () -> saveAndClose(program));
     } else {
-      answers.put("Save", () -> workbench.actions().run(SAVE));
+      answers.put(text("save"), () -> workbench.actions().run(SAVE));
     }
-    answers.put("Close without saving", () -> closeNow(program));
-    answers.put("Keep open", () -> editor.area().requestFocusInWindow());
-    editor.notice().ask(program.name() + " has changes that are not saved.", answers);
+    answers.put(text("closeWithoutSaving"), () -> closeNow(program));
+    answers.put(text("keepOpen"), () -> editor.area().requestFocusInWindow());
+    editor.notice().ask(text("hasChangesNotSaved", program.name()), answers);
   }
 
   /**

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.FocusAdapter;
@@ -218,7 +220,7 @@ final class ProgramEditor extends JPanel implements LookFollower {
     stripe.setName("problem-stripe");
     stripe.setLevelThreshold(ParserNotice.Level.WARNING);
     stripe.setShowMarkAll(true);
-    stripe.getAccessibleContext().setAccessibleName("Problems along the text");
+    stripe.getAccessibleContext().setAccessibleName(text("problemsAlongTheText"));
     return stripe;
   }
 
@@ -382,7 +384,7 @@ final class ProgramEditor extends JPanel implements LookFollower {
   private void place(int line, SortedSet<Integer> possible) {
     if (possible.isEmpty()) {
       marks.removeBreakpoint(line);
-      editorHost.tell("No breakpoint: nothing runs on line " + line + " or below it");
+      editorHost.tell(text("noBreakpointNothingRunsOnLine", line));
     } else if (possible.first() != line) {
       marks.removeBreakpoint(line);
       marks.addBreakpoint(possible.first());

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -41,7 +43,7 @@ final class QuickOpen {
       items.add(
           new QuickPick.Item(
               each.name(),
-              file.map(path -> String.valueOf(path.getParent())).orElse("Not on disk yet"),
+              file.map(path -> String.valueOf(path.getParent())).orElse(text("notOnDiskYet")),
               () -> {
                 programs.select(each);
                 editor.current().area().requestFocusInWindow();
@@ -49,7 +51,7 @@ final class QuickOpen {
       file.ifPresent(open::add);
       file.map(Path::getParent).ifPresent(folders::add);
     }
-    QuickPick pick = QuickPick.ask(editor.current().area(), "Script to open", items);
+    QuickPick pick = QuickPick.ask(editor.current().area(), text("scriptToOpen"), items);
     folders.forEach(folder -> worker.run(0, () -> list(folder, open, pick)));
   }
 
@@ -68,7 +70,7 @@ final class QuickOpen {
               .toList();
       EventQueue.invokeLater(() -> pick.add(found));
     } catch (IOException e) {
-      EventQueue.invokeLater(() -> pick.say("Not listed: " + e.getMessage()));
+      EventQueue.invokeLater(() -> pick.say(text("notListed", e.getMessage())));
     }
   }
 
@@ -79,7 +81,7 @@ final class QuickOpen {
         analysed -> {
           List<QuickPick.Item> items = new ArrayList<>();
           add(analysed.outline(), program, analysed, items);
-          QuickPick.ask(program.area(), "Function, thread or global", items);
+          QuickPick.ask(program.area(), text("functionThreadOrGlobal"), items);
         });
   }
 
@@ -94,7 +96,7 @@ final class QuickOpen {
       items.add(
           new QuickPick.Item(
               ByteText.decoded(each.name() + each.detail()),
-              "line " + line,
+              text("lineNumbered", line),
               () -> program.jump(span)));
       add(each.children(), program, analysed, items);
     }

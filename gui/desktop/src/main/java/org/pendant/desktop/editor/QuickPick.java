@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Rectangle;
@@ -37,7 +39,7 @@ final class QuickPick {
   private final JTextField query = new JTextField();
   private final DefaultListModel<Item> model = new DefaultListModel<>();
   private final JList<Item> list = new JList<>(model);
-  private final JLabel nothing = new JLabel("Nothing matches");
+  private final JLabel nothing = new JLabel(text("nothingMatches"));
   private final FloatingPanel overlay;
   private final List<Item> all = new ArrayList<>();
   private volatile boolean open = true;
@@ -57,11 +59,11 @@ final class QuickPick {
             new MigLayout("insets 8, gap 6, wrap 1, hidemode 3", "[grow, fill, " + WIDTH + "]"));
     query.setName("pick-query");
     query.putClientProperty("JTextField.placeholderText", question);
-    query.setToolTipText("A few letters of the name; ENTER goes there, ESCAPE leaves");
+    query.setToolTipText(text("aFewLettersOfTheName"));
     query.getAccessibleContext().setAccessibleName(question);
     list.setName("pick-list");
     list.getAccessibleContext().setAccessibleName(question);
-    list.setToolTipText("ENTER or a click goes there");
+    list.setToolTipText(text("enterOrAClickGoesThere"));
     list.setFocusable(false);
     list.setVisibleRowCount(ROWS);
     list.putClientProperty(

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -24,11 +26,11 @@ final class ReceivedBar extends JPanel {
     setName("received-bar");
     setBackground(Palette.tint(Palette.accent(), 0.10));
     setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Palette.line()));
-    JLabel text = new JLabel("Sent from outside, read-only: the program as the controller got it");
+    JLabel text = new JLabel(text("sentFromOutsideReadOnlyThe"));
     text.setName("received-text");
     text.setToolTipText(text.getText());
     add(text, "wmin 0");
-    JButton save = new JButton("Save as script\u2026");
+    JButton save = new JButton(text("saveAsScript"));
     save.setName("received-save");
     save.addActionListener(event -> editorHost.run("file.save-as"));
     add(save);

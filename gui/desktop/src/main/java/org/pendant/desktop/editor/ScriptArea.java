@@ -92,7 +92,7 @@ final class ScriptArea extends RSyntaxTextArea {
     setPopupMenu(null);
     setTransferHandler(new ScriptTransfer());
     setName("script-text");
-    getAccessibleContext().setAccessibleName("Script");
+    getAccessibleContext().setAccessibleName(EditorTexts.text("script"));
     typing = new ScriptTyping(this);
     // The window has these keys for its tabs; alt and a number leaves the text.
     setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of());

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor;
 
+import static org.pendant.desktop.editor.EditorTexts.text;
+
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
@@ -146,7 +148,7 @@ public final class ScriptEditor implements View {
 
   @Override
   public String title() {
-    return "Script";
+    return text("script");
   }
 
   @Override
@@ -390,7 +392,7 @@ public final class ScriptEditor implements View {
             then.run();
           });
     } catch (IOException e) {
-      EventQueue.invokeLater(() -> workbench.notify("Not opened: " + e.getMessage()));
+      EventQueue.invokeLater(() -> workbench.notify(text("notOpened", e.getMessage())));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.lines;
 
+import static org.pendant.desktop.lines.LineTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -39,42 +41,42 @@ final class LineFigures {
     }
     if (line.moved()) {
       parts.add(way(line.pathM()));
-      line.worst(Margin.JOINT_SPEED).ifPresent(each -> parts.add("speed " + share(each)));
-      line.worst(Margin.TORQUE).ifPresent(each -> parts.add("torque " + share(each)));
+      line.worst(Margin.JOINT_SPEED).ifPresent(each -> parts.add(text("speed", share(each))));
+      line.worst(Margin.TORQUE).ifPresent(each -> parts.add(text("torque", share(each))));
       line.worst(Margin.PLANE).ifPresent(each -> parts.add(plane(each)));
       line.worst(Margin.JOINT_LIMIT).ifPresent(each -> parts.add(limit(each)));
     }
     if (often) {
-      parts.add("longest " + timeText(line.longestS()));
+      parts.add(text("longest", timeText(line.longestS())));
     }
     return parts;
   }
 
   private static String heat(LineStatistics line, double share) {
-    return String.format(Locale.ROOT, "%.0f %% of the cycle: ", 100 * share)
-        + timeText(line.timeS())
-        + (line.executions() == 1 ? "" : " in " + line.executions() + " executions");
+    return text(
+        line.executions() == 1 ? "ofTheCycle" : "ofTheCycleInExecutions",
+        String.format(Locale.ROOT, "%.0f", 100 * share),
+        timeText(line.timeS()),
+        line.executions());
   }
 
   private String whole(LineStatistics line, double share) {
     List<String> rows = new ArrayList<>();
     rows.add(heat(line, share));
     if (line.executions() > 1) {
-      rows.add("Longest execution: " + timeText(line.longestS()));
+      rows.add(text("longestExecution", timeText(line.longestS())));
     }
     if (line.moved()) {
-      rows.add("Way of the tool: " + way(line.pathM()));
-      rows.add("Highest speed of the tool: " + way(line.toolSpeedMPerS()) + "/s");
+      rows.add(text("wayOfTheTool", way(line.pathM())));
+      rows.add(text("highestSpeedOfTheToolS", way(line.toolSpeedMPerS())));
     }
     line.worst(Margin.JOINT_SPEED)
-        .ifPresent(each -> rows.add("Highest joint speed: " + ofLimit(each)));
-    line.worst(Margin.TORQUE).ifPresent(each -> rows.add("Highest torque: " + ofLimit(each)));
+        .ifPresent(each -> rows.add(text("highestJointSpeed", ofLimit(each))));
+    line.worst(Margin.TORQUE).ifPresent(each -> rows.add(text("highestTorque", ofLimit(each))));
     line.worst(Margin.JOINT_LIMIT)
-        .ifPresent(
-            each -> rows.add("Nearest joint limit: " + each.part() + ", " + angle(each.value())));
+        .ifPresent(each -> rows.add(text("nearestJointLimit", each.part(), angle(each.value()))));
     line.worst(Margin.PLANE)
-        .ifPresent(
-            each -> rows.add("Nearest safety plane: " + each.part() + ", " + way(each.value())));
+        .ifPresent(each -> rows.add(text("nearestSafetyPlane", each.part(), way(each.value()))));
     return String.join("\n", rows);
   }
 
@@ -87,19 +89,18 @@ final class LineFigures {
     Worst each = moment.worst();
     String what =
         switch (each.margin()) {
-          case JOINT_SPEED -> "highest joint speed, " + share(each);
-          case TORQUE -> "highest torque, " + share(each);
-          case JOINT_LIMIT -> "nearest to a joint limit, " + limit(each);
-          case PLANE -> "nearest to a safety plane, " + plane(each);
+          case JOINT_SPEED -> text("highestJointSpeed2", share(each));
+          case TORQUE -> text("highestTorque2", share(each));
+          case JOINT_LIMIT -> text("nearestToAJointLimit", limit(each));
+          case PLANE -> text("nearestToASafetyPlane", plane(each));
           case TOOL_SPEED ->
-              String.format(
-                  Locale.ROOT, "fastest tool, %.0f %% of the safety limit", 100 * each.value());
+              String.format(Locale.ROOT, text("fastestToolOfTheSafetyLimit"), 100 * each.value());
         };
     return what + " (" + place.apply(moment.line()) + ")";
   }
 
   private static String ofLimit(Worst each) {
-    return String.format(Locale.ROOT, "%s, %.0f %% of its limit", each.part(), 100 * each.value());
+    return String.format(Locale.ROOT, text("ofItsLimit"), each.part(), 100 * each.value());
   }
 
   private static String share(Worst each) {
@@ -108,12 +109,12 @@ final class LineFigures {
 
   private String plane(Worst each) {
     return each.value() < 0
-        ? way(-each.value()) + " beyond " + each.part()
-        : way(each.value()) + " to " + each.part();
+        ? text("beyond", way(-each.value()), each.part())
+        : text("toPlane", way(each.value()), each.part());
   }
 
   private String limit(Worst each) {
-    return angle(each.value()) + " to the limit of " + each.part();
+    return text("toTheLimitOf", angle(each.value()), each.part());
   }
 
   /** A time as it is read with ease: three digits or four. */

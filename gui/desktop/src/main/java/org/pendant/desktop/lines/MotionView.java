@@ -1,5 +1,7 @@
 package org.pendant.desktop.lines;
 
+import static org.pendant.desktop.lines.LineTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.KeyboardFocusManager;
 import java.util.List;
@@ -30,14 +32,12 @@ public final class MotionView implements View {
   public static final String ID = "motion";
 
   /** What people read on its tab. */
-  public static final String TITLE = "Motion";
+  public static final String TITLE = text("motion");
 
   /** Of the names; 75 is that of a column of numbers. */
   private static final int NAME_WIDTH = 95;
 
-  private static final String HINT =
-      "Look at a moment of the timeline, or click the way of the tool in 3D: here stands what was"
-          + " planned, what happened, and what set the speed.";
+  private static final String HINT = text("lookAtAMomentOfThe");
 
   private final Workbench workbench;
   private final Supplier<Optional<MotionExplanation>> moment;
@@ -55,7 +55,7 @@ public final class MotionView implements View {
   @SuppressWarnings("serial") // never written to a stream
   private static final class Rows extends RowsModel<MotionWords.Row> {
     Rows() {
-      super(List.of("", "Planned", "Actual", "Difference"));
+      super(List.of("", text("planned"), text("actual"), text("difference")));
     }
 
     @Override
@@ -86,13 +86,13 @@ public final class MotionView implements View {
     this.place = place;
     this.line = line;
     text.setName("motion-text");
-    text.getAccessibleContext().setAccessibleName("Why the arm moved so");
+    text.getAccessibleContext().setAccessibleName(text("whyTheArmMovedSo"));
     text.setEditable(false);
     text.setLineWrap(true);
     text.setWrapStyleWord(true);
     text.setBorder(BorderFactory.createEmptyBorder(8, 10, 8, 10));
     table.setName("motion-table");
-    table.getAccessibleContext().setAccessibleName("Planned and actual");
+    table.getAccessibleContext().setAccessibleName(text("plannedAndActual"));
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
     table.setAutoCreateRowSorter(false);

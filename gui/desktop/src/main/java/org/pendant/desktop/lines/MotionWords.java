@@ -1,5 +1,7 @@
 package org.pendant.desktop.lines;
 
+import static org.pendant.desktop.lines.LineTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -12,11 +14,18 @@ import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 import org.pendant.recording.explain.Cause;
 import org.pendant.recording.explain.MotionExplanation;
+import org.pendant.text.Language;
 
 /** Motion words: why the arm moved as it did, as people read it. */
 final class MotionWords {
   private static final List<String> JOINTS =
-      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+      List.of(
+          text("base"),
+          text("shoulder"),
+          text("elbow"),
+          text("wrist1"),
+          text("wrist2"),
+          text("wrist3"));
 
   /** Limits of which less is used say nothing about the speed. */
   private static final double WORTH_TELLING = 0.05;
@@ -46,8 +55,9 @@ final class MotionWords {
   String place(MotionExplanation moment, IntFunction<String> place) {
     int line = moment.now().program().line();
     String time = String.format(Locale.ROOT, "%.3f s", moment.now().timeS());
-    return time
-        + (line == 0 ? ", no program runs" : ", " + place.apply(line) + ": " + moment.text());
+    return line == 0
+        ? text("noProgramRunsAt", time)
+        : text("timeAndPlace", time, place.apply(line), moment.text());
   }
 
   /** What set the speed. */
@@ -56,58 +66,38 @@ final class MotionWords {
     boolean joints = moment.text().contains("movej");
     String sentence =
         switch (cause.kind()) {
-          case REST -> "The arm rests.";
-          case HAND -> "A hand guides the arm.";
-          case TORQUE -> "Torques of the program drive the arm.";
-          case SAFETY_STOP -> "A safety stop brings the arm to rest.";
-          case PAUSE -> "The program is paused: the arm comes to rest on its path.";
-          case START_RAMP -> "The start ramp: moves come up to speed in the first 0.160 s.";
-          case SAFETY_LIMIT -> "Slowed down by a limit: " + use(cause.use().orElseThrow()) + ".";
-          case SCALING_RAMP ->
-              "The speed is changing to what slider, pause and limits let it have, in a ramp.";
+          case REST -> text("theArmRests");
+          case HAND -> text("aHandGuidesTheArm");
+          case TORQUE -> text("torquesOfTheProgramDriveThe");
+          case SAFETY_STOP -> text("aSafetyStopBringsTheArm");
+          case PAUSE -> text("theProgramIsPausedTheArm");
+          case START_RAMP -> text("theStartRampMovesComeUp");
+          case SAFETY_LIMIT -> text("slowedDownByALimit", use(cause.use().orElseThrow()));
+          case SCALING_RAMP -> text("theSpeedIsChangingToWhat");
           case SCALING ->
-              String.format(
-                  Locale.ROOT,
-                  "Slowed down to %.0f %% by something that frames do not tell, such as the"
-                      + " program itself or the singularity that is near.",
-                  100 * cause.value());
+              String.format(Locale.ROOT, text("slowedDownToBySomethingThat"), 100 * cause.value());
           case COMMAND_SPEED ->
-              "Full speed of the command: " + speed(cause.value(), joints) + slider(moment) + ".";
-          case COMMAND_TIME ->
-              "Steady, at the speed that makes the move take as long as the command says: "
-                  + speed(cause.value(), joints)
-                  + slider(moment)
-                  + ".";
-          case STREAMED -> "The program sets the speed itself, by this command.";
+              text("fullSpeedOfTheCommand", slid(speed(cause.value(), joints), moment));
+          case COMMAND_TIME -> text("steadyAtTheSpeed", slid(speed(cause.value(), joints), moment));
+          case STREAMED -> text("theProgramSetsTheSpeedItself");
           case JOINT_LIMIT ->
-              slower(cause, joints) + use(cause.use().orElseThrow()) + ", as fast as it can turn.";
-          case SHORT_WAY ->
-              slower(cause, joints) + "the way is too short, and the arm slows down from here on.";
-          case PATH_LIMIT ->
-              slower(cause, joints) + "what drives can do along this path, or a blend.";
-          case ACCELERATION ->
-              "Speeding up, at " + acceleration(cause, joints) + slider(moment) + ".";
-          case DECELERATION ->
-              "Slowing down, for the end of the move or a corner, at "
-                  + acceleration(cause, joints)
-                  + slider(moment)
-                  + ".";
+              text("slowerForAJoint", speed(cause.asked(), joints), use(cause.use().orElseThrow()));
+          case SHORT_WAY -> text("slowerForAShortWay", speed(cause.asked(), joints));
+          case PATH_LIMIT -> text("slowerForThePath", speed(cause.asked(), joints));
+          case ACCELERATION -> text("speedingUp", slid(acceleration(cause, joints), moment));
+          case DECELERATION -> text("slowingDown", slid(acceleration(cause, joints), moment));
         };
-    return cause.certain() ? sentence : "Likely: " + sentence;
-  }
-
-  private String slower(Cause cause, boolean joints) {
-    return "Slower than the command asks (" + speed(cause.asked(), joints) + "): ";
+    return cause.certain() ? sentence : text("likely", sentence);
   }
 
   private String acceleration(Cause cause, boolean joints) {
     String rate = acceleration(cause.value(), joints);
     if (cause.asTheCommandSays()) {
-      return rate + ", as the command says";
+      return text("asTheCommandSays", rate);
     }
     return Double.isNaN(cause.asked())
         ? rate
-        : rate + "; the command says " + acceleration(cause.asked(), joints);
+        : text("theCommandSays", rate, acceleration(cause.asked(), joints));
   }
 
   private String acceleration(double value, boolean joints) {
@@ -118,24 +108,29 @@ final class MotionWords {
     return joints ? figures.turn(value) + "/s" : figures.way(value) + "/s";
   }
 
-  private static String slider(MotionExplanation moment) {
+  /** What is said of a rate, and of the slider where that lowers it. */
+  private static String slid(String rate, MotionExplanation moment) {
     double scaling = moment.now().arm().speedScaling();
     return scaling < 1
-        ? String.format(Locale.ROOT, ", at %.0f %% by the speed slider", 100 * scaling)
-        : "";
+        ? text("bySpeedSlider", rate, String.format(Locale.ROOT, "%.0f", 100 * scaling))
+        : rate;
   }
 
   private String use(SpeedUse use) {
-    String name = use.kind().words();
-    String whose =
-        use.kind() == SpeedUse.Kind.JOINT_SPEED
-            ? " of " + JOINTS.get(use.joint()).toLowerCase(Locale.ROOT)
-            : "";
-    return name
-        + whose
-        + String.format(Locale.ROOT, " at %.0f %%", 100 * use.share())
-        + " of "
-        + limit(use);
+    String percent = String.format(Locale.ROOT, "%.0f", 100 * use.share());
+    return switch (use.kind()) {
+      case JOINT_SPEED ->
+          text(
+              "jointSpeedUse",
+              Language.ofProcess().withinSentence(JOINTS.get(use.joint())),
+              percent,
+              limit(use));
+      case TOOL_SPEED -> text("toolSpeedUse", percent, limit(use));
+      case ELBOW_SPEED -> text("elbowSpeedUse", percent, limit(use));
+      case MOMENTUM -> text("momentumUse", percent, limit(use));
+      case STOPPING_TIME -> text("stoppingTimeUse", percent, limit(use));
+      case STOPPING_DISTANCE -> text("stoppingDistanceUse", percent, limit(use));
+    };
   }
 
   private String limit(SpeedUse use) {
@@ -156,9 +151,7 @@ final class MotionWords {
             .limit(MAX_LIMITS)
             .map(this::use)
             .toList();
-    return texts.isEmpty()
-        ? ""
-        : "Nearest to what slows motions down: " + String.join("; ", texts) + ".";
+    return texts.isEmpty() ? "" : text("nearestToWhatSlowsMotionsDown", String.join("; ", texts));
   }
 
   /** What was planned and what happened. */
@@ -168,26 +161,37 @@ final class MotionWords {
     Pose actual = moment.now().geometry().actualTcpInBase();
     List<Row> rows = new ArrayList<>();
     DisplayUnit length = units.length();
-    rows.add(row("Tool X", length, planned.x(), actual.x()));
-    rows.add(row("Tool Y", length, planned.y(), actual.y()));
-    rows.add(row("Tool Z", length, planned.z(), actual.z()));
+    rows.add(row(text("toolX"), length, planned.x(), actual.x()));
+    rows.add(row(text("toolY"), length, planned.y(), actual.y()));
+    rows.add(row(text("toolZ"), length, planned.z(), actual.z()));
     List<String> labels = units.labels();
     List<String> turns = units.readings(planned);
     List<String> turned = units.readings(actual);
     for (int i = 3; i < turns.size(); i++) {
-      rows.add(new Row("Tool " + labels.get(i), turns.get(i), turned.get(i), ""));
+      rows.add(new Row(text("tool", labels.get(i)), turns.get(i), turned.get(i), ""));
     }
-    rows.add(new Row("Following error", "", "", length.reading(moment.followingErrorM())));
+    rows.add(new Row(text("followingError"), "", "", length.reading(moment.followingErrorM())));
     rows.add(
-        rate("Tool speed", length, moment.plannedSpeedMPerS(), moment.actualSpeedMPerS(), "/s"));
-    joints(rows, "", units.angle(), arm.targetPositionRad(), arm.actualPositionRad(), "");
-    joints(rows, " speed", units.angle(), arm.targetSpeedRadPerS(), arm.actualSpeedRadPerS(), "/s");
+        rate(
+            text("toolSpeed"),
+            length,
+            moment.plannedSpeedMPerS(),
+            moment.actualSpeedMPerS(),
+            "/s"));
+    joints(rows, "jointAngle", units.angle(), arm.targetPositionRad(), arm.actualPositionRad(), "");
+    joints(
+        rows,
+        "jointSpeed",
+        units.angle(),
+        arm.targetSpeedRadPerS(),
+        arm.actualSpeedRadPerS(),
+        "/s");
     Joints wanted = moment.now().readings().targetTorqueNm();
     Joints given = moment.now().readings().torqueNm();
     for (int i = 0; i < Joints.COUNT; i++) {
       rows.add(
           new Row(
-              JOINTS.get(i) + " torque",
+              text("jointTorque", JOINTS.get(i)),
               newtonMetres(wanted.get(i)),
               newtonMetres(given.get(i)),
               newtonMetres(given.get(i) - wanted.get(i))));
@@ -207,7 +211,7 @@ final class MotionWords {
       Joints actual,
       String perTime) {
     for (int i = 0; i < Joints.COUNT; i++) {
-      rows.add(rate(JOINTS.get(i) + what, unit, planned.get(i), actual.get(i), perTime));
+      rows.add(rate(text(what, JOINTS.get(i)), unit, planned.get(i), actual.get(i), perTime));
     }
   }
 

@@ -78,7 +78,8 @@ public final class PathStrip {
   /** Adds what turns it on and off. */
   public void addTo(ActionTable actions) {
     actions.add(
-        Action.of("view.path-strip", "Path strip beside lines and nodes", "", this::toggle)
+        Action.of(
+                "view.path-strip", LineTexts.text("pathStripBesideLinesAndNodes"), "", this::toggle)
             .checked(() -> on));
   }
 
@@ -176,7 +177,7 @@ public final class PathStrip {
   public Optional<String> about(ProgramDocument program, int line, String place) {
     return ran.filter(each -> each.document() == program)
         .flatMap(each -> Optional.ofNullable(lines.get(line)))
-        .map(took -> StateWords.capital(place) + " in the last run:\n" + note(took).whole());
+        .map(took -> LineTexts.text("inTheLastRun", StateWords.capital(place), note(took).whole()));
   }
 
   /**

@@ -38,13 +38,12 @@ public record FileSearch(Path folder, SearchQuery query) {
 
     /** {@code 3 places in 12 scripts; 1 not read}. */
     public String sentence() {
-      String left =
-          skipped == 0 ? "" : "; " + skipped + " not read: larger than 4 MiB, or not allowed";
-      return count(places, "place") + " in " + count(files, "script") + left;
-    }
-
-    private static String count(int number, String word) {
-      return number + " " + word + (number == 1 ? "" : "s");
+      String found =
+          ScriptTexts.text(
+              "found",
+              ScriptTexts.text(places == 1 ? "onePlace" : "places", places),
+              ScriptTexts.text(files == 1 ? "inOneScript" : "inScripts", files));
+      return skipped == 0 ? found : ScriptTexts.text("foundButNotRead", found, skipped);
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor.text;
 
+import static org.pendant.desktop.editor.text.ScriptTexts.text;
+
 import java.util.List;
 
 /**
@@ -53,14 +55,15 @@ public record FindState(SearchQuery query, List<TextSpan> matches) {
       return complaint;
     }
     if (matches.isEmpty()) {
-      return "No match";
+      return text("noMatch");
     }
-    String many = matches.size() >= SearchQuery.MAX_MATCHES ? "or more" : "";
-    String all = (matches.size() + " " + many).strip();
+    boolean more = matches.size() >= SearchQuery.MAX_MATCHES;
     int index = matches.indexOf(selected);
-    return index >= 0
-        ? (index + 1) + " of " + all
-        : matches.size() == 1 ? "1 match" : all + " matches";
+    if (index >= 0) {
+      return text(more ? "matchOfOrMore" : "matchOf", index + 1, matches.size());
+    }
+    return text(
+        more ? "matchesOrMore" : matches.size() == 1 ? "oneMatch" : "matches", matches.size());
   }
 
   /**

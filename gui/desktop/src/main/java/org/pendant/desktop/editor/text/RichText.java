@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor.text;
 
+import static org.pendant.desktop.editor.text.ScriptTexts.text;
+
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.theme.Markup;
 import org.pendant.language.service.Completion;
@@ -93,8 +95,8 @@ public final class RichText {
 
   /** A problem's message. */
   public static String of(Problem problem) {
-    String word = problem.isError() ? "Error: " : "Warning: ";
-    return page("<b>" + word + "</b>" + escaped(problem.message()));
+    String word = text(problem.isError() ? "error" : "warning");
+    return page("<b>" + word + " </b>" + escaped(problem.message()));
   }
 
   /** {@code html} as a whole page, broken into lines where it is long. */

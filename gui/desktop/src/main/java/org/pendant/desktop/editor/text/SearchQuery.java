@@ -1,5 +1,7 @@
 package org.pendant.desktop.editor.text;
 
+import static org.pendant.desktop.editor.text.ScriptTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -28,8 +30,9 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
       return "";
     } catch (PatternSyntaxException e) {
       int index = Math.max(0, e.getIndex());
-      return e.getDescription()
-          + (index < words.length() ? " at character " + (index + 1) : " at the end");
+      return index < words.length()
+          ? text("wrongAtCharacter", e.getDescription(), index + 1)
+          : text("wrongAtTheEnd", e.getDescription());
     }
   }
 
@@ -74,7 +77,7 @@ public record SearchQuery(String words, boolean matchCase, boolean wholeWord, bo
       matcher.appendReplacement(filled, replacement);
       return new Edit(match, filled.substring(matcher.start()));
     } catch (IndexOutOfBoundsException e) {
-      throw new IllegalArgumentException(replacement + " names a group that is not there", e);
+      throw new IllegalArgumentException(text("namesAGroupThatIsNot", replacement), e);
     }
   }
 
