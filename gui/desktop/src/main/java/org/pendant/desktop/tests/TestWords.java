@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
@@ -13,19 +15,20 @@ import org.pendant.testing.source.TestCase;
 /** Test words: what the panel says of tests. */
 final class TestWords {
   private static final int OUTPUT_LINES = 40;
+  private static final int SLOWEST = 5;
   private static final String GAP = "   ";
 
   private TestWords() {}
 
   /** The line above the tree. */
   static String summary(TestsPresenter presenter) {
-    if (presenter.running()) {
-      int all = presenter.done() + presenter.toDo();
+    int all = presenter.done() + presenter.toDo();
+    if (presenter.running() && (all > 0 || presenter.stopping())) {
       return presenter.stopping()
           ? "Stopping\u2026"
           : "Running: " + presenter.done() + " of " + count(all, "test");
     }
-    if (presenter.looking()) {
+    if (presenter.running() || presenter.looking()) {
       return "Looking for tests\u2026";
     }
     if (!presenter.trouble().isEmpty()) {
@@ -116,6 +119,44 @@ final class TestWords {
       case RED -> "red";
       case SKIPPED -> "skipped";
     };
+  }
+
+  /** What is said while nothing is chosen: what came of the last run, and what can be done. */
+  static String overview(TestsPresenter presenter) {
+    if (presenter.running()) {
+      return summary(presenter);
+    }
+    StringJoiner lines = new StringJoiner("\n");
+    lines.add(found(presenter) + presenter.folder().map(each -> " below " + each).orElse("") + ".");
+    presenter.last().ifPresent(result -> addLast(lines, presenter, result));
+    lines.add("");
+    lines.add(
+        "Run all runs them in controllers of their own: the robot of the window stands where it is."
+            + " Choose a test or a file to see what came of it; Ctrl+Enter runs what is chosen,"
+            + " Ctrl+Shift+Enter debugs a test, Enter shows where it is written.");
+    return lines.toString();
+  }
+
+  private static void addLast(StringJoiner lines, TestsPresenter presenter, SuiteResult result) {
+    lines.add("Last run: " + summary(result) + ". " + more(presenter));
+    List<TestResult> slowest =
+        result.results().stream()
+            .sorted(Comparator.comparingDouble(TestResult::wallTimeS).reversed())
+            .limit(SLOWEST)
+            .toList();
+    if (slowest.size() > 1) {
+      lines.add("");
+      lines.add("What took longest on this computer:");
+      slowest.forEach(
+          each ->
+              lines.add(
+                  String.format(
+                      Locale.ROOT,
+                      "%.3f s  %s in %s",
+                      each.wallTimeS(),
+                      each.id().name(),
+                      each.id().file())));
+    }
   }
 
   /** All that is known of a test. */

@@ -58,8 +58,8 @@ public final class TestsView implements View {
 
   private static final double SHARE = 0.55;
 
-  /** Where the panel is low, what came of a test needs more room than the tree. */
-  private static final double LOW_SHARE = 0.4;
+  /** Where the panel is low, names of tests need as much room as what came of one. */
+  private static final double LOW_SHARE = 0.5;
 
   private static final int MAX_SEED = 1_000_000;
 
@@ -384,9 +384,9 @@ public final class TestsView implements View {
                       case FoundFile file -> TestWords.details(file);
                       case CoverageReport report -> CoverageWords.details(report);
                       case CoveredFile file -> CoverageWords.details(file);
-                      default -> "";
+                      default -> TestWords.overview(presenter);
                     })
-            .orElse("");
+            .orElseGet(() -> TestWords.overview(presenter));
     Optional<TestId> test = tree.selectedTest().map(TestCase::id);
     golden.show(
         test,

@@ -219,6 +219,24 @@ final class TestsPresenterTest {
   }
 
   @Test
+  void whileNoTestIsChosenItIsToldWhatThereIsAndWhatCameOfTheLastRun() {
+    writeTwoFiles();
+    presenter.look();
+    work();
+    hear();
+    String before = TestWords.overview(presenter);
+    assertTrue(before.startsWith("3 tests in 2 files below /cell.\n\nRun all"), before);
+
+    presenter.runAll();
+    assertEquals("Looking for tests\u2026", TestWords.overview(presenter));
+    work();
+    hear();
+    String after = TestWords.overview(presenter);
+    assertTrue(after.contains("\nLast run: 1 red, 2 passed. Took "), after);
+    assertTrue(after.contains(" s  test_closed in grip_test.script\n"), after);
+  }
+
+  @Test
   void resultsComeInWhileOthersStillWait() {
     writeTwoFiles();
     presenter.runAll();
