@@ -2,9 +2,12 @@ package org.pendant.desktop.sweep;
 
 import static org.pendant.desktop.sweep.SweepTexts.text;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
+import java.awt.FontMetrics;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -18,6 +21,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingConstants;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableColumn;
 import org.pendant.desktop.sweep.DraftParameter.Part;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
@@ -43,7 +47,10 @@ final class ParameterTable extends JTable {
           text("nameColumn"));
   private static final List<Integer> WIDTHS = List.of(28, 200, 78, 64, 64, 50, 84, 84);
   private static final int MIN_WIDTH = 44;
-  private static final int MIN_NAME = 130;
+  private static final int MIN_NAME = 90;
+  private static final int MAX_WIDTH = 140;
+  private static final int CELL_SPACE = 10;
+  private static final int TITLE_SPACE = 14;
   private static final int ROW_SPACE = 8;
 
   private final transient SweepPresenter presenter;
@@ -99,12 +106,44 @@ final class ParameterTable extends JTable {
   /** Shows the draft as it is now. */
   void showDraft() {
     int selected = getSelectedRow();
-    if (model.show() && isEditing()) {
-      getCellEditor().cancelCellEditing();
+    if (model.show()) {
+      if (isEditing()) {
+        getCellEditor().cancelCellEditing();
+      }
+      fitColumns();
     }
     if (selected >= 0 && selected < model.getRowCount() && getSelectedRow() < 0) {
       setRowSelectionInterval(selected, selected);
     }
+  }
+
+  /** Columns of numbers and of names in results are as wide as what is in them, filtered or not. */
+  private void fitColumns() {
+    FontMetrics metrics = getFontMetrics(getFont());
+    for (int column = NOW; column < getColumnCount(); column++) {
+      int widest = metrics.stringWidth(getColumnName(column)) + UIScale.scale(TITLE_SPACE);
+      for (DraftParameter each : column == VALUES ? List.<DraftParameter>of() : model.all()) {
+        String text = String.valueOf(Model.value(each, column));
+        widest = Math.max(widest, metrics.stringWidth(text) + UIScale.scale(CELL_SPACE));
+      }
+      int wanted = Math.min(widest, UIScale.scale(MAX_WIDTH));
+      getColumnModel().getColumn(column).setPreferredWidth(wanted);
+    }
+  }
+
+  /** What is left is for what varies: where that is little, tips have the whole of it. */
+  @Override
+  public void doLayout() {
+    if (getTableHeader().getResizingColumn() == null) {
+      TableColumn what = getColumnModel().getColumn(WHAT);
+      int others =
+          Collections.list(getColumnModel().getColumns()).stream()
+              .filter(each -> !each.equals(what))
+              .mapToInt(TableColumn::getPreferredWidth)
+              .sum();
+      what.setPreferredWidth(Math.max(what.getMinWidth(), getWidth() - others));
+    }
+    super.doLayout();
   }
 
   @Override
@@ -127,7 +166,7 @@ final class ParameterTable extends JTable {
             () ->
                 column == WHAT
                     ? text("inPlans", at.group(), at.title(), TargetText.of(at.target()))
-                    : column == VALUES
+                    : column == VALUES && at.values().isBlank()
                         ? text("aListInPlaceOfFrom")
                         : String.valueOf(model.getValueAt(row, column)));
   }
@@ -220,7 +259,10 @@ final class ParameterTable extends JTable {
 
     @Override
     public Object getValueAt(int row, int column) {
-      DraftParameter at = at(row);
+      return value(at(row), column);
+    }
+
+    static Object value(DraftParameter at, int column) {
       return switch (column) {
         case CHOSEN -> at.chosen();
         case WHAT -> at.title();
