@@ -12,6 +12,7 @@ import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
@@ -41,6 +42,9 @@ final class SceneBar extends JPanel {
   private final transient Map<String, Squeeze.Part> spares = new HashMap<>();
   private final JButton more = new JButton(text("more"));
   private final JPopupMenu menu = new JPopupMenu();
+
+  /** Where the next item goes: the menu, or a menu in it. */
+  private JComponent items = menu;
 
   SceneBar(Actions actions) {
     super(new MigLayout("insets 2 4 2 4, gap 2, hidemode 3"));
@@ -115,13 +119,22 @@ final class SceneBar extends JPanel {
     button.putClientProperty("JButton.buttonType", "toolBarButton");
   }
 
+  /** A menu in the menu, for what {@code add} adds. */
+  void group(String title, Runnable add) {
+    JMenu sub = new JMenu(title);
+    menu.add(sub);
+    items = sub;
+    add.run();
+    items = menu;
+  }
+
   /** Something in the menu. */
   void item(String id, String title, Runnable run) {
     actions.add(Action.of(id, text("actionIn3d", title), "", run));
     JMenuItem item = new JMenuItem(StateWords.capital(title));
     item.setName(id.replace('.', '-'));
     item.addActionListener(event -> run.run());
-    menu.add(item);
+    items.add(item);
   }
 
   /** An action that is added elsewhere, in the menu. */
@@ -135,7 +148,7 @@ final class SceneBar extends JPanel {
                 actions.all().stream()
                     .filter(each -> each.id().equals(id))
                     .anyMatch(each -> each.enabled().getAsBoolean())));
-    menu.add(item);
+    items.add(item);
   }
 
   /** Something in the menu that is on or off. */
@@ -147,7 +160,7 @@ final class SceneBar extends JPanel {
     item.setName(id.replace('.', '-'));
     item.addActionListener(event -> set.accept(item.isSelected()));
     menuStates.add(() -> item.setSelected(on.getAsBoolean()));
-    menu.add(item);
+    items.add(item);
   }
 
   /** A menu in the menu, of which one is chosen. */
@@ -163,7 +176,7 @@ final class SceneBar extends JPanel {
       menuStates.add(() -> item.setSelected(each.on().getAsBoolean()));
       sub.add(item);
     }
-    menu.add(sub);
+    items.add(sub);
   }
 
   /** One of several. */

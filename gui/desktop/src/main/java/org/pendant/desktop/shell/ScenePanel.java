@@ -223,10 +223,7 @@ final class ScenePanel implements View, GhostArm {
         shows::setFrames);
     buttons.check(
         "scene.payload", text("showThePayloadAsABall"), shows::payload, shows::setPayload);
-    buttons.check("scene.trace", text("showWhereTheToolWas"), shows::trace, shows::setTrace);
-    buttons.check(
-        "scene.trace-elbow", text("showWhereTheElbowWasToo"), shows::elbow, shows::setElbow);
-    buttons.choices(text("colourTheWayOfTheTool"), colourings());
+    buttons.group(text("wayOfTheTool"), () -> addWay(buttons));
     buttons.check(
         "scene.waypoints",
         text("showTheWaypointsOfTheProgram"),
@@ -237,12 +234,19 @@ final class ScenePanel implements View, GhostArm {
         text("showTheFeaturesOfTheInstallation"),
         shows::features,
         shows::setFeatures);
-    safety.addTo(buttons);
+    buttons.group(text("safety"), () -> safety.addTo(buttons));
     buttons.entry("scene-file.open", text("openScene"));
     buttons.entry("scene-file.close", text("closeTheScene"));
-    buttons.item("scene.clear", text("forgetWhereTheToolWas"), trace::clear);
     buttons.item("scene.save", text("saveThePicture"), this::save);
     return buttons.done(SPARED);
+  }
+
+  private void addWay(SceneBar buttons) {
+    buttons.check("scene.trace", text("showWhereTheToolWas"), shows::trace, shows::setTrace);
+    buttons.check(
+        "scene.trace-elbow", text("showWhereTheElbowWasToo"), shows::elbow, shows::setElbow);
+    buttons.choices(text("colourTheWayOfTheTool"), colourings());
+    buttons.item("scene.clear", text("forgetWhereTheToolWas"), trace::clear);
   }
 
   @Override
