@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -21,10 +23,7 @@ final class EmptyNote {
    */
   static void paint(JComponent on, Graphics g, boolean hidden) {
     String text =
-        hidden
-            ? "The filters hide every message"
-            : "No messages yet: what programs write with textmsg and what the controller says"
-                + " appears here";
+        hidden ? text("theFiltersHideEveryMessage") : text("noMessagesYetWhatProgramsWrite");
     Graphics2D pen = (Graphics2D) g.create();
     pen.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);

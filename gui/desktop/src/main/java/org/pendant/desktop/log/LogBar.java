@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.EnumMap;
@@ -36,14 +38,14 @@ final class LogBar {
   private static final int NARROW_DIGITS = 66;
 
   private final JPanel filters = new JPanel(new MigLayout("insets 0, gap 4, hidemode 3"));
-  private final JButton narrow = new JButton("Sources \u25be");
+  private final JButton narrow = new JButton(text("sources"));
   private final JPanel from = new JPanel(new MigLayout("insets 0, gap 4"));
   private final JPanel searching = new JPanel(new MigLayout("insets 0, gap 4", "[grow,fill][][]"));
   private final JPanel bar = new JPanel(new WrappingRow(8));
   private final JTextField search = new JTextField(16);
   private final JLabel matches = new JLabel();
   private final JLabel messages = new JLabel();
-  private final JToggleButton follow = new JToggleButton("Follow newest", true);
+  private final JToggleButton follow = new JToggleButton(text("followNewest"), true);
   private final Map<Level, JToggleButton> levels = new EnumMap<>(Level.class);
   private final Map<LogSource, JToggleButton> sources = new EnumMap<>(LogSource.class);
   private final Consumer<LogFilter> filter;
@@ -52,11 +54,11 @@ final class LogBar {
     this.filter = filter;
     bar.setName("log-bar");
     for (Level level : Level.values()) {
-      levels.put(level, toggle(word(level), SeverityIcon.of(level)));
+      levels.put(level, toggle(level.name(), word(level), SeverityIcon.of(level)));
     }
     for (LogSource source : LogSource.values()) {
-      sources.put(source, toggle(source.title(), null));
-      sources.get(source).setToolTipText("Show " + source.meaning());
+      sources.put(source, toggle(source.name(), source.title(), null));
+      sources.get(source).setToolTipText(text("show", source.meaning()));
     }
     buildSearch(searched, stepping);
     bar.add(filters);
@@ -71,7 +73,7 @@ final class LogBar {
         });
     bar.add(searching);
     bar.add(messages);
-    name(messages, "log-counts", "How many messages there are");
+    name(messages, "log-counts", text("howManyMessagesThereAre"));
   }
 
   /** The sources as a menu, for where there is little room. */
@@ -81,11 +83,11 @@ final class LogBar {
         (source, toggle) -> {
           JCheckBoxMenuItem item = new JCheckBoxMenuItem(source.title());
           item.setModel(toggle.getModel());
-          item.setToolTipText("Show " + source.meaning());
+          item.setToolTipText(text("show", source.meaning()));
           menu.add(item);
         });
     narrow.putClientProperty("JButton.buttonType", "toolBarButton");
-    name(narrow, "log-sources", "Choose whose messages are shown");
+    name(narrow, "log-sources", text("chooseWhoseMessagesAreShown"));
     narrow.addActionListener(event -> menu.show(narrow, 0, narrow.getHeight()));
     narrow.setVisible(false);
     return narrow;
@@ -105,16 +107,16 @@ final class LogBar {
 
   private static String word(Level level) {
     return switch (level) {
-      case INFO -> "Info";
-      case WARNING -> "Warnings";
-      case ERROR -> "Errors";
+      case INFO -> text("info");
+      case WARNING -> text("warnings");
+      case ERROR -> text("errors");
     };
   }
 
   /** Has {@code follow} hear whether the newest message is to be kept in sight. */
   void addFollowing(Consumer<Boolean> wanted) {
     follow.putClientProperty("JButton.buttonType", "toolBarButton");
-    name(follow, "log-follow", "Keep the newest message in sight (Ctrl End)");
+    name(follow, "log-follow", text("keepTheNewestMessageInSight"));
     follow.addActionListener(event -> wanted.accept(follow.isSelected()));
     addCommand(follow);
   }
@@ -126,21 +128,21 @@ final class LogBar {
 
   /** Adds the button that opens the menu of columns below it. */
   void addColumns(JPopupMenu menu) {
-    JButton button = new JButton("Columns");
+    JButton button = new JButton(text("columns"));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
-    name(button, "log-columns", "Choose the columns of the table");
+    name(button, "log-columns", text("chooseTheColumnsOfTheTable"));
     button.addActionListener(event -> menu.show(button, 0, button.getHeight()));
     addCommand(button);
   }
 
-  private JToggleButton toggle(String text, Icon icon) {
+  private JToggleButton toggle(String id, String text, Icon icon) {
     JToggleButton toggle = new JToggleButton(text, icon, true);
     toggle.putClientProperty("JButton.buttonType", "toolBarButton");
     toggle.setIconTextGap(6);
     name(
         toggle,
-        "log-show-" + text.toLowerCase(Locale.ROOT).replace(' ', '-'),
-        "Show messages: " + text);
+        "log-show-" + id.toLowerCase(Locale.ROOT).replace('_', '-'),
+        text("showMessages", text));
     toggle.addActionListener(event -> filter.accept(chosen()));
     (icon == null ? from : filters).add(toggle);
     return toggle;
@@ -165,11 +167,11 @@ final class LogBar {
   }
 
   private void buildSearch(Consumer<String> searched, Stepping stepping) {
-    search.putClientProperty("JTextField.placeholderText", "Search messages");
+    search.putClientProperty("JTextField.placeholderText", text("searchMessages"));
     search.putClientProperty("JTextField.showClearButton", true);
     matches.setForeground(LogColors.quiet());
     search.putClientProperty("JTextField.trailingComponent", matches);
-    name(search, "log-search", "Search messages (Ctrl F, Enter for the next)");
+    name(search, "log-search", text("searchMessagesCtrlFEnterFor"));
     search.getDocument().addDocumentListener(new Typed(() -> searched.accept(search.getText())));
     search.addActionListener(event -> stepping.step(true));
     search
@@ -178,8 +180,8 @@ final class LogBar {
     search.getActionMap().put("log-previous-match", LogView.act(() -> stepping.step(false)));
     searching.add(search);
     searching.add(
-        arrow("\u2191", "log-previous", "Previous match (Shift F3)", () -> stepping.step(false)));
-    searching.add(arrow("\u2193", "log-next", "Next match (F3)", () -> stepping.step(true)));
+        arrow("\u2191", "log-previous", text("previousMatchShiftF3"), () -> stepping.step(false)));
+    searching.add(arrow("\u2193", "log-next", text("nextMatchF3"), () -> stepping.step(true)));
   }
 
   private static JButton arrow(String text, String name, String tip, Runnable run) {
@@ -196,9 +198,9 @@ final class LogBar {
    * @param keys the key of a command by its name, empty for none
    */
   void addCommands(Runnable copy, Runnable export, Runnable clear, UnaryOperator<String> keys) {
-    command("Copy", "copy", "Copy the selected messages (Ctrl C)", copy, keys);
-    command("Export\u2026", "export", "Save the messages shown to a file", export, keys);
-    command("Clear", "clear", "Empty this list; the controller keeps its log", clear, keys);
+    command(text("copy"), "copy", text("copyTheSelectedMessagesCtrlC"), copy, keys);
+    command(text("export"), "export", text("saveTheMessagesShownToA"), export, keys);
+    command(text("clear"), "clear", text("emptyThisListTheControllerKeeps"), clear, keys);
   }
 
   private void command(

@@ -4,14 +4,17 @@ import java.util.List;
 
 /** Log columns: the columns of the table of messages. */
 enum LogColumn {
-  TIME("Time", "000000.000", "Robot time, s"),
-  WALL_TIME("Time of day", "00:00:00.000", "When the message arrived here"),
-  SEVERITY("Severity", "Warning mm", "How bad it is"),
-  SOURCE("Source", "Controller", "Who it is from"),
-  CODE("Code", "C153A2 m", "Code of the error"),
-  THREAD("Thread", "watchdog m", "Script thread of the program"),
-  LINE("Line", "00000", "Line of the program; a click shows it"),
-  MESSAGE("Message", "", "The message; errors and warnings are shown whole");
+  TIME(LogTexts.text("time"), "000000.000", LogTexts.text("robotTimeS")),
+  WALL_TIME(LogTexts.text("timeOfDay"), "00:00:00.000", LogTexts.text("whenTheMessageArrivedHere")),
+  SEVERITY(LogTexts.text("severity"), LogTexts.text("warningMm"), LogTexts.text("howBadItIs")),
+  SOURCE(LogTexts.text("source"), LogTexts.text("controller"), LogTexts.text("whoItIsFrom")),
+  CODE(LogTexts.text("code"), "C153A2 m", LogTexts.text("codeOfTheError")),
+  THREAD(
+      LogTexts.text("thread"),
+      LogTexts.text("watchdogM"),
+      LogTexts.text("scriptThreadOfTheProgram")),
+  LINE(LogTexts.text("line"), "00000", LogTexts.text("lineOfTheProgramAClick")),
+  MESSAGE(LogTexts.text("message"), "", LogTexts.text("theMessageErrorsAndWarningsAre"));
 
   private static final List<LogColumn> ALL = List.of(values());
 

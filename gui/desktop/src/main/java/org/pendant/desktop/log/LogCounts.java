@@ -1,5 +1,9 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -15,18 +19,18 @@ record LogCounts(String messages, String matches) {
   }
 
   private static String messages(LogPresenter presenter) {
-    StringBuilder text = new StringBuilder();
-    if (presenter.rows() < presenter.kept()) {
-      text.append(number(presenter.rows())).append(" of ");
-    }
-    text.append(number(presenter.kept())).append(presenter.kept() == 1 ? " message" : " messages");
+    List<String> parts = new ArrayList<>();
+    String kept =
+        text(presenter.kept() == 1 ? "oneMessage" : "messageCount", number(presenter.kept()));
+    parts.add(
+        presenter.rows() < presenter.kept() ? text("of", number(presenter.rows()), kept) : kept);
     if (presenter.dropped() > 0) {
-      text.append(", ").append(number(presenter.dropped())).append(" older ones dropped");
+      parts.add(text("olderOnesDropped", number(presenter.dropped())));
     }
     if (presenter.missed() > 0) {
-      text.append(", ").append(number(presenter.missed())).append(" missed");
+      parts.add(text("missed", number(presenter.missed())));
     }
-    return text.toString();
+    return String.join(", ", parts);
   }
 
   private static String matches(LogPresenter presenter, int selectedRow) {
@@ -34,10 +38,11 @@ record LogCounts(String messages, String matches) {
       return "";
     }
     if (presenter.matchCount() == 0) {
-      return "none found";
+      return text("noneFound");
     }
     int number = presenter.matchNumber(selectedRow);
-    return (number == 0 ? "" : number(number) + " of ") + number(presenter.matchCount());
+    String all = number(presenter.matchCount());
+    return number == 0 ? all : text("of", number(number), all);
   }
 
   private static String number(long value) {

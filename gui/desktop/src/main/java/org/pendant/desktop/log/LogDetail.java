@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Insets;
@@ -44,8 +46,8 @@ final class LogDetail {
     text.setLineWrap(true);
     text.setWrapStyleWord(true);
     text.setMargin(new Insets(0, 8, 8, 8));
-    text.setToolTipText("The whole message");
-    text.getAccessibleContext().setAccessibleName("The whole message");
+    text.setToolTipText(text("theWholeMessage"));
+    text.getAccessibleContext().setAccessibleName(text("theWholeMessage"));
     JScrollPane scroll = new JScrollPane(text);
     scroll.setBorder(BorderFactory.createEmptyBorder());
     content.add(head, BorderLayout.NORTH);
@@ -74,17 +76,15 @@ final class LogDetail {
 
   private static String headline(LogLine line) {
     StringBuilder words = new StringBuilder();
-    words.append(line.severity()).append(" from ").append(line.source().title());
-    words.append(" at ").append(line.timeText()).append(" s");
+    words.append(text("from", line.severity(), line.source().title(), line.timeText()));
     if (!line.wallText().isEmpty()) {
       words.append(" (").append(line.wallText()).append(')');
     }
     line.place()
         .ifPresent(
             at -> {
-              words.append(", thread ").append(line.thread());
-              words.append(", line ").append(at.line());
-              words.append(" of ").append(ByteText.decoded(fileName(at.source())));
+              String file = ByteText.decoded(fileName(at.source()));
+              words.append(", ").append(text("place", line.thread(), at.line(), file));
             });
     if (!line.code().isEmpty()) {
       words.append(", ").append(line.code());
@@ -109,14 +109,14 @@ final class LogDetail {
   }
 
   private void offerSource(int line) {
-    source.setText("Go to line " + line);
-    source.setToolTipText("Show line " + line + " of the program (Enter in the list)");
+    source.setText(text("goToLine", line));
+    source.setToolTipText(text("showLineOfTheProgramEnter", line));
     source.getAccessibleContext().setAccessibleName(source.getText());
   }
 
   void showNone() {
     shown = Optional.empty();
-    heading.setText("Select a message to read all of it");
+    heading.setText(text("selectAMessageToReadAll"));
     heading.setIcon(null);
     text.setText("");
     source.setVisible(false);

@@ -117,9 +117,9 @@ record LogLine(
   /** What people call the severity. */
   String severity() {
     return switch (level) {
-      case INFO -> "Info";
-      case WARNING -> "Warning";
-      case ERROR -> "Error";
+      case INFO -> LogTexts.text("info");
+      case WARNING -> LogTexts.text("warning");
+      case ERROR -> LogTexts.text("error");
     };
   }
 }

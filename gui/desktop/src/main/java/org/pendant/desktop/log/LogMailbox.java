@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.HashMap;
@@ -104,10 +106,7 @@ final class LogMailbox implements FrameListener, CellListener {
     private void take(LogEntry entry) {
       long missed = entry.number() - lastNumber - 1;
       if (missed > 0) {
-        put(
-            LogSource.WINDOW,
-            entry(missed + " lines of the controller were not shown in time"),
-            controller);
+        put(LogSource.WINDOW, entry(text("linesOfTheControllerWereNot", missed)), controller);
       }
       put(LogSource.of(entry.origin()), entry.shortened(MAX_TEXT), controller);
       lastNumber = entry.number();

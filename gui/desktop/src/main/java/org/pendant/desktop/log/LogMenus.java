@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JCheckBoxMenuItem;
@@ -25,9 +27,9 @@ final class LogMenus {
   /** What can be done with a message. */
   JPopupMenu ofMessages(Runnable copy, Runnable showSource) {
     JPopupMenu menu = new JPopupMenu();
-    menu.add(item("Copy", "log-menu-copy", copy));
-    menu.add(item("Show the line in the program", "log-menu-source", showSource));
-    JMenu shown = new JMenu("Columns");
+    menu.add(item(text("copy"), "log-menu-copy", copy));
+    menu.add(item(text("showTheLineInTheProgram"), "log-menu-source", showSource));
+    JMenu shown = new JMenu(text("columns"));
     fill(shown::add);
     menu.addSeparator();
     menu.add(shown);

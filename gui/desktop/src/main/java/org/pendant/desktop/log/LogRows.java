@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.awt.Component;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
@@ -47,7 +49,7 @@ final class LogRows extends JTable {
 
   void prepare() {
     setName("log-table");
-    getAccessibleContext().setAccessibleName("Messages");
+    getAccessibleContext().setAccessibleName(text("messagesOfTheLog"));
     setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
     setAutoResizeMode(AUTO_RESIZE_LAST_COLUMN);
     setFillsViewportHeight(true);
@@ -213,7 +215,7 @@ final class LogRows extends JTable {
     return switch (LogColumn.at(convertColumnIndexToModel(column))) {
       case LINE ->
           line.sourceLine().isPresent()
-              ? "Show line " + line.sourceLine().getAsInt() + " of the program"
+              ? text("showLineOfTheProgram", line.sourceLine().getAsInt())
               : null;
       case CODE -> CodeHelp.of(line.code()).map(CodeHelp::meaning).orElse(null);
       case SEVERITY -> line.severity();

@@ -1,16 +1,17 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import org.pendant.controller.message.LogEntry.Origin;
 
 /** Log source: who a message is from, as people see it. */
 enum LogSource {
-  PROGRAM("Program", "what programs write, and why they end"),
-  CONTROLLER("Controller", "what the controller says"),
-  SAFETY("Safety", "stops, warnings and changes of mode of the safety functions"),
-  ROBOT(
-      "Robot", "power and brakes, programs that start, pause and end, clients that come and leave"),
-  PROTOCOL("Protocol", "what comes from outside by a protocol"),
-  WINDOW("Window", "what this window told at its lower edge");
+  PROGRAM(text("program"), text("whatProgramsWriteAndWhyThey")),
+  CONTROLLER(text("controller"), text("whatTheControllerSays")),
+  SAFETY(text("safety"), text("stopsWarningsAndChangesOfMode")),
+  ROBOT(text("robot"), text("powerAndBrakesProgramsThatStart")),
+  PROTOCOL(text("protocol"), text("whatComesFromOutsideByA")),
+  WINDOW(text("window"), text("whatThisWindowToldAtIts"));
 
   private final String title;
   private final String meaning;

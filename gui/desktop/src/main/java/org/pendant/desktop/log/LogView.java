@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.ActionEvent;
@@ -165,14 +167,14 @@ public final class LogView implements View {
 
   private void declareActions() {
     var actions = workbench.actions();
-    actions.add(Action.of(ID + ".search", "Log: search", "", this::goToSearch));
-    actions.add(Action.of(ID + ".newest", "Log: jump to newest", "", table::jumpToNewest));
-    actions.add(Action.of(ID + ".export", "Log: export\u2026", "", this::export));
-    actions.add(Action.of(ID + ".clear", "Log: clear", "", this::clear));
+    actions.add(Action.of(ID + ".search", text("logSearch"), "", this::goToSearch));
+    actions.add(Action.of(ID + ".newest", text("logJumpToNewest"), "", table::jumpToNewest));
+    actions.add(Action.of(ID + ".export", text("logExport"), "", this::export));
+    actions.add(Action.of(ID + ".clear", text("logClear"), "", this::clear));
     actions.add(
         Action.of(
                 ID + ".follow",
-                "Log: follow newest",
+                text("logFollowNewest"),
                 "",
                 () -> table.follow(!presenter.following()))
             .checked(presenter::following));
@@ -219,7 +221,7 @@ public final class LogView implements View {
 
   @Override
   public String title() {
-    return "Log";
+    return text("logTitle");
   }
 
   @Override
@@ -281,14 +283,14 @@ public final class LogView implements View {
     int[] rows = table.selectedRows();
     List<LogLine> lines = Arrays.stream(rows).mapToObj(presenter::row).toList();
     if (lines.isEmpty()) {
-      workbench.notify("Nothing copied: no message is selected");
+      workbench.notify(text("nothingCopiedNoMessageIsSelected"));
       return;
     }
     StringBuilder text = new StringBuilder();
     lines.forEach(line -> text.append(LogExport.TEXT.row(line)));
     detail.copy(text.toString());
     workbench.notify(
-        lines.size() == 1 ? "Copied 1 message" : "Copied " + lines.size() + " messages");
+        lines.size() == 1 ? text("copied1Message") : text("copiedMessages", lines.size()));
   }
 
   private void export() {
@@ -299,7 +301,7 @@ public final class LogView implements View {
     SaveDialog.open(
         content,
         new SaveRequest(
-            "Export " + lines.size() + " messages",
+            text("exportMessages", lines.size()),
             workbench.exportFile("log.csv"),
             List.of("csv", "txt"),
             workbench.openFiles()),

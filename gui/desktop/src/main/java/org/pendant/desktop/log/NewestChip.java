@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import javax.swing.JButton;
 
 /**
@@ -11,14 +13,14 @@ final class NewestChip extends JButton {
   NewestChip(Runnable jump) {
     setName("log-jump-to-newest");
     putClientProperty("JButton.buttonType", "roundRect");
-    setToolTipText("Show the newest message and follow (Ctrl End)");
-    getAccessibleContext().setAccessibleName("Jump to newest message");
+    setToolTipText(text("showTheNewestMessageAndFollow"));
+    getAccessibleContext().setAccessibleName(text("jumpToNewestMessage"));
     addActionListener(event -> jump.run());
     setVisible(false);
   }
 
   void show(boolean following, int unread) {
-    String text = unread == 0 ? "\u2193 Jump to newest" : "\u2193 " + unread + " newer";
+    String text = unread == 0 ? text("jumpToNewest") : text("newer", unread);
     if (!following && !text.equals(getText())) {
       setText(text);
       revalidate();

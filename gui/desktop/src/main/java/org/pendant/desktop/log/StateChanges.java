@@ -1,5 +1,7 @@
 package org.pendant.desktop.log;
 
+import static org.pendant.desktop.log.LogTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -56,7 +58,7 @@ final class StateChanges {
 
   private void robot(RobotMode now, List<String> changes) {
     if (now != mode) {
-      changes.add("Robot mode: " + StateWords.of(now) + ", was " + StateWords.of(mode));
+      changes.add(text("robotModeWas", StateWords.of(now), StateWords.of(mode)));
       mode = now;
     }
   }
@@ -71,29 +73,29 @@ final class StateChanges {
         case ProgramEvent.Started started -> {
           time = RunTime.began(state.timeS());
           program = ProgramState.RUNNING;
-          changes.add("Program " + started.name() + " started");
+          changes.add(text("programStarted", started.name()));
         }
         case ProgramEvent.Ended ended -> {
-          changes.add("Program " + ended.name() + " " + word(ended.ending()) + ran(state.timeS()));
+          String how = word(ended.ending());
+          changes.add(
+              time.known()
+                  ? text("programEndedAfter", ended.name(), how, seconds(time.ranS(state.timeS())))
+                  : text("programEnded", ended.name(), how));
           program = ProgramState.STOPPED;
         }
         case ProgramEvent.SecondaryFailed failed ->
-            changes.add("Secondary program " + failed.name() + " failed");
+            changes.add(text("secondaryProgramFailed", failed.name()));
       }
     }
   }
 
   private static String word(Ending ending) {
     return switch (ending) {
-      case Ending.Finished finished -> "finished";
-      case Ending.Halted halted -> "halted";
-      case Ending.Stopped stopped -> "stopped";
-      case Ending.Failed failed -> "failed";
+      case Ending.Finished finished -> text("finished");
+      case Ending.Halted halted -> text("halted");
+      case Ending.Stopped stopped -> text("stopped");
+      case Ending.Failed failed -> text("failed");
     };
-  }
-
-  private String ran(double timeS) {
-    return time.known() ? " after " + seconds(time.ranS(timeS)) : "";
   }
 
   private void pause(ControllerState state, List<String> changes) {
@@ -103,11 +105,11 @@ final class StateChanges {
     }
     if (now == ProgramState.PAUSED) {
       time = time.paused(state.timeS());
-      changes.add("Program " + state.program().name() + " paused");
+      changes.add(text("programPaused", state.program().name()));
     } else if (program == ProgramState.PAUSED && now == ProgramState.RUNNING) {
       double pauseS = state.timeS() - time.pauseBeganS();
       time = time.resumed(state.timeS());
-      changes.add("Program " + state.program().name() + " resumed after " + seconds(pauseS));
+      changes.add(text("programResumedAfter", state.program().name(), seconds(pauseS)));
     }
     program = now;
   }

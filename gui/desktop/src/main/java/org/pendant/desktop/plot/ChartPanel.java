@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
@@ -46,10 +48,8 @@ final class ChartPanel extends JPanel {
     painter = new ChartPainter(presenter);
     setName("plot-chart");
     setFocusable(true);
-    setToolTipText(
-        "<html>Wheel: zoom. Drag: choose a time span. Shift drag: move.<br>"
-            + "Double click: back to now. Keys: arrows, + and \u2212, Space</html>");
-    getAccessibleContext().setAccessibleName("Chart of " + chart.ids());
+    setToolTipText(text("wheelZoomDragChooseATime"));
+    getAccessibleContext().setAccessibleName(text("chartOf", chart.ids()));
     Pointer pointer = new Pointer();
     addMouseListener(pointer);
     addMouseMotionListener(pointer);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Rectangle;
@@ -62,8 +64,7 @@ final class ChartStack extends JPanel {
       sheet.add(card, "grow, push, hmin " + ChartPanel.MIN_HEIGHT);
     }
     if (cards.isEmpty()) {
-      JLabel note =
-          new JLabel("Double-click a quantity in the list or drag it here", SwingConstants.CENTER);
+      JLabel note = new JLabel(text("doubleClickAQuantityInThe"), SwingConstants.CENTER);
       note.setEnabled(false);
       note.setName("plot-empty");
       sheet.add(note, "grow, push");

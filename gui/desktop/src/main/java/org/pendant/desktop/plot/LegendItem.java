@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -35,12 +37,12 @@ final class LegendItem extends JPanel {
     name = new JLabel(Legend.below(common, title), new Swatch(trace.color()), JLabel.LEADING);
     name.setToolTipText(title + ", " + trace.quantity().id());
     value.setName("plot-value-" + trace.quantity().id());
-    value.setToolTipText("Value of " + title);
+    value.setToolTipText(text("valueOf", title));
     value.putClientProperty("FlatLaf.styleClass", "monospaced");
     JButton close = new JButton("\u00d7");
     close.setName("plot-remove-" + trace.quantity().id());
-    close.setToolTipText("Remove " + title);
-    close.getAccessibleContext().setAccessibleName("Remove " + title);
+    close.setToolTipText(text("remove", title));
+    close.getAccessibleContext().setAccessibleName(text("remove", title));
     close.putClientProperty("JButton.buttonType", "toolBarButton");
     close.putClientProperty("FlatLaf.style", "toolbar.margin: 0,3,0,3");
     close.addActionListener(event -> remove.run());

@@ -17,8 +17,8 @@ final class PlotBar {
 
   private final PlotPresenter presenter;
   private final JPanel bar = new JPanel(new WrappingRow(8));
-  private final JToggleButton pause = new JToggleButton("Pause");
-  private final JToggleButton cursors = new JToggleButton("Cursors");
+  private final JToggleButton pause = new JToggleButton(PlotTexts.text("pause"));
+  private final JToggleButton cursors = new JToggleButton(PlotTexts.text("cursors"));
   private final JComboBox<String> width = new JComboBox<>();
   private final JLabel readout = new JLabel();
   private boolean showing;
@@ -26,24 +26,24 @@ final class PlotBar {
   PlotBar(PlotPresenter presenter, Runnable changed, Runnable export) {
     this.presenter = presenter;
     bar.setName("plot-bar");
-    add(pause, "plot-pause", "Pause the charts; recording continues (Space on a chart)");
+    add(pause, "plot-pause", PlotTexts.text("pauseTheChartsRecordingContinuesSpace"));
     pause.addActionListener(
         event -> {
           presenter.pause(pause.isSelected());
           changed.run();
         });
     addWidths(changed);
-    add(cursors, "plot-cursors", "Pause the charts and read values and differences at two cursors");
+    add(cursors, "plot-cursors", PlotTexts.text("pauseTheChartsAndReadValues"));
     cursors.addActionListener(
         event -> {
           presenter.showCursors(cursors.isSelected());
           changed.run();
         });
-    JButton save = new JButton("Export\u2026");
-    add(save, "plot-export", "Save what the charts show to a file");
+    JButton save = new JButton(PlotTexts.text("export"));
+    add(save, "plot-export", PlotTexts.text("saveWhatTheChartsShowTo"));
     save.addActionListener(event -> export.run());
     readout.setName("plot-readout");
-    readout.setToolTipText("Times of the cursors");
+    readout.setToolTipText(PlotTexts.text("timesOfTheCursors"));
     readout.putClientProperty("FlatLaf.styleClass", "monospaced");
     bar.add(readout);
     refresh();
@@ -52,7 +52,7 @@ final class PlotBar {
   private void addWidths(Runnable changed) {
     WIDTHS_S.forEach(seconds -> width.addItem(text(seconds)));
     width.setEditable(false);
-    name(width, "plot-width", "How much time the charts show");
+    name(width, "plot-width", PlotTexts.text("howMuchTimeTheChartsShow"));
     width.addActionListener(
         event -> {
           int index = width.getSelectedIndex();
@@ -95,7 +95,7 @@ final class PlotBar {
   void refresh() {
     showing = true;
     pause.setSelected(presenter.paused());
-    pause.setText(presenter.paused() ? "Resume" : "Pause");
+    pause.setText(presenter.paused() ? PlotTexts.text("resume") : PlotTexts.text("pause"));
     cursors.setSelected(presenter.cursors().isPresent());
     showWidth(text(presenter.window().widthS()));
     String times = presenter.cursors().map(Cursors::text).orElse("");

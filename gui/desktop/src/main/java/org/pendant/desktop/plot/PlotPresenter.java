@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -116,7 +118,7 @@ final class PlotPresenter {
   /** Draws a quantity on a certain chart, unless that is full. */
   void addTo(Chart chart, ChartQuantity quantity) {
     if (chart.full() && !chart.has(quantity)) {
-      told.accept("A chart has at most " + Chart.MOST + " lines: drop the others beside it");
+      told.accept(text("aChartHasAtMostLines", Chart.MOST));
       return;
     }
     history.track(quantity);

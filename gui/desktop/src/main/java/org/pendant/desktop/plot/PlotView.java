@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.List;
@@ -84,13 +86,14 @@ public final class PlotView implements View {
 
   private void declareActions() {
     var actions = workbench.actions();
-    actions.add(Action.of(ID + ".search", "Plots: add a quantity", "", this::goToSearch));
+    actions.add(Action.of(ID + ".search", text("plotsAddAQuantity"), "", this::goToSearch));
     actions.add(
-        Action.of(ID + ".pause", "Plots: pause", "", this::togglePause).checked(presenter::paused));
+        Action.of(ID + ".pause", text("plotsPause"), "", this::togglePause)
+            .checked(presenter::paused));
     actions.add(
-        Action.of(ID + ".cursors", "Plots: cursors", "", this::toggleCursors)
+        Action.of(ID + ".cursors", text("plotsCursors"), "", this::toggleCursors)
             .checked(() -> presenter.cursors().isPresent()));
-    actions.add(Action.of(ID + ".export", "Plots: export\u2026", "", this::export));
+    actions.add(Action.of(ID + ".export", text("plotsExport"), "", this::export));
   }
 
   private void goToSearch() {
@@ -115,7 +118,7 @@ public final class PlotView implements View {
 
   @Override
   public String title() {
-    return "Plots";
+    return text("plots");
   }
 
   @Override
@@ -163,14 +166,14 @@ public final class PlotView implements View {
             .flatMap(each -> presenter.quantities().variables().of(each).stream())
             .toList();
     if (found.isEmpty()) {
-      workbench.notify(String.join(", ", expressions) + " has no number that could be drawn");
+      workbench.notify(text("hasNoNumberThatCouldBe", String.join(", ", expressions)));
       return;
     }
     add(found);
     workbench.notify(
-        found.stream().map(ChartQuantity::label).collect(Collectors.joining(", "))
-            + (found.size() == 1 ? " is" : " are")
-            + " drawn on the Plots screen");
+        text(
+            found.size() == 1 ? "isDrawnOnThePlotsScreen" : "areDrawnOnThePlotsScreen",
+            found.stream().map(ChartQuantity::label).collect(Collectors.joining(", "))));
   }
 
   private void add(List<ChartQuantity> chosen) {
@@ -191,14 +194,14 @@ public final class PlotView implements View {
             .distinct()
             .toList();
     if (drawn.isEmpty()) {
-      workbench.notify("Nothing to export: no quantity is drawn");
+      workbench.notify(text("nothingToExportNoQuantityIs"));
       return;
     }
     PlotCsv csv = PlotCsv.of(presenter.history(), drawn, presenter.window());
     SaveDialog.open(
         content,
         new SaveRequest(
-            "Export " + csv.rows() + " samples",
+            text("exportSamples", csv.rows()),
             workbench.exportFile("plot.csv"),
             List.of("csv"),
             workbench.openFiles()),

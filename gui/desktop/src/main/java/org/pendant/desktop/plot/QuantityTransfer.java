@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -66,10 +68,10 @@ final class QuantityTree {
 
   private void buildSearch() {
     search.setName("plot-search");
-    search.putClientProperty("JTextField.placeholderText", "Search quantities");
+    search.putClientProperty("JTextField.placeholderText", text("searchQuantities"));
     search.putClientProperty("JTextField.showClearButton", true);
-    search.setToolTipText("Search quantities; Enter draws what is found first");
-    search.getAccessibleContext().setAccessibleName("Search quantities");
+    search.setToolTipText(text("searchQuantitiesEnterDrawsWhatIs"));
+    search.getAccessibleContext().setAccessibleName(text("searchQuantities"));
     search.getDocument().addDocumentListener(new Typed(this::fill));
     search.addActionListener(
         event -> quantities.search(search.getText()).stream().limit(1).forEach(this::choose));
@@ -84,8 +86,8 @@ final class QuantityTree {
     tree.setRootVisible(false);
     tree.setShowsRootHandles(true);
     tree.setToggleClickCount(1);
-    tree.setToolTipText("Double-click, press Enter or drag on to a chart");
-    tree.getAccessibleContext().setAccessibleName("Quantities");
+    tree.setToolTipText(text("doubleClickPressEnterOrDrag"));
+    tree.getAccessibleContext().setAccessibleName(text("quantities"));
     tree.setCellRenderer(new Names());
     tree.setDragEnabled(true);
     tree.setTransferHandler(QuantityTransfer.from(quantities, this::selected));

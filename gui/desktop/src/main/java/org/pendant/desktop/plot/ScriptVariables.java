@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -20,7 +22,7 @@ final class ScriptVariables {
   /** Ids of variables begin with this; their path follows. */
   static final String PREFIX = "var:";
 
-  static final String GROUP = "Script variables";
+  static final String GROUP = text("scriptVariables");
 
   /** Parts of one value that are listed; others can be dragged from the panel of variables. */
   private static final int MAX_PARTS = 64;

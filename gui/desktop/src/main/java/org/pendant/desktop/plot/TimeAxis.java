@@ -1,5 +1,7 @@
 package org.pendant.desktop.plot;
 
+import static org.pendant.desktop.plot.PlotTexts.text;
+
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
@@ -24,8 +26,8 @@ final class TimeAxis extends JPanel {
     this.presenter = presenter;
     this.area = area;
     setName("plot-time-axis");
-    setToolTipText("Robot time in seconds");
-    getAccessibleContext().setAccessibleName("Robot time in seconds");
+    setToolTipText(text("robotTimeInSeconds"));
+    getAccessibleContext().setAccessibleName(text("robotTimeInSeconds"));
   }
 
   /** The numbers that fit below an area of this width. */

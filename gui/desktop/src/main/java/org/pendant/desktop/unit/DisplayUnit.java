@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 
 /**
  * Display unit: in what people read and type numbers; everything else counts in m, rad, kg and kg
@@ -101,11 +100,8 @@ public enum DisplayUnit {
     if (!parts.matches()) {
       throw new IllegalArgumentException(
           text.isBlank()
-              ? "empty, must be a number in " + symbol
-              : "'"
-                  + text.strip()
-                  + "' is not a number; write for instance 12.5 or 12.5 "
-                  + symbol);
+              ? UnitTexts.text("emptyMustBeANumberIn", symbol)
+              : UnitTexts.text("isNotANumberWriteFor", text.strip(), symbol));
     }
     String typed = parts.group(2).equals("\u00b0") ? "deg" : parts.group(2);
     DisplayUnit unit = typed.isEmpty() ? this : unitOf(typed);
@@ -117,12 +113,13 @@ public enum DisplayUnit {
         .orElseThrow(
             () ->
                 new IllegalArgumentException(
-                    "unit is '"
-                        + typed
-                        + "', must be "
-                        + of(kind).stream()
+                    UnitTexts.text(
+                        "unitIsMustBe",
+                        typed,
+                        of(kind).stream()
                             .map(DisplayUnit::symbol)
-                            .collect(Collectors.joining(" or "))));
+                            .reduce((one, other) -> UnitTexts.text("or", one, other))
+                            .orElseThrow())));
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.unit;
 
+import static org.pendant.desktop.unit.UnitTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -76,11 +78,11 @@ public final class PoseRows {
         TitledCard.named(
             new JComboBox<>(RotationForm.values()),
             name + "-rotation",
-            "How rotations are written");
+            text("howRotationsAreWritten"));
     choice.addActionListener(
         event -> rotation.set(choice.getItemAt(Math.max(0, choice.getSelectedIndex()))));
     form.grid(grid, fields);
-    form.add("Rotation as", choice);
+    form.add(text("rotationAs"), choice);
     form.follow(
         now -> {
           choice.setSelectedItem(rotation.form());

@@ -1,11 +1,13 @@
 package org.pendant.desktop.unit;
 
+import static org.pendant.desktop.unit.UnitTexts.text;
+
 import java.util.List;
 import org.pendant.models.pose.Rotations;
 
 /** Rotation form: how a rotation is written in three angles. */
 public enum RotationForm {
-  VECTOR("Rotation vector") {
+  VECTOR(text("rotationVector")) {
     @Override
     public List<String> labels() {
       return List.of("RX", "RY", "RZ");
@@ -45,10 +47,10 @@ public enum RotationForm {
     }
   },
   /** Turns about the fixed axes x, y and z, in this order. */
-  ROLL_PITCH_YAW("Roll, pitch, yaw") {
+  ROLL_PITCH_YAW(text("rollPitchYaw")) {
     @Override
     public List<String> labels() {
-      return List.of("Roll", "Pitch", "Yaw");
+      return List.of(text("roll"), text("pitch"), text("yaw"));
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.waveform;
 
+import static org.pendant.desktop.waveform.WaveformTexts.text;
+
 import java.awt.Component;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -27,12 +29,12 @@ import org.pendant.kit.layout.Squeeze;
 final class WaveformBar extends JPanel {
   private final transient WaveformDraft draft;
   private final transient WaveformCanvas canvas;
-  private final JCheckBox play = new JCheckBox("Play");
+  private final JCheckBox play = new JCheckBox(text("play"));
   private final JComboBox<String> signal = new JComboBox<>(signals());
   private final JTextField value = new JTextField(6);
   private final JPanel valueGroup = together();
   private final JTextField period = new JTextField(4);
-  private final JLabel repeat = new JLabel("Repeat after");
+  private final JLabel repeat = new JLabel(text("repeatAfter"));
   private transient Optional<Squeeze> squeeze = Optional.empty();
   private final transient Consumer<String> complain;
 
@@ -46,19 +48,15 @@ final class WaveformBar extends JPanel {
     this.draft = draft;
     this.canvas = canvas;
     this.complain = complain;
-    name(
-        play,
-        "play",
-        "While a program runs, the inputs change as drawn, by the time since it began");
+    name(play, "play", text("whileAProgramRunsTheInputs"));
     add(play);
-    name(
-        signal, "signal", "An input; type the name of a register, such as input_float_register[3]");
+    name(signal, "signal", text("anInputTypeTheNameOf"));
     signal.setEditable(true);
     nameEditor();
     // Other colours bring another one.
     signal.addPropertyChangeListener("editor", event -> nameEditor());
     add(signal);
-    add(button("add", "Add", "A row for this input, low at first", this::addRow));
+    add(button("add", text("add"), text("aRowForThisInputLow"), this::addRow));
     addPeriod();
     draft.addListener(this::refresh);
     refresh();
@@ -70,11 +68,11 @@ final class WaveformBar extends JPanel {
     }
     Component text = signal.getEditor().getEditorComponent();
     text.setName("waveform-signal-text");
-    text.getAccessibleContext().setAccessibleName("Input");
+    text.getAccessibleContext().setAccessibleName(text("input"));
   }
 
   private void addPeriod() {
-    name(period, "period", "Seconds after which everything happens again; empty for once");
+    name(period, "period", text("secondsAfterWhichEverythingHappens"));
     period.addActionListener(event -> changePeriod());
     period.addFocusListener(
         new FocusAdapter() {
@@ -88,12 +86,9 @@ final class WaveformBar extends JPanel {
 
   /** Adds what comes last: it is there only while a row with numbers is selected. */
   void addValue() {
-    name(
-        value,
-        "value",
-        "What an input with numbers gets where you draw, and from the cursor on: 7.5V, 12mA, 3");
+    name(value, "value", text("whatAnInputWithNumbersGets"));
     value.addActionListener(event -> changeValue());
-    valueGroup.add(new JLabel("Value"));
+    valueGroup.add(new JLabel(text("value")));
     valueGroup.add(value);
     add(valueGroup);
     refresh();
@@ -106,7 +101,7 @@ final class WaveformBar extends JPanel {
    */
   void keepToOneRow(List<JButton> spared) {
     List<Squeeze.Part> parts = new ArrayList<>();
-    parts.add(whole -> repeat.setText(whole ? "Repeat after" : "Every"));
+    parts.add(whole -> repeat.setText(whole ? text("repeatAfter") : text("every")));
     spared.forEach(each -> parts.add(each::setVisible));
     squeeze = Optional.of(new Squeeze(this, parts));
     squeeze.get().fitLater();
@@ -230,8 +225,7 @@ final class WaveformBar extends JPanel {
     } catch (NumberFormatException e) {
       // the message below says what is wrong with it
     }
-    throw new IllegalArgumentException(
-        "repeat after '" + text + "', must be seconds from 0.002, or empty");
+    throw new IllegalArgumentException(text("repeatAfterMustBeSecondsFrom", text));
   }
 
   private void tryTo(JComponent field, Runnable change) {

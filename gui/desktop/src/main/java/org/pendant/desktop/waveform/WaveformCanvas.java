@@ -1,5 +1,7 @@
 package org.pendant.desktop.waveform;
 
+import static org.pendant.desktop.waveform.WaveformTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Cursor;
 import java.awt.Dimension;
@@ -333,7 +335,7 @@ final class WaveformCanvas extends JComponent {
             public String getAccessibleName() {
               return row()
                   .map(row -> painter.about(row, cursorS))
-                  .orElse("Waveforms of inputs, none yet");
+                  .orElse(text("waveformsOfInputsNoneYet"));
             }
           };
     }

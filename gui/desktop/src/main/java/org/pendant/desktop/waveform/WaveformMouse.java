@@ -1,5 +1,7 @@
 package org.pendant.desktop.waveform;
 
+import static org.pendant.desktop.waveform.WaveformTexts.text;
+
 import java.awt.Cursor;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -106,11 +108,11 @@ final class WaveformMouse extends MouseAdapter {
     JPopupMenu menu = new JPopupMenu();
     int near = change;
     WaveRow of = row;
-    JMenuItem remove = new JMenuItem("Remove this change (Del)");
+    JMenuItem remove = new JMenuItem(text("removeThisChangeDel"));
     remove.setEnabled(near != NONE);
     remove.addActionListener(chosen -> canvas.replace(of.without(near)));
     menu.add(remove);
-    JMenuItem all = new JMenuItem("Remove " + of.signal() + " (Shift+Del)");
+    JMenuItem all = new JMenuItem(text("removeShiftDel", of.signal()));
     all.addActionListener(chosen -> canvas.removeRow());
     menu.add(all);
     menu.show(canvas, event.getX(), event.getY());

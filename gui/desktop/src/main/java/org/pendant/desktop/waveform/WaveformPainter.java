@@ -1,5 +1,7 @@
 package org.pendant.desktop.waveform;
 
+import static org.pendant.desktop.waveform.WaveformTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -47,7 +49,7 @@ final class WaveformPainter {
         "%s at %.3f s: %s",
         title(row.signal()),
         timeS,
-        row.at(timeS).orElse("as it is"));
+        row.at(timeS).orElse(text("asItIs")));
   }
 
   int rowHeight(Component canvas) {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.waveform;
 
+import static org.pendant.desktop.waveform.WaveformTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
@@ -57,9 +59,7 @@ public final class WaveformView implements View, SwitchListener {
 
   private static final long MAX_FILE_BYTES = 16 << 20;
 
-  private static final String NOTE =
-      "Nothing happens at the inputs by itself. Add an input and draw when it changes, take what"
-          + " happened in the last run, or open a table.";
+  private static final String NOTE = text("nothingHappensAtTheInputsBy");
 
   private final Workbench workbench;
   private final WaveformDraft draft;
@@ -182,15 +182,11 @@ public final class WaveformView implements View, SwitchListener {
   private void addButtons(Runnable chooseFile) {
     JButton capture =
         WaveformBar.button(
-            "capture",
-            "Last run",
-            "The digital inputs as they changed in the last run; its outputs are shown below",
-            this::capture);
+            "capture", text("lastRun"), text("theDigitalInputsAsTheyChanged"), this::capture);
     JButton open =
-        WaveformBar.button("open", "Open\u2026", "Opens a table of waveforms", chooseFile);
+        WaveformBar.button("open", text("open"), text("opensATableOfWaveforms"), chooseFile);
     JButton save =
-        WaveformBar.button(
-            "save", "Save\u2026", "Saves a table, also for pendant run --waveforms", this::save);
+        WaveformBar.button("save", text("save"), text("savesATableAlsoForPendant"), this::save);
     bar.add(capture);
     bar.add(open);
     bar.add(save);
@@ -203,7 +199,7 @@ public final class WaveformView implements View, SwitchListener {
     actions.add(
         Action.of(
                 ID + ".play",
-                "Waveforms: play with programs",
+                text("waveformsPlayWithPrograms"),
                 "",
                 () -> {
                   bar.setPlaying(!bar.playing());
@@ -213,14 +209,14 @@ public final class WaveformView implements View, SwitchListener {
     actions.add(
         Action.of(
             ID + ".capture",
-            "Waveforms: take the inputs of the last run",
+            text("waveformsTakeTheInputsOfThe"),
             "",
             () -> {
               workbench.show(ID);
               capture();
             }));
-    actions.add(Action.of(ID + ".open", "Waveforms: open a table\u2026", "", chooseFile));
-    actions.add(Action.of(ID + ".save", "Waveforms: save the table\u2026", "", this::save));
+    actions.add(Action.of(ID + ".open", text("waveformsOpenATable"), "", chooseFile));
+    actions.add(Action.of(ID + ".save", text("waveformsSaveTheTable"), "", this::save));
   }
 
   /** What a controller had when the window was closed. */
@@ -285,12 +281,12 @@ public final class WaveformView implements View, SwitchListener {
       return; // people look at another controller meanwhile
     }
     if (run.isEmpty()) {
-      workbench.notify("No program has run yet: there are no inputs to take");
+      workbench.notify(text("noProgramHasRunYetThere"));
       return;
     }
     canvas.show(run.get());
     if (run.get().sheet().rows().isEmpty()) {
-      workbench.notify("No digital input changed in the last run");
+      workbench.notify(text("noDigitalInputChangedInThe"));
     } else {
       draft.set(run.get().sheet());
     }
@@ -305,7 +301,7 @@ public final class WaveformView implements View, SwitchListener {
   private void read(Path path) {
     try {
       if (Files.size(path) > MAX_FILE_BYTES) {
-        tell("Not opened: " + path + " is larger than any table of waveforms");
+        tell(text("notOpenedIsLargerThanAny", path));
         return;
       }
       InputWaveforms waveforms =
@@ -316,12 +312,12 @@ public final class WaveformView implements View, SwitchListener {
             draft.set(WaveSheet.of(waveforms));
             file = Optional.of(path);
             workbench.show(ID);
-            workbench.notify("Opened " + path);
+            workbench.notify(text("opened", path));
           });
     } catch (IOException e) {
-      tell("Not opened: " + path + ": " + FileTrouble.reason(e));
+      tell(text("notOpened", path, FileTrouble.reason(e)));
     } catch (IllegalArgumentException e) {
-      tell("Not opened: " + e.getMessage());
+      tell(text("notOpenedBecause", e.getMessage()));
     }
   }
 
@@ -339,7 +335,7 @@ public final class WaveformView implements View, SwitchListener {
     SaveDialog.open(
         content,
         new SaveRequest(
-            "Save waveforms",
+            text("saveWaveforms"),
             file.orElse(workbench.exportFile("inputs.csv")),
             List.of(ENDING),
             workbench.openFiles()),
@@ -357,7 +353,7 @@ public final class WaveformView implements View, SwitchListener {
 
   @Override
   public String title() {
-    return "Waveforms";
+    return text("waveforms");
   }
 
   @Override

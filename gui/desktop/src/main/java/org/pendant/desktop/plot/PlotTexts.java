@@ -1,0 +1,15 @@
+package org.pendant.desktop.plot;
+
+import org.pendant.text.Texts;
+
+/** What this package says to people. */
+final class PlotTexts {
+  private static final Texts TEXTS = Texts.of(PlotTexts.class);
+
+  private PlotTexts() {}
+
+  /** The text of a key of {@code texts/desktop.plot.properties}, filled with values. */
+  static String text(String key, Object... values) {
+    return TEXTS.get(key, values);
+  }
+}

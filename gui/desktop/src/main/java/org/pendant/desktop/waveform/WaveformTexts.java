@@ -1,0 +1,15 @@
+package org.pendant.desktop.waveform;
+
+import org.pendant.text.Texts;
+
+/** What this package says to people. */
+final class WaveformTexts {
+  private static final Texts TEXTS = Texts.of(WaveformTexts.class);
+
+  private WaveformTexts() {}
+
+  /** The text of a key of {@code texts/desktop.waveform.properties}, filled with values. */
+  static String text(String key, Object... values) {
+    return TEXTS.get(key, values);
+  }
+}
