@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import java.nio.file.Path;
 import org.pendant.command.service.Version;
 
@@ -18,34 +20,28 @@ final class AboutText {
         "\n",
         "# Pendant",
         "",
-        "Version "
-            + Version.number()
-            + Version.commit().map(commit -> " (commit " + commit + ")").orElse("")
-            + ", URScript as of PolyScope 5.24.1.",
-        "Java "
-            + Runtime.version()
-            + " on "
-            + System.getProperty("os.name")
-            + " "
-            + System.getProperty("os.version")
-            + ", "
-            + System.getProperty("os.arch")
-            + ".",
+        Version.commit()
+            .map(commit -> text("versionAndCommit", Version.number(), commit))
+            .orElseGet(() -> text("version", Version.number())),
+        text(
+            "javaOn",
+            Runtime.version(),
+            System.getProperty("os.name"),
+            System.getProperty("os.version"),
+            System.getProperty("os.arch")),
         "",
-        "- Logs, reports and internal errors: [`" + logs + "`](folder:logs)",
-        "- Settings: [`" + settings + "`](folder:settings)",
+        text("logsReportsAndInternalErrorsFolder", logs),
+        text("settingsFolderSettings", settings),
         "",
-        "Robots of Universal Robots are simulated from published numbers and recordings. Pendant is"
-            + " not made by Universal Robots, and nothing here replaces a risk assessment.",
+        text("robotsOfUniversalRobotsAreSimulated"),
         "",
-        "## Libraries",
+        "## " + text("libraries"),
         "",
         "```",
-        HelpTexts.find("/NOTICE")
-            .orElse("A packaged program lists its libraries and their licences here."),
+        HelpTexts.find("/NOTICE").orElse(text("aPackagedProgramListsItsLibraries")),
         "```",
         "",
-        "## Licence",
+        "## " + text("licence"),
         "",
         "```",
         HelpTexts.read("LICENSE"),

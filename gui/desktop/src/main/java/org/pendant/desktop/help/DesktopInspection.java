@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import java.awt.AWTError;
 import java.awt.Font;
 import java.awt.GraphicsDevice;
@@ -17,8 +19,8 @@ import org.pendant.kit.settings.ConfigurationFolder;
 
 /** Looks at what the window needs: a display, fonts, OpenGL and a place for its settings. */
 public final class DesktopInspection implements Inspection {
-  private static final String DISPLAY = "Display";
-  private static final String FONTS = "Fonts";
+  private static final String DISPLAY = text("display");
+  private static final String FONTS = text("fonts");
 
   /** As drivers call renderers that draw with the processor. */
   private static final List<String> SOFTWARE =
@@ -31,7 +33,7 @@ public final class DesktopInspection implements Inspection {
   public List<Finding> findings() {
     return List.of(
         DiskInspection.folder(
-            "Settings", ConfigurationFolder.of(System.getProperties(), System.getenv())),
+            text("settings"), ConfigurationFolder.of(System.getProperties(), System.getenv())),
         display(),
         fonts(),
         graphics());
@@ -39,7 +41,7 @@ public final class DesktopInspection implements Inspection {
 
   private static Finding display() {
     if (GraphicsEnvironment.isHeadless()) {
-      return noDisplay("no screen is connected to this session");
+      return noDisplay(text("noScreenIsConnectedToThis"));
     }
     try {
       GraphicsDevice[] screens =
@@ -53,34 +55,27 @@ public final class DesktopInspection implements Inspection {
   }
 
   private static Finding noDisplay(String reason) {
-    return Finding.note(
-        DISPLAY,
-        "there is none: " + reason,
-        "the window does not open; every other command works without");
+    return Finding.note(DISPLAY, text("thereIsNone", reason), text("theWindowDoesNotOpenEvery"));
   }
 
   private static String screen(GraphicsDevice screen) {
     Rectangle bounds = screen.getDefaultConfiguration().getBounds();
     double scale = screen.getDefaultConfiguration().getDefaultTransform().getScaleX();
-    return "%dx%d at %.0f %%".formatted(bounds.width, bounds.height, 100 * scale);
+    return text("screen").formatted(bounds.width, bounds.height, 100 * scale);
   }
 
   private static Finding fonts() {
     try {
       Font[] fonts = GraphicsEnvironment.getLocalGraphicsEnvironment().getAllFonts();
-      String found = fonts.length + " besides those that Pendant brings";
+      String found = text("besidesThoseThatPendantBrings", fonts.length);
       return Arrays.stream(fonts).anyMatch(each -> each.canDisplayUpTo(CHINESE) < 0)
           ? Finding.ok(FONTS, found)
           : Finding.note(
-              FONTS,
-              found + ", none with Chinese characters",
-              "such texts are boxes: on Debian and Ubuntu apt install fonts-noto-cjk");
+              FONTS, text("noneWithChineseCharacters", found), text("suchTextsAreBoxesOnDebian"));
     } catch (RuntimeException | LinkageError e) {
       // That is how Java tells that the system has none.
       return Finding.problem(
-          FONTS,
-          "Java cannot use any: " + e.getMessage(),
-          "on Debian and Ubuntu apt install fontconfig fonts-dejavu-core libfreetype6");
+          FONTS, text("javaCannotUseAny", e.getMessage()), text("onDebianAndUbuntuAptInstall"));
     }
   }
 
@@ -89,13 +84,9 @@ public final class DesktopInspection implements Inspection {
       String renderer = scene.graphics();
       return SOFTWARE.stream().noneMatch(renderer::contains)
           ? Finding.ok("OpenGL", renderer)
-          : Finding.note(
-              "OpenGL",
-              renderer,
-              "the processor draws the 3D view; the driver of a graphics card would do it faster");
+          : Finding.note("OpenGL", renderer, text("theProcessorDrawsThe3dView"));
     } catch (SceneUnavailable e) {
-      return Finding.note(
-          "OpenGL", e.getMessage(), "there is no 3D view and no pendant render; all else works");
+      return Finding.note("OpenGL", e.getMessage(), text("thereIsNo3dViewAnd"));
     }
   }
 }

@@ -15,13 +15,13 @@ public record Example(String file, Topic topic, List<String> companions) {
   /** What examples are sorted by. */
   public enum Topic {
     /** Moving the arm. */
-    MOTION("Motion"),
+    MOTION(HelpViewTexts.text("motion")),
     /** Grippers, belts and parts around the arm. */
-    CELL("Cell"),
+    CELL(HelpViewTexts.text("cell")),
     /** The language by itself. */
-    LANGUAGE("Language"),
+    LANGUAGE(HelpViewTexts.text("language")),
     /** Programs made of nodes. */
-    NODES("Nodes");
+    NODES(HelpViewTexts.text("nodes"));
 
     private final String title;
 
@@ -76,7 +76,8 @@ public record Example(String file, Topic topic, List<String> companions) {
 
   /** What an action is called that opens it: its name in words. */
   String title() {
-    return "Example: " + file.substring(0, file.lastIndexOf('.')).replace('_', ' ');
+    return HelpViewTexts.text(
+        "example", file.substring(0, file.lastIndexOf('.')).replace('_', ' '));
   }
 
   /** Id of that action. */

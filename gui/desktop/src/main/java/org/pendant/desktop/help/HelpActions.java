@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import java.awt.Desktop;
 import java.net.URI;
 import java.nio.file.Files;
@@ -62,23 +64,28 @@ public final class HelpActions {
   public void add(Consumer<Runnable> explain, Consumer<Example> open, Supplier<String> screen) {
     actions.add(
         Action.of(
-            "help.documentation", "Help and documentation", "", () -> panel.open(HelpPage.FIRST)));
+            "help.documentation",
+            text("helpAndDocumentation"),
+            "",
+            () -> panel.open(HelpPage.FIRST)));
     actions.add(
         Action.of(
             "help.context",
-            "Help on the name at the caret",
+            text("helpOnTheNameAtThe"),
             "F1",
             () -> explain.accept(() -> panel.open(HelpPage.of(screen.get())))));
     actions.add(
-        Action.of("help.shortcuts", "Keyboard shortcuts", "", () -> panel.open(HelpPage.KEYS)));
+        Action.of(
+            "help.shortcuts", text("keyboardShortcuts"), "", () -> panel.open(HelpPage.KEYS)));
     actions.add(
-        Action.of("help.tests", "How to write tests", "", () -> panel.open(HelpPage.TESTS)));
+        Action.of("help.tests", text("howToWriteTests"), "", () -> panel.open(HelpPage.TESTS)));
     for (Example each : Example.all()) {
       actions.add(Action.of(each.id(), each.title(), "", () -> open.accept(each)));
     }
-    actions.add(Action.of("help.about", "About Pendant", "", () -> panel.open(HelpPage.ABOUT)));
-    actions.add(Action.of("help.logs", "Open the folder of logs", "", () -> openFolder(logs)));
-    actions.add(Action.of("help.report", "Report a problem\u2026", "", this::report));
+    actions.add(
+        Action.of("help.about", text("aboutPendant"), "", () -> panel.open(HelpPage.ABOUT)));
+    actions.add(Action.of("help.logs", text("openTheFolderOfLogs"), "", () -> openFolder(logs)));
+    actions.add(Action.of("help.report", text("reportAProblem"), "", this::report));
   }
 
   private String made(HelpPage page) {
@@ -99,7 +106,7 @@ public final class HelpActions {
     SaveDialog.open(
         under,
         new SaveRequest(
-            "Report a problem, without names and programs",
+            text("reportAProblemWithoutNamesAnd"),
             Path.of(System.getProperty("user.home"), "pendant-problem.zip"),
             List.of("zip"),
             List.of()),

@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import java.nio.file.Path;
 import java.util.List;
 
@@ -11,16 +13,16 @@ import java.util.List;
  */
 record HelpPage(String name, String title) {
   /** The keys that do actions now. */
-  static final HelpPage KEYS = new HelpPage("keys", "Keyboard shortcuts");
+  static final HelpPage KEYS = new HelpPage("keys", text("keyboardShortcuts"));
 
   /** What this program is. */
-  static final HelpPage ABOUT = new HelpPage("about", "About Pendant");
+  static final HelpPage ABOUT = new HelpPage("about", text("aboutPendant"));
 
   /** Where reading begins. */
-  static final HelpPage FIRST = new HelpPage("docs/desktop.md", "The window");
+  static final HelpPage FIRST = new HelpPage("docs/desktop.md", text("theWindow"));
 
   /** How tests are written. */
-  static final HelpPage TESTS = new HelpPage("docs/testing.md", "Tests");
+  static final HelpPage TESTS = new HelpPage("docs/testing.md", text("tests"));
 
   /** The page about a screen, by the id of its view; the first one where there is none. */
   static HelpPage of(String screen) {
@@ -39,33 +41,33 @@ record HelpPage(String name, String title) {
     return List.of(
         FIRST,
         KEYS,
-        new HelpPage("docs/learn/first-program.md", "Your first program"),
-        new HelpPage("docs/learn/debug.md", "Debug it"),
-        new HelpPage("docs/learn/first-tree.md", "Your first tree"),
-        new HelpPage("docs/testing-tutorial.md", "Your first test"),
-        new HelpPage("docs/learn/cell.md", "Your first cell"),
-        new HelpPage("docs/language.md", "Writing programs"),
-        new HelpPage("docs/functions.md", "Functions"),
-        new HelpPage("docs/debugging.md", "Debugging"),
-        new HelpPage("docs/program-trees.md", "Programs of nodes"),
-        new HelpPage("docs/program-files.md", "Program files"),
-        new HelpPage("docs/installations.md", "Installations"),
-        new HelpPage("docs/motion.md", "Motion"),
-        new HelpPage("docs/safety.md", "Safety"),
-        new HelpPage("docs/simulated-arm.md", "The simulated arm"),
-        new HelpPage("docs/robots.md", "Robots"),
-        new HelpPage("docs/recording.md", "Recordings"),
+        new HelpPage("docs/learn/first-program.md", text("yourFirstProgram")),
+        new HelpPage("docs/learn/debug.md", text("debugIt")),
+        new HelpPage("docs/learn/first-tree.md", text("yourFirstTree")),
+        new HelpPage("docs/testing-tutorial.md", text("yourFirstTest")),
+        new HelpPage("docs/learn/cell.md", text("yourFirstCell")),
+        new HelpPage("docs/language.md", text("writingPrograms")),
+        new HelpPage("docs/functions.md", text("functions")),
+        new HelpPage("docs/debugging.md", text("debugging")),
+        new HelpPage("docs/program-trees.md", text("programsOfNodes")),
+        new HelpPage("docs/program-files.md", text("programFiles")),
+        new HelpPage("docs/installations.md", text("installations")),
+        new HelpPage("docs/motion.md", text("motion")),
+        new HelpPage("docs/safety.md", text("safety")),
+        new HelpPage("docs/simulated-arm.md", text("theSimulatedArm")),
+        new HelpPage("docs/robots.md", text("robots")),
+        new HelpPage("docs/recording.md", text("recordings")),
         TESTS,
-        new HelpPage("docs/testing-functions.md", "Functions of tests"),
-        new HelpPage("docs/scene.md", "Scenes"),
-        new HelpPage("docs/devices.md", "Devices of the cell"),
-        new HelpPage("docs/conveyors.md", "Conveyors"),
-        new HelpPage("docs/toolpaths.md", "Toolpaths"),
-        new HelpPage("docs/outside.md", "Sockets and XML-RPC"),
-        new HelpPage("docs/external-control.md", "External Control"),
-        new HelpPage("docs/protocols/README.md", "Ports"),
-        new HelpPage("docs/command-line.md", "Command line"),
-        new HelpPage("docs/faq.md", "Questions"),
+        new HelpPage("docs/testing-functions.md", text("functionsOfTests")),
+        new HelpPage("docs/scene.md", text("scenes")),
+        new HelpPage("docs/devices.md", text("devicesOfTheCell")),
+        new HelpPage("docs/conveyors.md", text("conveyors")),
+        new HelpPage("docs/toolpaths.md", text("toolpaths")),
+        new HelpPage("docs/outside.md", text("socketsAndXmlRpc")),
+        new HelpPage("docs/external-control.md", text("externalControl")),
+        new HelpPage("docs/protocols/README.md", text("ports")),
+        new HelpPage("docs/command-line.md", text("commandLine")),
+        new HelpPage("docs/faq.md", text("questions")),
         ABOUT);
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -73,7 +75,7 @@ final class HelpPanel {
     panel.setOpaque(false);
     list.setName("help-pages");
     list.setCellRenderer(new WithTip());
-    list.getAccessibleContext().setAccessibleName("Pages of the help");
+    list.getAccessibleContext().setAccessibleName(text("pagesOfTheHelp"));
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.addListSelectionListener(
         event -> {
@@ -128,10 +130,10 @@ final class HelpPanel {
 
   private void addQuery() {
     query.setName("help-search");
-    query.putClientProperty("JTextField.placeholderText", "Search the help");
+    query.putClientProperty("JTextField.placeholderText", text("searchTheHelp"));
     query.putClientProperty("JTextField.showClearButton", true);
-    query.setToolTipText("Words that a section has; the arrow down goes to what was found");
-    query.getAccessibleContext().setAccessibleName("Search the help");
+    query.setToolTipText(text("wordsThatASectionHasThe"));
+    query.getAccessibleContext().setAccessibleName(text("searchTheHelp"));
     query.getDocument().addDocumentListener(new Typed(this::find));
     query.registerKeyboardAction(
         event -> list.requestFocusInWindow(),
@@ -179,9 +181,9 @@ final class HelpPanel {
   }
 
   private JButton close() {
-    JButton close = new JButton("Close");
+    JButton close = new JButton(text("close"));
     close.setName("help-close");
-    close.setToolTipText("Closes the help (Esc)");
+    close.setToolTipText(text("closesTheHelpEsc"));
     close.addActionListener(event -> overlay.close());
     return close;
   }
@@ -217,7 +219,7 @@ final class HelpPanel {
     text.setEditorKit(kit);
     text.setDocument(read);
     // Each kind of text brings an accessible context of its own.
-    text.getAccessibleContext().setAccessibleName("Help");
+    text.getAccessibleContext().setAccessibleName(text("help"));
     text.setBackground(Palette.card());
     text.setCaretPosition(0);
     if (!place.isEmpty()) {

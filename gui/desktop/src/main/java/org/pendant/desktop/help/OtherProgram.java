@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import java.awt.Desktop;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
@@ -27,7 +29,7 @@ public final class OtherProgram {
     Background.run(
         () -> {
           if (!Desktop.isDesktopSupported()) {
-            throw new IOException("no program of this computer opens it");
+            throw new IOException(text("noProgramOfThisComputerOpens"));
           }
           try {
             opening.run();
@@ -36,12 +38,12 @@ public final class OtherProgram {
           }
           return what;
         },
-        opened -> tell.accept("Opened " + opened),
+        opened -> tell.accept(text("opened", opened)),
         failed -> {
           Toolkit.getDefaultToolkit()
               .getSystemClipboard()
               .setContents(new StringSelection(what), null);
-          tell.accept(what + " was copied to the clipboard: " + failed.getMessage());
+          tell.accept(text("wasCopiedToTheClipboard", what, failed.getMessage()));
         });
   }
 }

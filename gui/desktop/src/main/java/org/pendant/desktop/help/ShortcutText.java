@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import java.util.List;
 import java.util.Map;
 import org.pendant.kit.action.Action;
@@ -16,8 +18,8 @@ final class ShortcutText {
    * @param groups the actions by where they stand, as ids; in its order
    */
   static String of(ActionTable actions, Map<String, List<String>> groups) {
-    StringBuilder text = new StringBuilder("# Keyboard shortcuts\n\n");
-    text.append("*Change keys…* in the menu *Help* gives actions other keys.\n");
+    StringBuilder text = new StringBuilder("# " + text("keyboardShortcuts") + "\n\n");
+    text.append(text("changeKeysInTheMenuHelp")).append("\n");
     groups.forEach(
         (title, ids) -> {
           List<Action> withKeys =
@@ -26,7 +28,9 @@ final class ShortcutText {
                   .filter(each -> !actions.keysOf(each.id()).isEmpty())
                   .toList();
           if (!withKeys.isEmpty()) {
-            text.append("\n## ").append(title).append("\n\n| Keys | Action |\n| --- | --- |\n");
+            text.append("\n## ").append(title).append("\n\n");
+            text.append("| ").append(text("keysOfTheTable"));
+            text.append(" | ").append(text("actionOfTheTable")).append(" |\n| --- | --- |\n");
             // One key may do the same on several screens.
             withKeys.stream().map(each -> row(actions, each)).distinct().forEach(text::append);
           }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.help;
 
+import static org.pendant.desktop.help.HelpViewTexts.text;
+
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -28,7 +30,7 @@ public final class WelcomeCard {
   private final JPanel panel =
       new JPanel(new MigLayout("insets 8, gap 8, wrap 2", "[fill, grow][fill]"));
   private final Overlay overlay;
-  private final JButton close = new JButton("Close");
+  private final JButton close = new JButton(text("close"));
 
   /**
    * A card that is closed.
@@ -41,13 +43,13 @@ public final class WelcomeCard {
     panel.setOpaque(false);
     overlay = new Overlay("welcome", under, panel);
     close.setName("welcome-close");
-    close.setToolTipText("Closes this card (Esc); it is in the menu Help too");
+    close.setToolTipText(text("closesThisCardEscItIs"));
     close.addActionListener(event -> close());
   }
 
   /** Adds the action that opens it. */
   public void addAction() {
-    actions.add(Action.of("help.welcome", "Welcome", "", this::open));
+    actions.add(Action.of("help.welcome", text("welcome"), "", this::open));
   }
 
   /** Opens it at the very first start. */
@@ -60,22 +62,22 @@ public final class WelcomeCard {
 
   private void open() {
     panel.removeAll();
-    JLabel heading = new JLabel("Welcome to Pendant");
+    JLabel heading = new JLabel(text("welcomeToPendant"));
     heading.putClientProperty("FlatLaf.styleClass", "h2");
     panel.add(heading, "span");
-    panel.add(new JLabel("The arm is on, and a program is open. What next?"), "span, gapbottom 8");
-    JButton first = row("program.run", "Run the program that is open");
-    JButton examples = new JButton("Open an example \u25BE");
+    panel.add(new JLabel(text("theArmIsOnAndA")), "span, gapbottom 8");
+    JButton first = row("program.run", text("runTheProgramThatIsOpen"));
+    JButton examples = new JButton(text("openAnExample"));
     examples.setName("welcome-examples");
     examples.setHorizontalAlignment(JButton.LEADING);
     examples.addActionListener(event -> examples().show(examples, 0, examples.getHeight()));
     panel.add(examples);
     panel.add(new JLabel());
-    row("file.open", "Open a program, script or .urp\u2026");
-    row("file.new", "New program, built from nodes");
-    row("file.new-script", "New script, to be written");
-    row("help.documentation", "Read the documentation");
-    row("help.palette", "Find an action by a few letters");
+    row("file.open", text("openAProgramScriptOrUrp"));
+    row("file.new", text("newProgramBuiltFromNodes"));
+    row("file.new-script", text("newScriptToBeWritten"));
+    row("help.documentation", text("readTheDocumentation"));
+    row("help.palette", text("findAnActionByAFew"));
     panel.add(close, "span, growx 0, right, gaptop 8");
     overlay.open();
     first.requestFocusInWindow();
@@ -103,7 +105,7 @@ public final class WelcomeCard {
       JMenu some = new JMenu(topic.title());
       Example.all().stream()
           .filter(each -> each.topic() == topic)
-          .forEach(each -> some.add(ActionItem.of(actions, each.id(), "Example")));
+          .forEach(each -> some.add(ActionItem.of(actions, each.id(), text("examplePrefix"))));
       menu.add(some);
     }
     return menu;

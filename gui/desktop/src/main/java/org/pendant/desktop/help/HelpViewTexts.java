@@ -1,0 +1,15 @@
+package org.pendant.desktop.help;
+
+import org.pendant.text.Texts;
+
+/** What this package says to people. */
+final class HelpViewTexts {
+  private static final Texts TEXTS = Texts.of(HelpViewTexts.class);
+
+  private HelpViewTexts() {}
+
+  /** The text of a key of {@code texts/desktop.help.properties}, filled with values. */
+  static String text(String key, Object... values) {
+    return TEXTS.get(key, values);
+  }
+}
