@@ -16,9 +16,7 @@ import org.pendant.controller.safety.SafetyLimits;
 import org.pendant.kit.form.EntryField;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.PartsForm;
-import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
-import org.pendant.kit.theme.Palette;
 import org.pendant.models.arm.Joints;
 
 /** Joint limits page: speeds and ranges of the joints, normal and reduced. */
@@ -49,15 +47,12 @@ final class JointLimitsPage implements Page {
     form.heading(text("reduced"));
     addSet(
         "reduced", SafetyConfiguration::reduced, (c, limits) -> c.withLimits(c.normal(), limits));
-    Remark units = new Remark("joints-note", Palette::quiet);
-    form.follow(
-        now ->
-            units.say(
-                text(
-                    "inAndNoneNoLimitBut",
-                    draft.measures().of(Measure.DEGREE_PER_S).symbol(),
-                    degrees().symbol())));
-    form.wide(units);
+    form.note(
+        () ->
+            text(
+                "inAndNoneNoLimitBut",
+                draft.measures().of(Measure.DEGREE_PER_S).symbol(),
+                degrees().symbol()));
     card.add(bar.component());
     card.add(form.component());
     form.whenNothing(draft::nothingTyped);

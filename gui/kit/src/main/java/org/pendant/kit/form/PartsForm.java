@@ -456,10 +456,15 @@ public final class PartsForm<T> {
 
   /** A quiet sentence. */
   public PartsForm<T> note(String text) {
+    return note(() -> text);
+  }
+
+  /** A quiet sentence that may change with what is around the value. */
+  public PartsForm<T> note(Supplier<String> text) {
     Remark remark = new Remark(id + "-note", Palette::quiet);
-    remark.say(text);
+    remark.say(text.get());
     // again, as it may have been hidden with its section
-    followers.add(now -> remark.say(text));
+    followers.add(now -> remark.say(text.get()));
     panel.add(remark, "span, wrap, " + Remark.LAYOUT);
     return this;
   }
