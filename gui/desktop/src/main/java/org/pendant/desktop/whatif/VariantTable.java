@@ -25,7 +25,7 @@ import org.pendant.kit.theme.Palette;
 /** Variant table: the variants in rows, edited in place. */
 @SuppressWarnings("serial") // never written to a stream
 final class VariantTable extends JTable {
-  private static final List<Integer> WIDTHS = List.of(120, 66, 66, 108, 84, 120, 104, 104, 110);
+  private static final List<Integer> WIDTHS = List.of(136, 66, 66, 100, 84, 120, 104, 104, 110);
   private static final int MIN_WIDTH = 60;
   private static final int ROW_SPACE = 12;
 

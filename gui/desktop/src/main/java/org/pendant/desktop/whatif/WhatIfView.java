@@ -333,7 +333,7 @@ public final class WhatIfView implements View {
             ? "Runs each variant beside the robot, which goes on as it does: from the moment that"
                 + " is looked at, or from the start of the last run"
             : why);
-    cancel.setVisible(presenter.running());
+    cancel.setEnabled(presenter.running());
     add.setEnabled(presenter.canAdd());
     remove.setEnabled(presenter.canRemove() && table.getSelectedRow() >= 0);
     clear.setEnabled(
