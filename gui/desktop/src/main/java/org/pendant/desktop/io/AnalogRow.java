@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.CardLayout;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -40,17 +42,17 @@ final class AnalogRow {
     brief = new JLabel(SignalName.brief(bank, index), ForcedMark.of(false), SwingConstants.LEADING);
     brief.setHorizontalTextPosition(SwingConstants.LEADING);
     brief.putClientProperty("FlatLaf.styleClass", "monospaced");
-    brief.setToolTipText("In scripts " + SignalName.inScript(bank, index));
+    brief.setToolTipText(text("inScripts", SignalName.inScript(bank, index)));
     for (AnalogDomain each : AnalogDomain.values()) {
       domain.addItem(AnalogText.unit(each));
     }
-    String verb = bank.input() ? "Force " : "Set ";
-    TitledCard.named(value, id + "-value", verb + name + ", Enter sets it");
+
+    TitledCard.named(
+        value, id + "-value", text(bank.input() ? "forceByEnter" : "setByEnter", name));
     value.setHorizontalAlignment(SwingConstants.TRAILING);
     value.putClientProperty("FlatLaf.styleClass", "monospaced");
-    TitledCard.named(
-        domain, id + "-domain", "What " + name + " is made of: a current or a voltage");
-    TitledCard.named(slider, id, verb + name);
+    TitledCard.named(domain, id + "-domain", text("whatIsMadeOfACurrent", name));
+    TitledCard.named(slider, id, text(bank.input() ? "forceSignal" : "setSignal", name));
     problem.setName(id + "-problem");
     listen();
     card.add(brief);

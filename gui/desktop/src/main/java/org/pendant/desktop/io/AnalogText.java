@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.Locale;
 import org.pendant.controller.io.AnalogDomain;
 
@@ -54,7 +56,7 @@ final class AnalogText {
     throw new IllegalArgumentException(
         String.format(
             Locale.ROOT,
-            "'%s' must be %.0f to %.0f %s",
+            text("analogMustBe"),
             text.strip(),
             domain.low() * scale,
             domain.high() * scale,

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
@@ -29,7 +31,7 @@ final class DeviceCard {
   /** Of the width that fits, the part that a part has. */
   private static final double PART = 0.4;
 
-  private final TitledCard card = new TitledCard("Cell", "[grow,fill,0::]");
+  private final TitledCard card = new TitledCard(text("cell"), "[grow,fill,0::]");
   private final JPanel table =
       new JPanel(new MigLayout("insets 0, gap 12 2, wrap 2", "[grow, 0:180:][right]"));
   private final Function<Command, CompletableFuture<Reply>> submit;
@@ -43,7 +45,7 @@ final class DeviceCard {
   private static final class Line {
     private final JLabel name = new JLabel();
     private final JLabel doing = new JLabel();
-    private final JCheckBox part = new JCheckBox("Part");
+    private final JCheckBox part = new JCheckBox(text("partBox"));
     private final DeviceSignals signals;
 
     private Line(DeviceSignals signals) {
@@ -113,9 +115,9 @@ final class DeviceCard {
           line.part,
           "device-" + row.name() + "-part",
           switch (row.box()) {
-            case PRESS -> "Press " + row.name() + " by hand";
-            case ONLINE -> "Have " + row.name() + " on the network";
-            case PART, NONE -> "Put a part where " + row.name() + " grips";
+            case PRESS -> text("pressByHand", row.name());
+            case ONLINE -> text("haveOnTheNetwork", row.name());
+            case PART, NONE -> text("putAPartWhereGrips", row.name());
           });
       line.part.setText(row.box().text());
       line.part.setVisible(row.box() != DeviceRow.Box.NONE);

@@ -1,5 +1,6 @@
 package org.pendant.desktop.io;
 
+import java.util.Locale;
 import org.pendant.controller.device.DeviceState;
 import org.pendant.desktop.unit.DisplayUnit;
 
@@ -33,12 +34,19 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
         box == Box.ONLINE ? device.on() : device.partWidthM() > 0);
   }
 
+  /** What it does, within a sentence. */
+  public String doingInSentence() {
+    return doing.isEmpty()
+        ? ""
+        : doing.substring(0, 1).toLowerCase(Locale.ROOT) + doing.substring(1);
+  }
+
   /** What people can do to a device. */
   public enum Box {
     NONE(""),
-    PART("Part"),
-    PRESS("Press"),
-    ONLINE("Online");
+    PART(IoTexts.text("partBox")),
+    PRESS(IoTexts.text("pressBox")),
+    ONLINE(IoTexts.text("onlineBox"));
 
     private final String text;
 
@@ -66,32 +74,38 @@ public record DeviceRow(String name, String kind, String doing, Box box, boolean
 
   private static String doing(DeviceState device, DisplayUnit length) {
     if (box(device) == Box.ONLINE) {
-      return device.on() ? "On the network" : "Off the network";
+      return device.on() ? IoTexts.text("onTheNetwork") : IoTexts.text("offTheNetwork");
     }
     if (device.strokeM() == 0) {
       return switch (device.kind()) {
-        case "camera" -> device.on() ? "Sees a part" : "Sees nothing";
-        case "lamp" -> device.on() ? "Lit" : "Not lit";
-        case "belt" -> device.on() ? "Runs" : "Stands still";
-        case "source" -> device.on() ? "A part comes" : "Waits";
-        case "sink" -> device.on() ? "Takes a part" : "Waits";
-        case LIMIT_SWITCH, BUTTON -> device.on() ? "Pressed" : "Not pressed";
+        case "camera" -> device.on() ? IoTexts.text("seesAPart") : IoTexts.text("seesNothing");
+        case "lamp" -> device.on() ? IoTexts.text("lit") : IoTexts.text("notLit");
+        case "belt" -> device.on() ? IoTexts.text("runs") : IoTexts.text("standsStill");
+        case "source" -> device.on() ? IoTexts.text("aPartComes") : IoTexts.text("waits");
+        case "sink" -> device.on() ? IoTexts.text("takesAPart") : IoTexts.text("waits");
+        case LIMIT_SWITCH, BUTTON ->
+            device.on() ? IoTexts.text("pressed") : IoTexts.text("notPressed");
         default ->
             device.maxPartWidthM() == 0
-                ? device.on() ? "Sees something" : "Sees nothing"
-                : device.on() ? "Holds a part" : "Holds nothing";
+                ? device.on() ? IoTexts.text("seesSomething") : IoTexts.text("seesNothing")
+                : device.on() ? IoTexts.text("holdsAPart") : IoTexts.text("holdsNothing");
       };
     }
     if (device.kind().equals(DOOR)) {
       double share = device.openingM() / device.strokeM();
-      return share <= 0 ? "Closed" : share >= 1 ? "Open" : Math.round(100 * share) + " % open";
+      return share <= 0
+          ? IoTexts.text("closed")
+          : share >= 1
+              ? IoTexts.text("open")
+              : IoTexts.text("openPercent", Math.round(100 * share));
     }
     if (device.kind().equals(RAIL)) {
-      return "At " + length.text(device.openingM()) + " of " + length.reading(device.strokeM());
+      return IoTexts.text(
+          "railAt", length.text(device.openingM()), length.reading(device.strokeM()));
     }
     String opening = length.reading(device.openingM());
     return device.on()
-        ? opening + ", holds a part with " + Math.round(device.forceN()) + " N"
-        : opening + " open";
+        ? IoTexts.text("holdsAPartWithN", opening, Math.round(device.forceN()))
+        : IoTexts.text("openingOpen", opening);
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
@@ -32,7 +34,7 @@ final class DeviceSignalTable extends JTable {
     super(signals);
     this.signals = signals;
     setName(name);
-    getAccessibleContext().setAccessibleName("Signals");
+    getAccessibleContext().setAccessibleName(text("signals"));
     setDefaultRenderer(Object.class, new Cell());
     setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     setRowSelectionAllowed(true);

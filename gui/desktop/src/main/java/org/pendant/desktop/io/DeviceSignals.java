@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BiConsumer;
@@ -17,7 +19,7 @@ final class DeviceSignals extends RowsModel<DeviceSignals.Row> {
   /** The signal that has a box of its own: whether the device is on the network. */
   static final String ONLINE = "online";
 
-  private static final List<String> TITLES = List.of("Signal", "Value");
+  private static final List<String> TITLES = List.of(text("signalColumn"), text("value"));
 
   private final transient BiConsumer<String, Integer> set;
   private final transient Consumer<String> refuse;
@@ -98,7 +100,7 @@ final class DeviceSignals extends RowsModel<DeviceSignals.Row> {
     try {
       set.accept(device + "." + row(row).name(), Integer.parseInt(text));
     } catch (NumberFormatException _) {
-      refuse.accept(row(row).name() + " is \"" + text + "\", must be a whole number");
+      refuse.accept(text("notWholeNumber", row(row).name(), text));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import javax.swing.JLabel;
 import org.pendant.kit.icon.SvgIcon;
 
@@ -22,7 +24,7 @@ final class ForcedMark {
     SvgIcon mark = of(forced);
     if (!mark.equals(label.getIcon())) {
       label.setIcon(mark);
-      label.getAccessibleContext().setAccessibleDescription(forced ? "Forced" : "");
+      label.getAccessibleContext().setAccessibleDescription(forced ? text("forced") : "");
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.ArrayList;
@@ -48,9 +50,9 @@ public final class IoView implements View {
   private final SignalLabels labels;
   private final List<MemoryCard> memories = new ArrayList<>();
   private final JTextField search = new JTextField(12);
-  private final JCheckBox onlyUsed = new JCheckBox("Only registers in use");
+  private final JCheckBox onlyUsed = new JCheckBox(text("onlyRegistersInUse"));
   private final JLabel forced = new JLabel("", ForcedMark.of(false), SwingConstants.LEADING);
-  private final JButton release = new JButton("Release all");
+  private final JButton release = new JButton(text("releaseAll"));
   private final ModbusCard modbus = new ModbusCard();
   private final DeviceCard devices;
   private final ReadingsCard readings = new ReadingsCard();
@@ -88,30 +90,25 @@ public final class IoView implements View {
   private JComponent bar() {
     JPanel bar = new JPanel(new WrappingRow(8));
     JTextField length = new JTextField(workbench.settings().get(PULSE_SETTING).orElse("0.5"), 4);
-    TitledCard.named(length, "io-pulse-length", "How long a pulse lasts, in seconds of robot time");
+    TitledCard.named(length, "io-pulse-length", text("howLongAPulseLastsIn"));
     JLabel problem = new JLabel();
     problem.setName("io-pulse-problem");
     readPulse(length, problem);
     length.getDocument().addDocumentListener(new Typed(() -> readPulse(length, problem)));
-    bar.add(group(labelled("Pulse length", length), length, new JLabel("s"), problem));
-    search.putClientProperty("JTextField.placeholderText", "Number or name");
+    bar.add(group(labelled(text("pulseLength"), length), length, new JLabel("s"), problem));
+    search.putClientProperty("JTextField.placeholderText", text("numberOrName"));
     search.putClientProperty("JTextField.showClearButton", true);
-    TitledCard.named(
-        search, "io-register-search", "Find registers and flags by number or name, in use or not");
+    TitledCard.named(search, "io-register-search", text("findRegistersAndFlagsByNumber"));
     search.getDocument().addDocumentListener(new Typed(this::filter));
-    TitledCard.named(
-        onlyUsed,
-        "io-only-used",
-        "Show only registers and flags that hold something or have a name");
+    TitledCard.named(onlyUsed, "io-only-used", text("showOnlyRegistersAndFlagsThat"));
     onlyUsed.setSelected(workbench.settings().get(USED_SETTING).map(Boolean::valueOf).orElse(true));
     onlyUsed.addActionListener(
         event -> {
           workbench.settings().put(USED_SETTING, Boolean.toString(onlyUsed.isSelected()));
           filter();
         });
-    bar.add(group(labelled("Register", search), search, onlyUsed));
-    TitledCard.named(
-        release, "io-release-all", "Bring all forced inputs to rest: low, 0 V, 4 mA or 0");
+    bar.add(group(labelled(text("register"), search), search, onlyUsed));
+    TitledCard.named(release, "io-release-all", text("bringAllForcedInputsToRest"));
     release.addActionListener(event -> presenter.releaseAll());
     forced.setName("io-forced");
     // There also while nothing is forced: the inputs stay under the pointer that forces them.
@@ -143,7 +140,7 @@ public final class IoView implements View {
         .add(
             new Action(
                 "io.release-all",
-                "Release all forced inputs",
+                text("releaseAllForcedInputs"),
                 "",
                 () -> presenter.forcing().count() > 0,
                 presenter::releaseAll));
@@ -152,7 +149,7 @@ public final class IoView implements View {
         .add(
             Action.of(
                 "io.find-register",
-                "Find a register or flag\u2026",
+                text("findARegisterOrFlag"),
                 "",
                 () -> {
                   workbench.show(id());
@@ -196,14 +193,14 @@ public final class IoView implements View {
     addAnalog(
         cards,
         new AnalogCard(
-            "Analog inputs",
+            text("analogInputs"),
             List.of(AnalogBank.STANDARD_IN, AnalogBank.TOOL_IN),
             presenter.forcing(),
             labels));
     addAnalog(
         cards,
         new AnalogCard(
-            "Analog outputs", List.of(AnalogBank.STANDARD_OUT), presenter.forcing(), labels));
+            text("analogOutputs"), List.of(AnalogBank.STANDARD_OUT), presenter.forcing(), labels));
     cards.add(tool.component());
     cards.add(safety.component());
     for (RegisterKind kind : RegisterKind.values()) {
@@ -232,9 +229,9 @@ public final class IoView implements View {
     int count = presenter.forcing().count();
     String text =
         switch (count) {
-          case 0 -> "No input forced";
-          case 1 -> "1 input forced";
-          default -> count + " inputs forced";
+          case 0 -> text("noInputForced");
+          case 1 -> text("oneInputForced");
+          default -> text("inputsForced", count);
         };
     if (!forced.getText().equals(text)) {
       forced.setText(text);

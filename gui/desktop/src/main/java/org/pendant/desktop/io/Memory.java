@@ -1,6 +1,7 @@
 package org.pendant.desktop.io;
 
-import java.util.Locale;
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
@@ -19,6 +20,9 @@ sealed interface Memory {
 
   /** Whether a place holds a level rather than a number. */
   boolean levels();
+
+  /** The name of it all for components. */
+  String id();
 
   /** What a place can hold, for people. */
   String takes();
@@ -51,11 +55,17 @@ sealed interface Memory {
   record Registers(RegisterDirection direction, RegisterKind kind) implements Memory {
     @Override
     public String title() {
-      return kind.text().substring(0, 1).toUpperCase(Locale.ROOT)
-          + kind.text().substring(1)
-          + " "
-          + direction.text()
-          + " registers";
+      boolean input = input();
+      return switch (kind) {
+        case BOOLEAN -> text(input ? "booleanInputRegisters" : "booleanOutputRegisters");
+        case INTEGER -> text(input ? "integerInputRegisters" : "integerOutputRegisters");
+        case FLOAT -> text(input ? "floatInputRegisters" : "floatOutputRegisters");
+      };
+    }
+
+    @Override
+    public String id() {
+      return kind.text() + "-" + direction.text() + "-registers";
     }
 
     @Override
@@ -71,9 +81,9 @@ sealed interface Memory {
     @Override
     public String takes() {
       return switch (kind) {
-        case BOOLEAN -> "0 or 1";
-        case INTEGER -> "a whole number of 32 bits";
-        case FLOAT -> "a number";
+        case BOOLEAN -> text("takesLevel");
+        case INTEGER -> text("takesWholeNumber");
+        case FLOAT -> text("takesNumber");
       };
     }
 
@@ -153,7 +163,7 @@ sealed interface Memory {
 
     @Override
     public String title() {
-      return "Flags";
+      return text("flags");
     }
 
     @Override
@@ -167,8 +177,13 @@ sealed interface Memory {
     }
 
     @Override
+    public String id() {
+      return "flags";
+    }
+
+    @Override
     public String takes() {
-      return "0 or 1";
+      return text("takesLevel");
     }
 
     @Override

@@ -1,8 +1,9 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.Dimension;
 import java.awt.Insets;
-import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -28,7 +29,7 @@ final class MemoryCard {
   MemoryCard(Memory memory, Forcing forcing, SignalLabels labels) {
     list = new MemoryList(memory, forcing, labels);
     card = new TitledCard(memory.title(), "[grow,fill]");
-    String name = memory.title().toLowerCase(Locale.ROOT).replace(' ', '-');
+    String name = memory.id();
     table = new MemoryTable("io-" + name, list, this::tell);
     scroll =
         new JScrollPane(
@@ -76,10 +77,7 @@ final class MemoryCard {
       table.getCellEditor().cancelCellEditing();
     }
     list.filter(text, inUse);
-    empty.setText(
-        text.isBlank()
-            ? "Those in use, or with a name, appear here"
-            : "None has this number or name");
+    empty.setText(text.isBlank() ? text("thoseInUseOrWithA") : text("noneHasThisNumberOrName"));
     showRows();
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.Component;
 import javax.swing.JTable;
 import javax.swing.SwingConstants;
@@ -19,12 +21,12 @@ final class MemoryCell extends DefaultTableCellRenderer {
     MemoryList list = model.list();
     int index = model.index(row);
     String name = list.memory().name(index);
-    String held = name + " is " + list.text(index);
+    String held = text("holds", name, list.text(index));
     setIcon(null);
     setHorizontalAlignment(SwingConstants.LEADING);
     setHorizontalTextPosition(SwingConstants.LEADING);
     String label = list.label(index).isEmpty() ? "" : list.label(index) + ": ";
-    setToolTipText(label + held + ", in scripts " + list.memory().inScript(index));
+    setToolTipText(label + text("heldInScripts", held, list.memory().inScript(index)));
     switch (column) {
       case MemoryTableModel.NUMBER -> setIcon(ForcedMark.of(list.forced(index)));
       case MemoryTableModel.VALUE -> showValue(list, index);

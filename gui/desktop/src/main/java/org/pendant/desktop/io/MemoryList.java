@@ -168,6 +168,6 @@ final class MemoryList {
     } catch (NumberFormatException e) {
       // the message below says what is wrong with it
     }
-    throw new IllegalArgumentException("'" + text.strip() + "' must be " + memory.takes());
+    throw new IllegalArgumentException(IoTexts.text("mustBe", text.strip(), memory.takes()));
   }
 }

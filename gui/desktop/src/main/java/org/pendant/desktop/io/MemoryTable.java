@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
@@ -145,7 +147,8 @@ final class MemoryTable extends JTable {
       naming = column == MemoryTableModel.NAME;
       field
           .getAccessibleContext()
-          .setAccessibleName((naming ? "Your name for " : "Value of ") + list.memory().name(index));
+          .setAccessibleName(
+              text(naming ? "yourNameFor" : "valueOfRegister", list.memory().name(index)));
       field.selectAll();
       tell("");
       return component;

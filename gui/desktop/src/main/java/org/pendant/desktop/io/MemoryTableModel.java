@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.table.AbstractTableModel;
@@ -11,7 +13,8 @@ final class MemoryTableModel extends AbstractTableModel {
   static final int NAME = 1;
   static final int VALUE = 2;
 
-  private static final List<String> TITLES = List.of("No.", "Name", "Value");
+  private static final List<String> TITLES =
+      List.of(text("numberColumn"), text("nameColumn"), text("value"));
 
   private final transient MemoryList list;
   private final transient Consumer<String> refuse;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JComponent;
@@ -13,9 +15,9 @@ import org.pendant.kit.theme.Palette;
 
 /** Modbus card: the signals at Modbus devices, of the installation and of programs. */
 final class ModbusCard {
-  private static final String NONE = "Signals of Modbus devices appear here";
+  private static final String NONE = text("signalsOfModbusDevicesAppearHere");
 
-  private final TitledCard card = new TitledCard("Modbus", "[grow,fill,0::]");
+  private final TitledCard card = new TitledCard(text("modbus"), "[grow,fill,0::]");
   private final JLabel none = new JLabel(NONE);
   private final JPanel table =
       new JPanel(
@@ -67,8 +69,8 @@ final class ModbusCard {
       ModbusRow row = rows.get(i);
       Line line = lines.get(i);
       show(line.name, row.name(), row.name() + ": " + row.place());
-      show(line.value, row.value(), "Value of " + row.name() + ": " + row.value());
-      show(line.rate, row.rate(), "How often " + row.name() + " is exchanged");
+      show(line.value, row.value(), text("valueOf", row.name(), row.value()));
+      show(line.rate, row.rate(), text("howOftenIsExchanged", row.name()));
       show(line.status, row.status(), row.status());
       line.name.setName("modbus-" + row.name());
       line.value.setName("modbus-" + row.name() + "-value");

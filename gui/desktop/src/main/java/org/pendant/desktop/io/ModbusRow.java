@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.List;
 import java.util.stream.Collectors;
 import org.pendant.controller.external.ModbusErrors;
@@ -30,23 +32,22 @@ record ModbusRow(
     ModbusExchange exchange = signal.exchange();
     return new ModbusRow(
         ByteText.decoded(signal.name()),
-        exchange.kind().words()
-            + " "
-            + exchange.readAddress()
-            + ", unit "
-            + exchange.unit()
-            + " at "
-            + ByteText.decoded(exchange.device().toString()),
+        text(
+            "modbusPlace",
+            exchange.kind().words(),
+            exchange.readAddress(),
+            exchange.unit(),
+            ByteText.decoded(exchange.device().toString())),
         value(signal),
         status(signal),
         !signal.valid(),
-        signal.updateHz() == 0 ? "on demand" : signal.updateHz() + " Hz");
+        signal.updateHz() == 0 ? text("onDemand") : text("modbusRate", signal.updateHz()));
   }
 
   private static String value(ModbusSignalState signal) {
     boolean single = signal.values().size() == 1;
     if (single && signal.exchange().kind().digital()) {
-      return signal.values().getFirst() == 0 ? "low" : "high";
+      return signal.values().getFirst() == 0 ? text("low") : text("high");
     }
     return signal.values().isEmpty()
         ? "\u2013"
@@ -57,6 +58,6 @@ record ModbusRow(
     String problem =
         ModbusErrors.of(
             new ModbusReading(signal.values(), signal.deviceError(), signal.connectionError()));
-    return !problem.isEmpty() ? problem : signal.valid() ? "OK" : "No answer yet";
+    return !problem.isEmpty() ? problem : signal.valid() ? "OK" : text("noAnswerYet");
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import javax.swing.JTextField;
@@ -17,8 +19,8 @@ final class NameField {
    */
   static JTextField of(SignalLabels labels, String id, String signal) {
     JTextField field =
-        TitledCard.named(new JTextField(labels.of(id)), id + "-label", "Your name for " + signal);
-    field.putClientProperty("JTextField.placeholderText", "Name");
+        TitledCard.named(new JTextField(labels.of(id)), id + "-label", text("yourNameFor", signal));
+    field.putClientProperty("JTextField.placeholderText", text("nameHint"));
     field.putClientProperty(
         "FlatLaf.style", "borderColor: $Card.fieldBorder; background: null; arc: 8");
     labels.addListener(

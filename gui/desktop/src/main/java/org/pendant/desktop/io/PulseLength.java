@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 /**
  * Pulse length: how long a pulse lasts.
  *
@@ -16,7 +18,7 @@ record PulseLength(double seconds) {
    */
   PulseLength {
     if (!(seconds >= 0.01 && seconds <= 60)) {
-      throw new IllegalArgumentException("pulse is " + seconds + " s, must be 0.01 to 60 s");
+      throw new IllegalArgumentException(text("pulseOutside", seconds));
     }
   }
 
@@ -30,8 +32,7 @@ record PulseLength(double seconds) {
     try {
       seconds = Double.parseDouble(text.strip().replace(',', '.'));
     } catch (NumberFormatException e) {
-      throw new IllegalArgumentException(
-          "pulse is '" + text.strip() + "', must be a number of seconds, 0.01 to 60", e);
+      throw new IllegalArgumentException(text("pulseNotNumber", text.strip()), e);
     }
     return new PulseLength(seconds);
   }

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.pendant.controller.quantity.Component;
 import org.pendant.controller.quantity.StateQuantities;
 import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
@@ -14,28 +13,35 @@ import org.pendant.desktop.workbench.ScreenUnit;
 final class Readings {
   private static final List<Reading> OF_JOINT =
       List.of(
-          new Reading("Position", 1, "actual_q"),
-          new Reading("Current", 2, "current"),
-          new Reading("Torque", 1, "torque"),
-          new Reading("Temperature", 1, "temperature"));
+          new Reading(IoTexts.text("position"), 1, "actual_q"),
+          new Reading(IoTexts.text("current"), 2, "current"),
+          new Reading(IoTexts.text("torque"), 1, "torque"),
+          new Reading(IoTexts.text("temperature"), 1, "temperature"));
 
   private static final List<Reading> OF_ROBOT =
       List.of(
-          new Reading("Tool temperature", 1, "tool_temperature"),
-          new Reading("Controller temperature", 1, "box_temperature"),
-          new Reading("Tool current", 3, "tool_current"),
-          new Reading("TCP force", 1, "tcp_force"),
-          new Reading("Force along base x, y, z", 1, StateQuantities.of("tcp_wrench"), 0, 3),
-          new Reading("Torque about base x, y, z", 2, StateQuantities.of("tcp_wrench"), 3, 3),
-          new Reading("Payload", 2, "payload"),
-          new Reading("Centre of gravity", 1, "payload_cog"));
+          new Reading(IoTexts.text("toolTemperature"), 1, "tool_temperature"),
+          new Reading(IoTexts.text("controllerTemperature"), 1, "box_temperature"),
+          new Reading(IoTexts.text("toolCurrent"), 3, "tool_current"),
+          new Reading(IoTexts.text("tcpForce"), 1, "tcp_force"),
+          new Reading(IoTexts.text("forceAlongBaseXYZ"), 1, StateQuantities.of("tcp_wrench"), 0, 3),
+          new Reading(
+              IoTexts.text("torqueAboutBaseXYZ"), 2, StateQuantities.of("tcp_wrench"), 3, 3),
+          new Reading(IoTexts.text("payload"), 2, "payload"),
+          new Reading(IoTexts.text("centreOfGravity"), 1, "payload_cog"));
 
   /** Titles of the columns of {@link #joint}. */
   static final List<String> JOINT_COLUMNS = OF_JOINT.stream().map(Reading::title).toList();
 
   /** Titles of the joints from base to wrist 3. */
   static final List<String> JOINTS =
-      StateQuantities.of("actual_q").components().stream().map(Component::title).toList();
+      List.of(
+          IoTexts.text("base"),
+          IoTexts.text("shoulder"),
+          IoTexts.text("elbow"),
+          IoTexts.text("wrist1"),
+          IoTexts.text("wrist2"),
+          IoTexts.text("wrist3"));
 
   /** Titles of {@link #others}. */
   static final List<String> OTHERS = OF_ROBOT.stream().map(Reading::title).toList();

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.ArrayList;
@@ -19,7 +21,7 @@ import org.pendant.models.arm.Joints;
 final class ReadingsCard {
   private static final int COLUMNS = Readings.JOINT_COLUMNS.size();
 
-  private final TitledCard card = new TitledCard("Readings", "[grow,fill]");
+  private final TitledCard card = new TitledCard(text("readings"), "[grow,fill]");
   private final JPanel table = new JPanel();
   private final JPanel below = new JPanel();
   private final List<JLabel> titles = Readings.JOINT_COLUMNS.stream().map(Cells::title).toList();

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.EnumMap;
 import java.util.Map;
 import javax.swing.JComponent;
@@ -9,7 +11,7 @@ import org.pendant.kit.layout.TitledCard;
 
 /** Safety card: the inputs that demand safety functions. */
 final class SafetyCard {
-  private final TitledCard card = new TitledCard("Safety inputs", "[][grow,fill]");
+  private final TitledCard card = new TitledCard(text("safetyInputs"), "[][grow,fill]");
   private final Map<SafetyInput, LevelButton> buttons = new EnumMap<>(SafetyInput.class);
   private final IoPresenter presenter;
 
@@ -20,7 +22,7 @@ final class SafetyCard {
           TitledCard.named(
               new LevelButton(LevelIcon.ALARM, () -> presenter.toggle(input)),
               "safety-" + input.word().replace('_', '-'),
-              "Demand: " + title(input));
+              text("demand", title(input)));
       JLabel label = new JLabel(title(input));
       label.setLabelFor(button);
       label.setToolTipText(meaning(input));
@@ -32,21 +34,21 @@ final class SafetyCard {
 
   private static String title(SafetyInput input) {
     return switch (input) {
-      case EMERGENCY_STOP -> "Emergency stop";
-      case SYSTEM_EMERGENCY_STOP -> "System emergency stop";
-      case SAFEGUARD_STOP -> "Safeguard stop";
-      case AUTOMATIC_MODE_SAFEGUARD_STOP -> "Automatic mode safeguard";
-      case REDUCED_MODE -> "Reduced mode";
+      case EMERGENCY_STOP -> text("emergencyStop");
+      case SYSTEM_EMERGENCY_STOP -> text("systemEmergencyStop");
+      case SAFEGUARD_STOP -> text("safeguardStop");
+      case AUTOMATIC_MODE_SAFEGUARD_STOP -> text("automaticModeSafeguard");
+      case REDUCED_MODE -> text("reducedMode");
     };
   }
 
   private static String meaning(SafetyInput input) {
     return switch (input) {
-      case EMERGENCY_STOP -> "The emergency stop button of the robot is pressed";
-      case SYSTEM_EMERGENCY_STOP -> "The machines around demand an emergency stop";
-      case SAFEGUARD_STOP -> "A person is near: the arm waits";
-      case AUTOMATIC_MODE_SAFEGUARD_STOP -> "A person is near in automatic mode: the arm waits";
-      case REDUCED_MODE -> "The reduced limits hold";
+      case EMERGENCY_STOP -> text("theEmergencyStopButtonOfThe");
+      case SYSTEM_EMERGENCY_STOP -> text("theMachinesAroundDemandAnEmergency");
+      case SAFEGUARD_STOP -> text("aPersonIsNearTheArm");
+      case AUTOMATIC_MODE_SAFEGUARD_STOP -> text("aPersonIsNearInAutomatic");
+      case REDUCED_MODE -> text("theReducedLimitsHold");
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JButton;
@@ -46,12 +48,10 @@ final class SignalCard {
         TitledCard.named(
             new LevelButton(LevelIcon.SWITCH, () -> presenter.toggle(signal)),
             SignalName.id(signal),
-            "Force " + signal + ", in scripts " + SignalName.inScript(signal));
+            text("forceInScripts", signal, SignalName.inScript(signal)));
     JButton pulse =
         TitledCard.named(
-            pulseButton(),
-            SignalName.id(signal) + "-pulse",
-            "Change " + signal + " for the length of a pulse");
+            pulseButton(), SignalName.id(signal) + "-pulse", text("changeForTheLengthOfA", signal));
     pulse.addActionListener(event -> presenter.pulse(signal));
     card.add(level);
     addNames(signal);
@@ -70,7 +70,7 @@ final class SignalCard {
         TitledCard.named(
             new LevelButton(LevelIcon.SWITCH, () -> presenter.toggle(signal)),
             SignalName.id(signal),
-            "Set " + signal + " while no program runs, in scripts " + SignalName.inScript(signal));
+            text("setWhileNoProgramRunsIn", signal, SignalName.inScript(signal)));
     level.showLampWhenDisabled();
     card.add(level);
     addNames(signal);
@@ -86,7 +86,7 @@ final class SignalCard {
   }
 
   private static JButton pulseButton() {
-    JButton button = new JButton("Pulse");
+    JButton button = new JButton(text("pulse"));
     button.putClientProperty("JButton.buttonType", "toolBarButton");
     return button;
   }
@@ -94,7 +94,7 @@ final class SignalCard {
   private void addNames(Signal signal) {
     JLabel brief = new JLabel(SignalName.brief(signal));
     brief.putClientProperty("FlatLaf.styleClass", "monospaced");
-    brief.setToolTipText("In scripts " + SignalName.inScript(signal));
+    brief.setToolTipText(text("inScripts", SignalName.inScript(signal)));
     card.add(brief);
     if (signal.bank().input()) {
       brief.setHorizontalTextPosition(SwingConstants.LEADING);

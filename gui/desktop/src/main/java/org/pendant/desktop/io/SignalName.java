@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
@@ -28,13 +30,13 @@ final class SignalName {
   /** What a group is called. */
   static String of(SignalBank bank) {
     return switch (bank) {
-      case STANDARD_IN -> "Digital inputs";
-      case STANDARD_OUT -> "Digital outputs";
-      case CONFIGURABLE_IN -> "Configurable inputs";
-      case CONFIGURABLE_OUT -> "Configurable outputs";
-      case TOOL_IN -> "Tool inputs";
-      case TOOL_OUT -> "Tool outputs";
-      case FLAG -> "Flags";
+      case STANDARD_IN -> text("digitalInputs");
+      case STANDARD_OUT -> text("digitalOutputs");
+      case CONFIGURABLE_IN -> text("configurableInputs");
+      case CONFIGURABLE_OUT -> text("configurableOutputs");
+      case TOOL_IN -> text("toolInputs");
+      case TOOL_OUT -> text("toolOutputs");
+      case FLAG -> text("flags");
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.io;
 
+import static org.pendant.desktop.io.IoTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.function.IntConsumer;
@@ -20,7 +22,7 @@ import org.pendant.script.vm.ProgramState;
 final class ToolCard {
   private static final List<Integer> VOLTS = List.of(0, 12, 24);
 
-  private final TitledCard card = new TitledCard("Tool connector", "[][grow,fill,110::]");
+  private final TitledCard card = new TitledCard(text("toolConnector"), "[][grow,fill,110::]");
   private final Forcing forcing;
   private final JComboBox<String> voltage;
   private final JComboBox<String> mode;
@@ -33,41 +35,41 @@ final class ToolCard {
     this.forcing = forcing;
     voltage =
         choice(
-            "Voltage",
+            text("voltage"),
             "tool-voltage",
             List.of("0 V", "12 V", "24 V"),
             chosen -> forcing.write(new SignalWrite.ToolVoltage(VOLTS.get(chosen))));
     current.putClientProperty("FlatLaf.styleClass", "monospaced");
     current.setName("tool-current");
-    card.add(new JLabel("Current"));
+    card.add(new JLabel(text("current")));
     card.add(current, "h 22::");
     mode =
         choice(
-            "Output pins",
+            text("outputPins"),
             "tool-output-mode",
-            List.of("Digital outputs", "Dual pin power"),
+            List.of(text("digitalOutputsMode"), text("dualPinPower")),
             chosen ->
                 forcing.write(
                     new SignalWrite.ToolOutputs(
                         chosen == 0 ? ToolOutputMode.DIGITAL : ToolOutputMode.DUAL_PIN_POWER)));
     pins = List.of(pin(0), pin(1));
     line.setName("tool-line");
-    card.add(new JLabel("Serial line"));
+    card.add(new JLabel(text("serialLine")));
     card.add(line, "wmin 0, h 22::");
   }
 
   private JComboBox<String> pin(int index) {
     return choice(
-        "Output " + index,
+        text("output", index),
         "tool-digital-output-mode-" + index,
-        List.of("Sinking (NPN)", "Sourcing (PNP)", "Push-pull"),
+        List.of(text("sinkingNpn"), text("sourcingPnp"), text("pushPull")),
         chosen -> forcing.write(new SignalWrite.ToolPin(index, ToolPinMode.of(chosen + 1))));
   }
 
   private JComboBox<String> choice(
       String title, String name, List<String> texts, IntConsumer choose) {
     JComboBox<String> box = new JComboBox<>(texts.toArray(String[]::new));
-    TitledCard.named(box, name, title + " of the tool connector");
+    TitledCard.named(box, name, text("ofTheToolConnector", title));
     box.addActionListener(
         event -> {
           if (!showing) {
@@ -122,27 +124,27 @@ final class ToolCard {
       line.setText(words);
       line.setToolTipText(
           tool.communication().enabled()
-              ? words + "; its wires are those of the tool's analog inputs"
-              : "Programs turn it on by set_tool_communication");
+              ? text("itsWiresAreThoseOfThe", words)
+              : text("programsTurnItOnBySet"));
     }
   }
 
   /** The serial line in words. */
   static String words(ToolCommunication line) {
     if (!line.enabled()) {
-      return "Off";
+      return text("lineOff");
     }
     String parity =
         switch (line.parity()) {
-          case NONE -> "no parity";
-          case ODD -> "odd parity";
-          case EVEN -> "even parity";
+          case NONE -> text("noParity");
+          case ODD -> text("oddParity");
+          case EVEN -> text("evenParity");
         };
-    return line.baudRate()
-        + " baud, "
-        + parity
-        + ", "
-        + (line.stopBits() == 1 ? "1 stop bit" : line.stopBits() + " stop bits");
+    return text(
+        "lineWords",
+        line.baudRate(),
+        parity,
+        line.stopBits() == 1 ? text("oneStopBit") : text("stopBits", line.stopBits()));
   }
 
   private static void show(JComboBox<String> box, boolean settable, int chosen) {
