@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -23,10 +25,10 @@ final class CellBar {
   private final Workbench workbench;
   private final SceneDraft draft;
   private final DocumentName name = new DocumentName("cell-name");
-  private final JButton save = new JButton("Save");
-  private final JButton apply = new JButton("Apply");
-  private final JButton undo = new JButton("Undo");
-  private final JButton redo = new JButton("Redo");
+  private final JButton save = new JButton(text("save"));
+  private final JButton apply = new JButton(text("apply"));
+  private final JButton undo = new JButton(text("undo"));
+  private final JButton redo = new JButton(text("redo"));
   private final Remark waiting = new Remark("cell-waiting", Palette::warning);
   private final JPanel panel =
       new JPanel(new MigLayout("insets 8 12 4 12, gap 8 4, hidemode 3", "[grow, fill]"));
@@ -38,11 +40,11 @@ final class CellBar {
     row.add(name);
     for (List<String> each :
         List.of(
-            List.of("new", "New", "New scene"),
-            List.of("open", "Open\u2026", "Open a scene"),
-            List.of("save", "Save", "Save the scene"),
-            List.of("save-as", "Save as\u2026", "Save the scene in another file"),
-            List.of("apply", "Apply", "Put this scene around the arm"))) {
+            List.of("new", text("newLabel"), text("newScene")),
+            List.of("open", text("openLabel"), text("openAScene")),
+            List.of("save", text("save"), text("saveTheScene")),
+            List.of("save-as", text("saveAs"), text("saveTheSceneInAnotherFile")),
+            List.of("apply", text("apply"), text("putThisSceneAroundTheArm")))) {
       JButton button =
           switch (each.getFirst()) {
             case "save" -> save;
@@ -54,9 +56,9 @@ final class CellBar {
       button.addActionListener(event -> workbench.actions().run("scene-file." + each.getFirst()));
       row.add(button);
     }
-    TitledCard.named(undo, "cell-undo", "Undo the last change (Ctrl+Z)");
+    TitledCard.named(undo, "cell-undo", text("undoTheLastChangeCtrlZ"));
     undo.addActionListener(event -> draft.undo());
-    TitledCard.named(redo, "cell-redo", "Make it again (Ctrl+Y)");
+    TitledCard.named(redo, "cell-redo", text("makeItAgainCtrlY"));
     redo.addActionListener(event -> draft.redo());
     TitledCard.compact(undo, redo);
     row.add(undo);
@@ -74,9 +76,9 @@ final class CellBar {
     ProgramDocument document = draft.document();
     name.show(document.name(), document.modified());
     name.setToolTipText(
-        document.file().map(file -> file.toAbsolutePath().toString()).orElse("Not saved yet"));
+        document.file().map(file -> file.toAbsolutePath().toString()).orElse(text("notSavedYet")));
     name.getAccessibleContext()
-        .setAccessibleName("Scene " + document.name() + (document.modified() ? ", not saved" : ""));
+        .setAccessibleName(text(document.modified() ? "sceneNotSaved" : "scene", document.name()));
     save.setEnabled(document.modified() || document.file().isEmpty());
     undo.setEnabled(draft.canUndo());
     redo.setEnabled(draft.canRedo());
@@ -88,6 +90,6 @@ final class CellBar {
         workbench.actions().all().stream()
             .anyMatch(each -> each.id().equals(APPLY) && each.enabled().getAsBoolean());
     apply.setEnabled(waits);
-    waiting.say(waits ? "The 3D view shows your changes; Apply puts them around the arm." : "");
+    waiting.say(waits ? text("the3dViewShowsYourChanges") : "");
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.event.ActionEvent;
 import java.util.Optional;
@@ -89,13 +91,13 @@ public final class CellView implements View {
     key("control shift Z", draft::redo);
     workbench
         .actions()
-        .add(new Action("cell.undo", "Undo in the scene", "", draft::canUndo, draft::undo));
+        .add(new Action("cell.undo", text("undoInTheScene"), "", draft::canUndo, draft::undo));
     workbench
         .actions()
-        .add(new Action("cell.redo", "Redo in the scene", "", draft::canRedo, draft::redo));
+        .add(new Action("cell.redo", text("redoInTheScene"), "", draft::canRedo, draft::redo));
     workbench
         .actions()
-        .add(Action.of("cell.wiring", "Wire the devices of the cell", "", this::showWiring));
+        .add(Action.of("cell.wiring", text("wireTheDevicesOfTheCell"), "", this::showWiring));
   }
 
   /**
@@ -189,8 +191,8 @@ public final class CellView implements View {
       scroll.setName("cell-scroll");
       content.add(made.bar.component(), BorderLayout.NORTH);
       made.pages.setName("cell-pages");
-      made.pages.addTab("Forms", scroll);
-      made.pages.addTab("Wiring", made.wiring.component());
+      made.pages.addTab(text("forms"), scroll);
+      made.pages.addTab(text("wiring"), made.wiring.component());
       content.add(made.pages, BorderLayout.CENTER);
       cards = Optional.of(made);
       made.show();
@@ -209,7 +211,7 @@ public final class CellView implements View {
 
   @Override
   public String title() {
-    return "Cell";
+    return text("cell");
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -23,7 +25,7 @@ import org.pendant.controller.wire.SignalGroup;
  * @param boxes devices, and the rules if there are some
  */
 record CellWiring(List<Box> boxes) {
-  private static final String RULES = "Rules";
+  private static final String RULES = text("rules");
   private static final String ENCODER = "encoder";
   private static final int ENCODERS = 2;
 
@@ -131,7 +133,7 @@ record CellWiring(List<Box> boxes) {
         ports.add(
             new WirePort(
                 RULES,
-                (sets ? "set " : "watch ") + signal,
+                text(sets ? "ruleSets" : "ruleWatches", signal),
                 sets ? "sets" : "watches",
                 signal,
                 sets ? WirePort.Way.TELLS : WirePort.Way.WATCHES,
@@ -160,9 +162,9 @@ record CellWiring(List<Box> boxes) {
                 bank.input() ? WireSignal.Kind.INPUT : WireSignal.Kind.OUTPUT));
       }
     }
-    groups.add(group("Encoders", ENCODER, ENCODERS, WireSignal.Kind.ENCODER));
+    groups.add(group(text("encoders"), ENCODER, ENCODERS, WireSignal.Kind.ENCODER));
     groups.add(
-        group("Flags", SignalBank.FLAG.text(), SignalBank.FLAG.size(), WireSignal.Kind.FLAG));
+        group(text("flags"), SignalBank.FLAG.text(), SignalBank.FLAG.size(), WireSignal.Kind.FLAG));
     return groups;
   }
 
@@ -226,13 +228,13 @@ record CellWiring(List<Box> boxes) {
 
   private static String title(SignalBank bank) {
     return switch (bank) {
-      case STANDARD_IN -> "Digital inputs";
-      case STANDARD_OUT -> "Digital outputs";
-      case CONFIGURABLE_IN -> "Configurable inputs";
-      case CONFIGURABLE_OUT -> "Configurable outputs";
-      case TOOL_IN -> "Tool inputs";
-      case TOOL_OUT -> "Tool outputs";
-      case FLAG -> "Flags";
+      case STANDARD_IN -> text("digitalInputs");
+      case STANDARD_OUT -> text("digitalOutputs");
+      case CONFIGURABLE_IN -> text("configurableInputs");
+      case CONFIGURABLE_OUT -> text("configurableOutputs");
+      case TOOL_IN -> text("toolInputs");
+      case TOOL_OUT -> text("toolOutputs");
+      case FLAG -> text("flags");
     };
   }
 
@@ -256,7 +258,7 @@ record CellWiring(List<Box> boxes) {
         : at(signal).stream()
             .filter(each -> each.way() == WirePort.Way.TELLS && !each.isAt(port))
             .findFirst()
-            .map(other -> signal + " is also set by " + other.device())
+            .map(other -> text("isAlsoSetBy", signal, other.device()))
             .orElse("");
   }
 

@@ -1,8 +1,9 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -36,9 +37,10 @@ final class CompoundRows {
   private final RotationChoice rotation;
   private final Supplier<String> frame;
   private final JComboBox<String> choice =
-      TitledCard.named(new JComboBox<>(), "cell-object-parts", "The part that is shown below");
-  private final JButton remove = button("Remove part", "part-remove", "Remove the chosen part");
-  private final JButton add = button("Add part \u25be", "part-add", "Add part");
+      TitledCard.named(new JComboBox<>(), "cell-object-parts", text("thePartThatIsShownBelow"));
+  private final JButton remove =
+      button(text("removePart"), "part-remove", text("removeTheChosenPart"));
+  private final JButton add = button(text("addPartMenu"), "part-add", text("addPart"));
   private final JPopupMenu shapes = new JPopupMenu();
   private int chosen;
   private boolean showing;
@@ -73,7 +75,7 @@ final class CompoundRows {
 
   /** Adds the rows; they are there while the form shows a compound. */
   void add() {
-    form.heading(() -> "Frame and orientation, " + frame.get());
+    form.heading(() -> text("frameAndOrientation", frame.get()));
     PoseRows.addTo(
         form,
         "pose",
@@ -81,17 +83,17 @@ final class CompoundRows {
         SceneObject::poseInBase,
         (object, pose) -> ObjectShape.at(object, pose),
         object -> true);
-    form.heading("Parts, in its frame");
-    form.add("Part", choice);
+    form.heading(text("partsInItsFrame"));
+    form.add(text("partLabel"), choice);
     form.follow(this::show);
-    adder("Box", CompoundRows::box);
-    adder("Ball", CompoundRows::ball);
-    adder("Cylinder", name -> rod(name, false));
-    adder("Capsule", name -> rod(name, true));
+    adder(text("box"), "box", CompoundRows::box);
+    adder(text("ball"), "ball", CompoundRows::ball);
+    adder(text("cylinder"), "cylinder", name -> rod(name, false));
+    adder(text("capsule"), "capsule", name -> rod(name, true));
     form.buttons(add, remove);
     form.naming("part-");
     form.text(
-        "Part name",
+        text("partName"),
         object -> part(object).name(),
         (object, name) -> with(object, ObjectShape.named(part(object), name.strip())));
     new ShapeRows(
@@ -99,18 +101,18 @@ final class CompoundRows {
             rotation,
             new ShapeRows.Part(this::part, this::with),
             "part-",
-            () -> "in its frame")
+            () -> text("inItsFrame"))
         .add();
     form.check(
-        "Parts weigh differently",
-        "Whether each part has a mass of its own; else one mass is evenly spread",
+        text("partsWeighDifferently"),
+        text("whetherEachPartHasAMass"),
         object -> object instanceof SceneObject.Compound all && weighsByParts(all),
         CompoundRows::weighing);
     form.section(
         object -> object instanceof SceneObject.Compound all && weighsByParts(all),
         () ->
             form.numberRow(
-                "Part mass",
+                text("partMass"),
                 Measure.KILOGRAM,
                 object -> part(object).massKg(),
                 (object, massKg) -> with(object, ObjectShape.weighing(part(object), massKg))));
@@ -129,8 +131,7 @@ final class CompoundRows {
     return new SceneObject.Sphere(name, new Vector3(0, 0, 0.05), 0.01, Material.DEFAULT);
   }
 
-  private void adder(String title, PartMaker maker) {
-    String word = title.toLowerCase(Locale.ROOT);
+  private void adder(String title, String word, PartMaker maker) {
     JMenuItem entry = TitledCard.named(new JMenuItem(title), "cell-object-part-add-" + word, title);
     entry.addActionListener(
         event ->

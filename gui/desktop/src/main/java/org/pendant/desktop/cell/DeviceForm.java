@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -34,7 +36,7 @@ import org.pendant.models.pose.Pose;
 
 /** Device form: a row for each field that devices have, as their kinds declare them. */
 final class DeviceForm {
-  private static final String NONE = "none";
+  private static final String NONE = text("noSignal");
 
   /** How near a new proximity sensor sees, m, and how fast a new belt is, m/s. */
   private static final double FIRST_NUMBER = 0.05;
@@ -91,7 +93,7 @@ final class DeviceForm {
     this.measures = measures;
     this.rotation = rotation;
     this.signalName = signalName;
-    form.text("Name", DeviceText::name, (device, name) -> device.named(name.strip()));
+    form.text(text("name"), DeviceText::name, (device, name) -> device.named(name.strip()));
   }
 
   /** Has rows for the kinds of these devices: made when the first one of a kind is there. */
@@ -111,8 +113,8 @@ final class DeviceForm {
           addPutters(kind);
           form.note(
               kind.reached().isEmpty()
-                  ? "It takes away what has its middle there."
-                  : "Programs reach it by " + kind.reached() + ".");
+                  ? text("itTakesAwayWhatHasIts")
+                  : text("programsReachItBy", kind.reached()));
         });
     form.naming("");
   }
@@ -125,7 +127,8 @@ final class DeviceForm {
       return;
     }
     List<JButton> buttons = new ArrayList<>();
-    buttons.add(putter(kind, DeviceHandles.WHOLE, "Put at TCP", "Put its middle where the TCP is"));
+    buttons.add(
+        putter(kind, DeviceHandles.WHOLE, text("putAtTcp"), text("putItsMiddleWhereTheTcp")));
     // a corner may have to stay where it is, an end goes anywhere
     places.stream()
         .filter(each -> each.key().equals("from") || each.key().equals("to"))
@@ -135,8 +138,8 @@ final class DeviceForm {
                     putter(
                         kind,
                         each.key(),
-                        each.title() + " at TCP",
-                        "Put " + each.help() + " where the TCP is")));
+                        text("endAtTcp", each.title()),
+                        text("putWhereTheTcpIs", each.help()))));
     form.buttons(buttons.toArray(JButton[]::new));
   }
 
@@ -194,7 +197,7 @@ final class DeviceForm {
       case DeviceField.Values values ->
           form.text(
               values.title(),
-              values.title() + ": " + values.help() + ", such as " + values.example(),
+              text("valuesSuchAs", values.title(), values.help(), values.example()),
               values.example(),
               device -> part.get.apply(device).values(values.key()),
               (device, typed) -> part.change(device, text -> text.withValues(values.key(), typed)));
@@ -209,8 +212,8 @@ final class DeviceForm {
       case DeviceField.Subjects subjects ->
           form.text(
               subjects.title(),
-              subjects.title() + ": " + subjects.help() + ", with commas between",
-              "all",
+              text("withCommasBetween", subjects.title(), subjects.help()),
+              text("allObjects"),
               device -> String.join(", ", part.get.apply(device).list(subjects.key())),
               (device, names) ->
                   part.change(device, text -> text.withList(subjects.key(), names(names))));
@@ -328,11 +331,11 @@ final class DeviceForm {
         (device, number) -> {
           Measure unit = measures.of(usual);
           if (number.isEmpty() && amount.required()) {
-            throw new IllegalArgumentException("empty, must be a number in " + unit.symbol());
+            throw new IllegalArgumentException(text("emptyNumber", unit.symbol()));
           }
           number.ifPresent(value -> require(amount.range(), value, unit));
           if (amount.whole() && number.isPresent() && number.getAsDouble() % 1 != 0) {
-            throw new IllegalArgumentException("must be a whole number");
+            throw new IllegalArgumentException(text("notWhole"));
           }
           return part.change(device, text -> text.withNumber(amount.key(), number));
         });
@@ -355,24 +358,24 @@ final class DeviceForm {
   /** Such as {@code Time: from end to end, 0.01 to 60 s, 0.2 s where nothing is typed}. */
   private static String hint(DeviceField.Amount amount, Measure unit) {
     OptionalDouble standing = amount.standing();
-    return amount.title()
-        + ": "
-        + amount.help()
-        + ", "
-        + span(amount.range(), unit)
-        + (standing.isPresent()
-            ? "; " + unit.words(standing.getAsDouble()) + " where nothing is typed"
-            : "");
+    String span = span(amount.range(), unit);
+    return standing.isPresent()
+        ? text(
+            "hintWithStanding",
+            amount.title(),
+            amount.help(),
+            span,
+            unit.words(standing.getAsDouble()))
+        : text("hint", amount.title(), amount.help(), span);
   }
 
   private static String span(Range range, Measure unit) {
-    return unit.text(range.least()) + " to " + unit.words(range.most());
+    return text("span", unit.text(range.least()), unit.words(range.most()));
   }
 
   private static void require(Range range, double value, Measure unit) {
     if (!range.holds(value)) {
-      throw new IllegalArgumentException(
-          "is " + unit.words(value) + ", must be " + span(range, unit));
+      throw new IllegalArgumentException(text("outside", unit.words(value), span(range, unit)));
     }
   }
 

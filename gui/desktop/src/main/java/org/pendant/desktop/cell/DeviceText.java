@@ -172,8 +172,7 @@ record DeviceText(Map<String, String> members) {
     for (String each : typed.split(",", -1)) {
       Matcher parts = NAMED_NUMBER.matcher(each.strip());
       if (!parts.matches()) {
-        throw new IllegalArgumentException(
-            "is " + each.strip() + ", must be as in register[3] = 17, with commas between");
+        throw new IllegalArgumentException(CellTexts.text("notNamedNumber", each.strip()));
       }
       values.put(parts.group(1), parts.group(2));
     }

@@ -1,10 +1,11 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -24,7 +25,7 @@ import org.pendant.kit.layout.TitledCard;
 /** Devices card: grippers, doors and sensors of the cell, and a form for the chosen one. */
 final class DevicesCard {
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard("Devices", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("devices"), "[grow, fill]");
   private final Items<DeviceText> items;
   private final DeviceForm form;
 
@@ -47,15 +48,15 @@ final class DevicesCard {
     items =
         new Items<>(
             "cell-device",
-            "Devices of the cell",
-            "None. Grippers, doors and sensors answer the program.",
+            text("devicesOfTheCell"),
+            text("noneGrippersDoorsAndSensorsAnswer"),
             new Drafted(),
             this::words);
     Map<String, Supplier<DeviceText>> kinds = new LinkedHashMap<>();
     for (DeviceKind kind : DeviceKind.ALL) {
       kinds.put(kind.title(), () -> DeviceForm.fresh(kind, devices(), draft.scene()));
     }
-    items.adders("Add", kinds);
+    items.adders(text("add"), kinds);
     form =
         new DeviceForm(
             items.form(),
@@ -88,7 +89,7 @@ final class DevicesCard {
   void refresh(List<DeviceState> states, DisplayUnit length) {
     Map<String, String> now = new HashMap<>();
     for (DeviceState each : states) {
-      now.put(each.name(), DeviceRow.of(each, length).doing().toLowerCase(Locale.ROOT));
+      now.put(each.name(), DeviceRow.of(each, length).doingInSentence());
     }
     if (!now.equals(doing)) {
       doing = now;

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
@@ -163,7 +165,7 @@ final class Equipment {
   private static String placed(String message, int above) {
     Matcher parts = PLACED.matcher(message);
     return parts.matches()
-        ? "line %d, column %s: %s"
+        ? text("placedProblem")
             .formatted(Integer.parseInt(parts.group(1)) - above, parts.group(2), parts.group(3))
         : message;
   }

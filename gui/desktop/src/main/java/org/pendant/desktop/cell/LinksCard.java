@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import javax.swing.JComponent;
 import org.pendant.controller.world.LinkContact;
 import org.pendant.controller.world.Scene;
@@ -10,7 +12,7 @@ import org.pendant.kit.layout.TitledCard;
 /** Links card: whether links of the arm stop at what they get into. */
 final class LinksCard {
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard("Links of the arm", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("linksOfTheArm"), "[grow, fill]");
   private final PartsForm<Scene> form;
 
   LinksCard(SceneDraft draft) {
@@ -21,12 +23,10 @@ final class LinksCard {
             next -> SceneRefusal.of(() -> next, draft, draft.equipment()),
             draft::set);
     form.check(
-        "Stop at what they hit",
+        text("stopAtWhatTheyHit"),
         scene -> scene.links() == LinkContact.STOP,
         (scene, stop) -> scene.withLinks(stop ? LinkContact.STOP : LinkContact.PASS));
-    form.note(
-        "A link that gets into an object or another link is a protective stop then; otherwise links"
-            + " pass through all there is.");
+    form.note(text("aLinkThatGetsIntoAn"));
     card.add(form.component());
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.Optional;
 import javax.swing.JComponent;
 import org.pendant.controller.world.Scene;
@@ -15,7 +17,7 @@ import org.pendant.models.pose.Wrench;
 /** Load card: what truly hangs on the flange, and what pushes the tool. */
 final class LoadCard {
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard("On the flange", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("onTheFlange"), "[grow, fill]");
   private final PartsForm<Scene> form;
 
   /**
@@ -28,29 +30,29 @@ final class LoadCard {
             .in(measures)
             .telling(why -> ShownRange.of(why, measures));
     form.check(
-        "A load hangs there",
+        text("aLoadHangsThere"),
         now -> now.load().isPresent(),
         (scene, on) -> with(scene, on ? Optional.of(Payload.of(1, 0, 0, 0)) : Optional.empty()));
     form.section(
         now -> now.load().isPresent(),
         () -> {
           form.numberRow(
-              "Mass",
+              text("mass"),
               Measure.KILOGRAM,
               now -> load(now).massKg(),
               (scene, kg) -> with(scene, changed(load(scene), kg, cogM(scene))));
-          form.heading("Centre of gravity, in the flange");
+          form.heading(text("centreOfGravityInTheFlange"));
           Axes.addTo(
               form,
-              "Centre",
+              text("centre"),
               Measure.MILLIMETRE,
               LoadCard::cogM,
               (scene, cogM) -> with(scene, changed(load(scene), load(scene).massKg(), cogM)));
         });
-    form.heading("What pushes the tool, along the base");
+    form.heading(text("whatPushesTheToolAlongThe"));
     Axes.addTo(
         form,
-        "Force",
+        text("force"),
         Measure.NEWTON,
         now -> new Vector3(push(now).fx(), push(now).fy(), push(now).fz()),
         (scene, force) ->
@@ -65,7 +67,7 @@ final class LoadCard {
                     push(scene).mz())));
     Axes.addTo(
         form,
-        "Torque",
+        text("torque"),
         Measure.NEWTON_METRE,
         now -> new Vector3(push(now).mx(), push(now).my(), push(now).mz()),
         (scene, torque) ->

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
@@ -36,16 +38,16 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
   /** What has to be put right before the file can be read; empty if nothing. */
   String missing() {
     if (folder.isEmpty()) {
-      return "Save the scene first: meshes are files in its folder.";
+      return text("saveTheSceneFirstMeshesAre");
     }
     if (file.isEmpty()) {
-      return "Choose a file.";
+      return text("chooseAFile");
     }
     if (!file.get().startsWith(folder.get())) {
-      return "The file must be in the folder of the scene, " + folder.get() + ", or below.";
+      return text("theFileMustBeInThe", folder.get());
     }
     if (!MeshFile.hasEnding(name())) {
-      return "The name of the file " + MeshFile.MUST_END + ".";
+      return text("theNameOfTheFile");
     }
     return "";
   }
@@ -57,9 +59,7 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
 
   /** What is to be done about the unit; empty if nothing. */
   String missingUnit() {
-    return knownUnit().isPresent()
-        ? ""
-        : "Choose the unit: the file does not say what its numbers count.";
+    return knownUnit().isPresent() ? "" : text("chooseTheUnitTheFileDoes");
   }
 
   /** Looks at the file; not for the dispatch thread. Nothing must be missing. */
@@ -70,7 +70,7 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
       MeshLook look = MeshFiles.look(folder.orElseThrow(), name, of);
       List<String> lines =
           List.of(
-              String.format(Locale.ROOT, "%,d triangles", look.triangles()),
+              text("triangles", String.format(Locale.ROOT, "%,d", look.triangles())),
               rounded(look.xM())
                   + " \u00d7 "
                   + rounded(look.yM())
@@ -78,8 +78,8 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
                   + rounded(look.zM())
                   + " m",
               look.mesh()
-                  .map(mesh -> "closed, " + rounded(1000 * mesh.volumeM3()) + " litres")
-                  .orElse("not the surface of a solid"));
+                  .map(mesh -> text("closedLitres", rounded(1000 * mesh.volumeM3())))
+                  .orElse(text("notTheSurfaceOfASolid")));
       return new Facts(
           lines,
           look.problem().map(why -> name + ": " + why).orElse(""),
@@ -121,8 +121,7 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
     try {
       massKg = Double.parseDouble(bare);
     } catch (NumberFormatException e) {
-      throw new IllegalArgumentException(
-          "The mass is \"" + text.strip() + "\", must be a number of kg, or empty.", e);
+      throw new IllegalArgumentException(text("massNotNumber", text.strip()), e);
     }
     var _ = new SceneObject.Mesh("mesh", Pose.ZERO, part, Material.DEFAULT, massKg);
     return massKg;

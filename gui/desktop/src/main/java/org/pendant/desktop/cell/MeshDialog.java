@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
@@ -35,8 +37,8 @@ import org.pendant.models.mesh.MeshUnit;
  * what is wrong beside the field that it is wrong in.
  */
 final class MeshDialog {
-  private static final String TITLE = "Add mesh";
-  private static final String NO_UNIT = "choose";
+  private static final String TITLE = text("addMesh");
+  private static final String NO_UNIT = text("chooseUnit");
 
   private final SceneDraft draft;
   private final Runnable close;
@@ -81,8 +83,8 @@ final class MeshDialog {
     chooser.getAccessibleContext().setAccessibleName(TITLE);
     chooser.setFileFilter(
         new FileNameExtensionFilter(
-            "Meshes (STL, OBJ, glTF)", MeshFile.ENDINGS.toArray(String[]::new)));
-    chooser.setApproveButtonText("Add");
+            text("meshesStlObjGltf"), MeshFile.ENDINGS.toArray(String[]::new)));
+    chooser.setApproveButtonText(text("add"));
     chooser.setAccessory(side());
     chooser.addPropertyChangeListener(JFileChooser.SELECTED_FILE_CHANGED_PROPERTY, event -> look());
     chooser.addActionListener(
@@ -100,18 +102,18 @@ final class MeshDialog {
   }
 
   private JPanel side() {
-    TitledCard.named(unit, "mesh-unit", "Unit of the numbers in the file");
+    TitledCard.named(unit, "mesh-unit", text("unitOfTheNumbersInThe"));
     unit.addItem(NO_UNIT);
     for (MeshUnit each : MeshUnit.values()) {
       unit.addItem(each.word());
     }
-    TitledCard.named(mass, "mesh-mass", "Mass in kg; empty for what stands still");
+    TitledCard.named(mass, "mesh-mass", text("massInKgEmptyForWhat"));
     JPanel side =
         new JPanel(new MigLayout("insets 0 12 0 0, wrap, hidemode 3, width 270!", "[grow, fill]"));
-    side.add(label("Unit of the file", unit));
+    side.add(label(text("unitOfTheFile"), unit));
     side.add(unit);
     side.add(unitProblem, Remark.LAYOUT);
-    side.add(label("Mass, kg (empty: stands still)", mass), "gaptop 4");
+    side.add(label(text("massKgEmptyStandsStill"), mass), "gaptop 4");
     side.add(mass);
     side.add(massProblem, Remark.LAYOUT);
     side.add(facts, Remark.LAYOUT + ", gaptop 8");
@@ -180,11 +182,11 @@ final class MeshDialog {
       // asks for another look, with the unit that the format has
       unit.setSelectedItem(now.knownUnit().get().word());
     } else if (now.missing().isEmpty() && now.knownUnit().isPresent()) {
-      facts.say("Reading\u2026");
+      facts.say(text("reading"));
       Background.run(
           now::look, found -> found(now, found), failed -> fileProblem.say(failed.getMessage()));
     } else if (now.missing().isEmpty()) {
-      facts.say("With a unit it can be told what is in the file.");
+      facts.say(text("withAUnitItCanBe"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import org.pendant.controller.world.Material;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
@@ -12,12 +14,12 @@ final class ObjectShape {
   /** Such as {@code box}. */
   static String words(SceneObject object) {
     return switch (object) {
-      case SceneObject.Plane _ -> "plane";
-      case SceneObject.Box _ -> "box";
-      case SceneObject.Rod rod -> rod.type();
-      case SceneObject.Mesh mesh -> "mesh " + mesh.part().file();
-      case SceneObject.Sphere _ -> "ball";
-      case SceneObject.Compound compound -> "compound of " + compound.parts().size();
+      case SceneObject.Plane _ -> text("planeWord");
+      case SceneObject.Box _ -> text("boxWord");
+      case SceneObject.Rod rod -> text(rod.capsule() ? "capsuleWord" : "cylinderWord");
+      case SceneObject.Mesh mesh -> text("meshOf", mesh.part().file());
+      case SceneObject.Sphere _ -> text("ballWord");
+      case SceneObject.Compound compound -> text("compoundOf", compound.parts().size());
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -32,7 +34,7 @@ final class ObjectsCard {
   private static final Vector3 UP = new Vector3(0, 0, 1);
 
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard("Objects", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("objects"), "[grow, fill]");
   private final Drafted drafted = new Drafted();
   private final Items<SceneObject> items;
 
@@ -48,17 +50,17 @@ final class ObjectsCard {
     items =
         new Items<>(
             "cell-object",
-            "Objects around the arm",
-            "Nothing is around the arm. Add a table, a box or a ball: the tool can touch them.",
+            text("objectsAroundTheArm"),
+            text("nothingIsAroundTheArmAdd"),
             drafted,
             each -> each.name() + "  (" + ObjectShape.words(each) + ")");
     items.adder(
-        "Add plane",
+        text("addPlane"),
         () ->
             new SceneObject.Plane(
                 items.freshName("Plane"), new Vector3(0, 0, 0), UP, Material.DEFAULT));
     items.adder(
-        "Add box",
+        text("addBox"),
         () ->
             new SceneObject.Box(
                 items.freshName("Box"),
@@ -66,7 +68,7 @@ final class ObjectsCard {
                 new Vector3(0.1, 0.1, 0.1),
                 Material.DEFAULT));
     items.adder(
-        "Add ball",
+        text("addBall"),
         () ->
             new SceneObject.Sphere(
                 items.freshName("Ball"),
@@ -74,7 +76,7 @@ final class ObjectsCard {
                 0.05,
                 Material.DEFAULT));
     items.adder(
-        "Add cylinder",
+        text("addCylinder"),
         () ->
             new SceneObject.Rod(
                 items.freshName("Cylinder"),
@@ -85,7 +87,7 @@ final class ObjectsCard {
                 Material.DEFAULT,
                 0));
     items.adder(
-        "Add compound",
+        text("addCompound"),
         () ->
             new SceneObject.Compound(
                 items.freshName("Compound"),
@@ -94,7 +96,7 @@ final class ObjectsCard {
                 Material.DEFAULT,
                 0));
     items.asker(
-        "Add mesh...",
+        text("addMeshItem"),
         take ->
             MeshDialog.show(
                 card,
@@ -110,7 +112,8 @@ final class ObjectsCard {
                                 massKg)))));
     PartsForm<SceneObject> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
-    form.text("Name", SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
+    form.text(
+        text("name"), SceneObject::name, (object, name) -> ObjectShape.named(object, name.strip()));
     new ShapeRows(form, rotation, ShapeRows.Part.WHOLE, "", this::frame).add();
     form.section(SceneObject.Plane.class::isInstance, () -> addPlane(form));
     form.section(
@@ -119,12 +122,13 @@ final class ObjectsCard {
     form.section(
         ObjectsCard::weighsAsOne,
         () -> {
-          form.numberRow("Mass", Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
-          form.note("With a mass it falls, slides and is pushed; with 0 it stands still.");
+          form.numberRow(
+              text("mass"), Measure.KILOGRAM, SceneObject::massKg, ObjectShape::weighing);
+          form.note(text("withAMassItFallsSlides"));
         });
-    JButton here = new JButton("Put at TCP");
+    JButton here = new JButton(text("putAtTcp"));
     TitledCard.compact(here);
-    TitledCard.named(here, "cell-object-here", "Put it where the TCP is now");
+    TitledCard.named(here, "cell-object-here", text("putItWhereTheTcpIs"));
     here.addActionListener(
         event ->
             items
@@ -180,12 +184,12 @@ final class ObjectsCard {
   }
 
   private void addPlane(PartsForm<SceneObject> form) {
-    form.heading(() -> "A point of it, " + frame());
-    Axes.addTo(form, "Point", Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
-    form.heading("Direction out of the solid");
+    form.heading(() -> text("aPointOfIt", frame()));
+    Axes.addTo(form, text("point"), Measure.MILLIMETRE, ObjectShape::placeM, ObjectShape::at);
+    form.heading(text("directionOutOfTheSolid"));
     Axes.addTo(
         form,
-        "Normal",
+        text("normal"),
         Measure.PLAIN,
         object -> object instanceof SceneObject.Plane plane ? plane.normalInBase() : UP,
         (object, normal) ->
@@ -196,9 +200,9 @@ final class ObjectsCard {
   }
 
   private static void addMaterial(PartsForm<SceneObject> form) {
-    form.heading("Surface");
+    form.heading(text("surface"));
     form.numberRow(
-        "Stiffness",
+        text("stiffness"),
         Measure.NEWTON_PER_METRE,
         object -> object.material().stiffnessNPerM(),
         (object, stiffness) -> {
@@ -208,7 +212,7 @@ final class ObjectsCard {
               new Material(stiffness, now.dampingSPerM(), now.friction(), now.restitution()));
         });
     form.numberRow(
-        "Damping",
+        text("damping"),
         Measure.SECOND_PER_METRE,
         object -> object.material().dampingSPerM(),
         (object, damping) -> {
@@ -218,7 +222,7 @@ final class ObjectsCard {
               new Material(now.stiffnessNPerM(), damping, now.friction(), now.restitution()));
         });
     form.numberRow(
-        "Friction",
+        text("friction"),
         Measure.PLAIN,
         object -> object.material().friction(),
         (object, friction) -> {
@@ -228,7 +232,7 @@ final class ObjectsCard {
               new Material(now.stiffnessNPerM(), now.dampingSPerM(), friction, now.restitution()));
         });
     form.numberRow(
-        "Restitution",
+        text("restitution"),
         Measure.PLAIN,
         object -> object.material().restitution(),
         (object, restitution) -> {

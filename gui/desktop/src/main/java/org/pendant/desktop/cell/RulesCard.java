@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -27,7 +29,7 @@ final class RulesCard {
   private static final int ROWS = 8;
 
   private final SceneDraft draft;
-  private final TitledCard card = new TitledCard("Rules", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("rules"), "[grow, fill]");
   private final JTextArea area = new JTextArea(ROWS, 30);
   private final Remark problem = new Remark("cell-rules-problem", Palette::error);
   private ProgramDocument document;
@@ -37,7 +39,7 @@ final class RulesCard {
   RulesCard(SceneDraft draft) {
     this.draft = draft;
     document = draft.document();
-    TitledCard.named(area, "cell-rules", "Rules of the cell, as JSON");
+    TitledCard.named(area, "cell-rules", text("rulesOfTheCellAsJson"));
     area.setFont(UIManager.getFont("monospaced.font"));
     area.getDocument().addDocumentListener(new Typed(this::check));
     area.addFocusListener(
@@ -50,9 +52,7 @@ final class RulesCard {
     key("control ENTER", this::take);
     key("ESCAPE", () -> write(shown));
     Remark help = new Remark("cell-rules-help", Palette::quiet);
-    help.say(
-        "What happens by itself, as docs/devices.md has it, such as [{\"every\": 5, \"set\":"
-            + " \"digital_in[0]\", \"for\": 0.1}]; taken with Ctrl+Enter.");
+    help.say(text("whatHappensByItselfAsDocs"));
     JScrollPane scroll = InnerScroll.of(new JScrollPane(area));
     ShownFocus.of(area, scroll);
     card.add(scroll, "grow, hmin 80");
@@ -103,7 +103,7 @@ final class RulesCard {
   private void check() {
     if (!showing) {
       String why = refusal();
-      problem.say(why.isEmpty() ? "" : why + ". Not taken yet; Esc brings back what was there.");
+      problem.say(why.isEmpty() ? "" : text("notTakenYetEscBringsBack", why));
     }
   }
 

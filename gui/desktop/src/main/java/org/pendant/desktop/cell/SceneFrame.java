@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SceneDraft;
@@ -13,7 +15,7 @@ final class SceneFrame {
 
   /** The frame of a scene, for people. */
   static String words(SceneDraft draft) {
-    return draft.controllers().isEmpty() ? "in the base" : "in the cell";
+    return draft.controllers().isEmpty() ? text("inTheBase") : text("inTheCell");
   }
 
   /**

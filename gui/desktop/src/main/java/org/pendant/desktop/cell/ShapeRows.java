@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.function.BinaryOperator;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -54,7 +56,7 @@ record ShapeRows(
   }
 
   private void addPose(String what) {
-    form.heading(() -> what + " and orientation, " + frame.get());
+    form.heading(() -> text("placeAndOrientation", what, frame.get()));
     PoseRows.addTo(
         form,
         name + "pose",
@@ -65,11 +67,11 @@ record ShapeRows(
   }
 
   private void addBox() {
-    addPose("Centre");
-    form.heading("Lengths along its own axes");
+    addPose(text("centre"));
+    form.heading(text("lengthsAlongItsOwnAxes"));
     Axes.addTo(
         form,
-        "Length",
+        text("length"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Box box ? box.sizeM() : UNIT,
         (object, sizeM) ->
@@ -83,15 +85,15 @@ record ShapeRows(
   }
 
   private void addBall() {
-    form.heading(() -> "Centre, " + frame.get());
+    form.heading(() -> text("centreIn", frame.get()));
     Axes.addTo(
         form,
-        "Centre",
+        text("centre"),
         Measure.MILLIMETRE,
         object -> ObjectShape.placeM(part.get.apply(object)),
         (object, at) -> part.change(object, solid -> ObjectShape.at(solid, at)));
     form.numberRow(
-        "Radius",
+        text("radius"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Sphere ball ? ball.radiusM() : 1,
         (object, radiusM) ->
@@ -109,10 +111,10 @@ record ShapeRows(
   }
 
   private void addRod() {
-    addPose("Centre");
-    form.heading("Along its own z");
+    addPose(text("centre"));
+    form.heading(text("alongItsOwnZ"));
     form.numberRow(
-        "Radius",
+        text("radius"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Rod rod ? rod.radiusM() : 1,
         (object, radiusM) ->
@@ -123,7 +125,7 @@ record ShapeRows(
                         ? sized(rod, radiusM, rod.lengthM())
                         : solid));
     form.numberRow(
-        "Length",
+        text("length"),
         Measure.MILLIMETRE,
         object -> part.get.apply(object) instanceof SceneObject.Rod rod ? rod.lengthM() : 1,
         (object, lengthM) ->
@@ -147,6 +149,6 @@ record ShapeRows(
   }
 
   private void addMesh() {
-    addPose("Origin of its file");
+    addPose(text("originOfItsFile"));
   }
 }

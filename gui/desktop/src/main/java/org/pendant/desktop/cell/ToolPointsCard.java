@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -17,7 +19,7 @@ import org.pendant.kit.layout.TitledCard;
 final class ToolPointsCard {
   private final SceneDraft draft;
   private final Measures measures;
-  private final TitledCard card = new TitledCard("Points of the tool that touch", "[grow, fill]");
+  private final TitledCard card = new TitledCard(text("pointsOfTheToolThatTouch"), "[grow, fill]");
   private final Items<ToolPoint> items;
 
   /**
@@ -29,15 +31,14 @@ final class ToolPointsCard {
     items =
         new Items<>(
             "cell-tool",
-            "Points of the tool",
-            "None: the active TCP touches things. Two points apart feel moments, as two fingertips"
-                + " do.",
+            text("pointsOfTheTool"),
+            text("noneTheActiveTcpTouchesThings"),
             new Drafted(),
             this::words);
-    items.adder("Add point", () -> new ToolPoint(new Vector3(0, 0, 0.1), 0));
+    items.adder(text("addPoint"), () -> new ToolPoint(new Vector3(0, 0, 0.1), 0));
     PartsForm<ToolPoint> form =
         items.form().in(measures).telling(why -> ShownRange.of(why, measures));
-    form.heading("Where it is, in the flange");
+    form.heading(text("whereItIsInTheFlange"));
     Axes.addTo(
         form,
         "",
@@ -45,7 +46,7 @@ final class ToolPointsCard {
         ToolPoint::pointInFlangeM,
         (point, placeM) -> new ToolPoint(placeM, point.radiusM()));
     form.numberRow(
-        "Radius",
+        text("radius"),
         Measure.MILLIMETRE,
         ToolPoint::radiusM,
         (point, radiusM) -> new ToolPoint(point.pointInFlangeM(), radiusM));

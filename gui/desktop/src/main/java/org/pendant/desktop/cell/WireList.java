@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Color;
@@ -304,10 +306,14 @@ final class WireList extends JList<WireRow> {
     }
 
     private String spoken(WireRow row) {
-      return (row instanceof WireRow.OfPort(WirePort port) ? port.device() + ", " : "")
-          + row.text()
-          + (row.note().isEmpty() ? "" : ", " + row.note())
-          + (row instanceof WireRow.Heading ? "" : isHigh(row) ? ", high" : ", low");
+      String said =
+          (row instanceof WireRow.OfPort(WirePort port) ? port.device() + ", " : "")
+              + row.text()
+              + (row.note().isEmpty() ? "" : ", " + row.note());
+      if (row instanceof WireRow.Heading) {
+        return said;
+      }
+      return text(isHigh(row) ? "spokenHigh" : "spokenLow", said);
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 /**
  * Wire port: what of a device a wire ends at.
  *
@@ -43,7 +45,7 @@ record WirePort(
   /** Why no wire can go from here to a signal; empty if one can. */
   String refusal(WireSignal to) {
     if (fixed) {
-      return "rules are changed as text, on the page Forms";
+      return text("rulesAreChangedAsTextOn");
     }
     boolean fits =
         switch (way) {
@@ -54,23 +56,19 @@ record WirePort(
     if (fits) {
       return "";
     }
+    String what = to.kind().words();
     return switch (way) {
-          case TELLS -> title + " of " + device + " is set by the device: it goes to an input, ";
-          case WATCHES -> title + " of " + device + " watches a level: it goes to a signal, ";
-          case TURNS -> device + " turns an encoder, ";
-        }
-        + to.name()
-        + " is "
-        + to.kind().words();
+      case TELLS -> text("onlyToInput", title, device, to.name(), what);
+      case WATCHES -> text("onlyToSignal", title, device, to.name(), what);
+      case TURNS -> text("onlyToEncoder", device, to.name(), what);
+    };
   }
 
   /** Why its wire cannot be taken away; empty if it can. */
   String removalRefusal() {
     if (fixed) {
-      return "rules are changed as text, on the page Forms";
+      return text("rulesAreChangedAsTextOn");
     }
-    return required
-        ? title + " of " + device + " must have a wire: drag it to another signal instead"
-        : "";
+    return required ? text("ofMustHaveAWireDrag", title, device) : "";
   }
 }

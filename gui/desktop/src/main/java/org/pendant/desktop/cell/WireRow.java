@@ -49,7 +49,7 @@ sealed interface WireRow {
       return refusal(to, from);
     }
     return from instanceof OfPort
-        ? "a wire goes from a device to a signal of the controller"
-        : "a wire goes from a signal of the controller to a device";
+        ? CellTexts.text("aWireGoesFromADevice")
+        : CellTexts.text("aWireGoesFromASignal");
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 /**
  * Wire signal: what of the controller a wire of the cell ends at.
  *
@@ -10,13 +12,13 @@ record WireSignal(String name, Kind kind) {
   /** What there is on the side of the controller. */
   enum Kind {
     /** Devices set it. */
-    INPUT("an input"),
+    INPUT(text("anInput")),
     /** Programs set it. */
-    OUTPUT("an output"),
+    OUTPUT(text("anOutput")),
     /** Programs set it, and read it. */
-    FLAG("a flag"),
+    FLAG(text("aFlag")),
     /** Belts turn it. */
-    ENCODER("an encoder");
+    ENCODER(text("anEncoder"));
 
     private final String words;
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.ComponentOrientation;
 import java.awt.Cursor;
@@ -62,8 +64,8 @@ final class WiringBoard extends JPanel {
     super(null);
     setOpaque(false);
     setName("cell-wiring-board");
-    TitledCard.named(signals, "cell-wiring-signals", "Signals of the controller");
-    TitledCard.named(ports, "cell-wiring-ports", "Ports of devices");
+    TitledCard.named(signals, "cell-wiring-signals", text("signalsOfTheController"));
+    TitledCard.named(ports, "cell-wiring-ports", text("portsOfDevices"));
     signals.setToolTipText(null);
     ports.setToolTipText(null);
     // the bar is away from where wires begin
@@ -241,12 +243,13 @@ final class WiringBoard extends JPanel {
         .map(
             pair -> {
               String also = wiring.alsoSetBy(pair.port, pair.signal.name());
-              return pair.port.device()
-                  + ": "
-                  + pair.port.title()
-                  + (pair.port.way() == WirePort.Way.WATCHES ? " watches " : " sets ")
-                  + pair.signal.name()
-                  + (also.isEmpty() ? "" : ". " + also);
+              String wire =
+                  text(
+                      pair.port.way() == WirePort.Way.WATCHES ? "watchesSignal" : "setsSignal",
+                      pair.port.device(),
+                      pair.port.title(),
+                      pair.signal.name());
+              return also.isEmpty() ? wire : text("wireAndOther", wire, also);
             });
   }
 

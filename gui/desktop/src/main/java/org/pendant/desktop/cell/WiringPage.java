@@ -1,5 +1,7 @@
 package org.pendant.desktop.cell;
 
+import static org.pendant.desktop.cell.CellTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.event.ActionEvent;
@@ -30,14 +32,12 @@ import org.pendant.kit.theme.Palette;
  * mouse or keys, and which of them are high.
  */
 final class WiringPage {
-  private static final String HELP =
-      "Drag from a port to a signal, or from a signal to a port. By keys: Enter at a port, then"
-          + " Enter at a signal; Delete removes the wire.";
+  private static final String HELP = text("dragFromAPortToA");
 
   private final SceneDraft draft;
   private final UnaryOperator<String> signalName;
   private final WiringBoard board = new WiringBoard();
-  private final JButton remove = new JButton("Remove wire");
+  private final JButton remove = new JButton(text("removeWire"));
   private final Remark said = new Remark("cell-wiring-said", this::color);
   private final JPanel panel =
       new JPanel(new MigLayout("insets 8 12 12 12, gap 8 6", "[grow, fill]", "[][grow, fill]"));
@@ -57,7 +57,7 @@ final class WiringPage {
     this.draft = draft;
     this.signalName = signalName;
     panel.setName("cell-wiring");
-    TitledCard.named(remove, "cell-wiring-remove", "Remove the chosen wire (Delete)");
+    TitledCard.named(remove, "cell-wiring-remove", text("removeTheChosenWireDelete"));
     TitledCard.compact(remove);
     remove.addActionListener(event -> remove());
     JPanel head = new JPanel(new BorderLayout(12, 0));
@@ -109,16 +109,10 @@ final class WiringPage {
             .map(
                 row ->
                     row instanceof WireRow.OfPort(WirePort port)
-                        ? "Choose a signal for "
-                            + port.title()
-                            + " of "
-                            + port.device()
-                            + ": Enter wires it, Esc leaves it as it is."
-                        : "Choose a port for "
-                            + row.text()
-                            + ": Enter wires it, Esc leaves it as it is.")
+                        ? text("chooseASignalForOfEnter", port.title(), port.device())
+                        : text("chooseAPortForEnterWires", row.text()))
             .orElse(HELP);
-    said.say(wrong ? "Not possible: " + refusal : hint);
+    said.say(wrong ? text("notPossible", refusal) : hint);
     said.repaint();
   }
 
@@ -242,7 +236,8 @@ final class WiringPage {
   private List<WireRow> portRows() {
     List<WireRow> rows = new ArrayList<>();
     for (CellWiring.Box box : wiring.boxes()) {
-      String note = box.reached().isEmpty() ? box.title() : box.title() + ", by " + box.reached();
+      String note =
+          box.reached().isEmpty() ? box.title() : text("reachedBy", box.title(), box.reached());
       rows.add(new WireRow.Heading(box.name(), note, lit.contains(box.name())));
       box.ports().forEach(port -> rows.add(new WireRow.OfPort(port)));
     }
