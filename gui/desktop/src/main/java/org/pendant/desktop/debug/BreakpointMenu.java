@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.Optional;
 import java.util.function.IntConsumer;
 import javax.swing.JMenuItem;
@@ -33,21 +35,26 @@ final class BreakpointMenu implements MarginMenu {
     Optional<Breakpoint> there =
         breakpoints.all(program).stream().filter(each -> each.line() == line).findFirst();
     if (there.isEmpty()) {
-      add(menu, "Add breakpoint", () -> breakpoints.toggle(line));
-      add(menu, "Add conditional breakpoint\u2026", () -> editCondition.accept(line));
-      add(menu, "Add logpoint\u2026", () -> editMessage.accept(line));
+      add(menu, text("addBreakpoint"), () -> breakpoints.toggle(line));
+      add(menu, text("addConditionalBreakpoint"), () -> editCondition.accept(line));
+      add(menu, text("addLogpoint"), () -> editMessage.accept(line));
       return menu;
     }
     Breakpoint breakpoint = there.get();
-    String kind = breakpoint.logs() ? "logpoint" : "breakpoint";
-    add(menu, "Remove " + kind, () -> breakpoints.toggle(line));
+    boolean logs = breakpoint.logs();
     add(
         menu,
-        (breakpoint.enabled() ? "Disable " : "Enable ") + kind,
+        text(logs ? "removeLogpoint" : "removeThisBreakpoint"),
+        () -> breakpoints.toggle(line));
+    add(
+        menu,
+        breakpoint.enabled()
+            ? text(logs ? "disableLogpoint" : "disableBreakpoint")
+            : text(logs ? "enableLogpoint" : "enableBreakpoint"),
         () -> breakpoints.change(breakpoint.enabled(!breakpoint.enabled())));
     menu.addSeparator();
-    add(menu, "Edit condition\u2026", () -> editCondition.accept(line));
-    add(menu, "Edit log message\u2026", () -> editMessage.accept(line));
+    add(menu, text("editCondition"), () -> editCondition.accept(line));
+    add(menu, text("editLogMessage"), () -> editMessage.accept(line));
     return menu;
   }
 

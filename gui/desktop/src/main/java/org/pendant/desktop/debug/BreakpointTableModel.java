@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -18,7 +20,13 @@ final class BreakpointTableModel extends RowsModel<Breakpoint> {
   static final int FROM_HIT = 4;
   static final int HITS = 5;
   private static final List<String> TITLES =
-      List.of("On", "Line", "Condition", "Log message", "From hit", "Hits");
+      List.of(
+          text("onColumn"),
+          text("lineColumn"),
+          text("condition"),
+          text("logMessage"),
+          text("fromHitColumn"),
+          text("hitsColumn"));
 
   private final transient OpenBreakpoints openBreakpoints;
 
@@ -55,7 +63,7 @@ final class BreakpointTableModel extends RowsModel<Breakpoint> {
   private static String place(Breakpoint row, Optional<BreakpointState> state) {
     OptionalInt stops = state.map(BreakpointState::statementLine).orElse(OptionalInt.empty());
     return stops.isPresent() && stops.getAsInt() != row.line()
-        ? row.line() + " (stops on " + stops.getAsInt() + ")"
+        ? text("lineStopsOn", row.line(), stops.getAsInt())
         : Integer.toString(row.line());
   }
 
@@ -68,7 +76,7 @@ final class BreakpointTableModel extends RowsModel<Breakpoint> {
   static String hitRefusal(String typed) {
     return HitRule.of(typed).isPresent()
         ? ""
-        : "From hit is '" + typed.strip() + "', must be " + HitRule.FORMS;
+        : text("fromHitIsMustBe", typed.strip(), HitRule.FORMS);
   }
 
   @Override

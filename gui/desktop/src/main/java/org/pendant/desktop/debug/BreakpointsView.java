@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.ComponentAdapter;
@@ -36,9 +38,7 @@ public final class BreakpointsView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "breakpoints";
 
-  private static final String NOTE =
-      "No breakpoints. Press F9 in the editor, or click beside a line, to have the program stop"
-          + " there.";
+  private static final String NOTE = text("noBreakpointsPressF9InThe");
 
   private final Workbench workbench;
   private final DebugPresenter debug;
@@ -47,8 +47,8 @@ public final class BreakpointsView implements View {
   private final ConditionCheck check;
   private final JTable table;
   private final JLabel refused = new JLabel();
-  private final JCheckBox onErrors = new JCheckBox("Stop at errors");
-  private final JButton remove = new JButton("Remove");
+  private final JCheckBox onErrors = new JCheckBox(text("stopAtErrors"));
+  private final JButton remove = new JButton(text("remove"));
   private final DebugPanel list;
   private final JPanel panel = new JPanel(new BorderLayout());
   private OptionalInt wantedLine = OptionalInt.empty();
@@ -87,8 +87,8 @@ public final class BreakpointsView implements View {
 
   private void setUpTable() {
     table.setName("breakpoints-table");
-    table.getAccessibleContext().setAccessibleName("Breakpoints");
-    table.setToolTipText("A double click on the line shows it; conditions are edited in place");
+    table.getAccessibleContext().setAccessibleName(text("breakpoints"));
+    table.setToolTipText(text("aDoubleClickOnTheLine"));
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
@@ -132,14 +132,14 @@ public final class BreakpointsView implements View {
           }
         });
     JPopupMenu menu = new JPopupMenu();
-    menu.add(VariablesView.item("Show line", "Enter", this::jump));
-    menu.add(VariablesView.item("Change condition", "F2", this::editCondition));
+    menu.add(VariablesView.item(text("showLine"), text("enterKey"), this::jump));
+    menu.add(VariablesView.item(text("changeCondition"), "F2", this::editCondition));
     menu.add(
         VariablesView.item(
-            "Change log message",
-            "F2 in its column: logs it, and the program does not stop",
+            text("changeLogMessage"),
+            text("f2InItsColumnLogsIt"),
             () -> edit(table.getSelectedRow(), BreakpointTableModel.MESSAGE)));
-    menu.add(VariablesView.item("Remove", "Del", this::removeSelected));
+    menu.add(VariablesView.item(text("remove"), text("deleteKey"), this::removeSelected));
     table.setComponentPopupMenu(menu);
   }
 
@@ -159,12 +159,12 @@ public final class BreakpointsView implements View {
 
   private JComponent buttons() {
     onErrors.setName("break-on-errors");
-    onErrors.setToolTipText("Pauses a program that fails, so that its variables can be looked at");
-    onErrors.getAccessibleContext().setAccessibleName("Stop at errors, before the program ends");
+    onErrors.setToolTipText(text("pausesAProgramThatFailsSo"));
+    onErrors.getAccessibleContext().setAccessibleName(text("stopAtErrorsBeforeTheProgram"));
     onErrors.addActionListener(event -> openBreakpoints.setOnErrors(onErrors.isSelected()));
     remove.setName("breakpoint-remove");
-    remove.setToolTipText("Removes the selected breakpoint (Del)");
-    remove.getAccessibleContext().setAccessibleName("Remove breakpoint");
+    remove.setToolTipText(text("removesTheSelectedBreakpointDel"));
+    remove.getAccessibleContext().setAccessibleName(text("removeBreakpoint"));
     remove.addActionListener(event -> removeSelected());
     JPanel row = new JPanel(new WrappingRow(8));
     row.add(onErrors);
@@ -269,7 +269,7 @@ public final class BreakpointsView implements View {
 
   @Override
   public String title() {
-    return "Breakpoints";
+    return text("breakpoints");
   }
 
   @Override

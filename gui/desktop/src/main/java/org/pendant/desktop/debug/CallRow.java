@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
@@ -26,8 +28,8 @@ record CallRow(int thread, int depth, String name, String place) {
   static List<CallRow> of(List<ThreadSnapshot> threads, IntUnaryOperator now) {
     List<CallRow> rows = new ArrayList<>();
     for (ThreadSnapshot each : threads) {
-      String number = each.id() == 0 ? "Main thread" : "Thread " + each.id();
-      String waits = each.waitsFor().isEmpty() ? "ready" : "waits in " + each.waitsFor();
+      String number = each.id() == 0 ? text("mainThread") : text("thread", each.id());
+      String waits = each.waitsFor().isEmpty() ? text("ready") : text("waitsIn", each.waitsFor());
       String at = ", " + where(each.stack().getFirst(), now);
       rows.add(new CallRow(each.id(), 0, number + ": " + each.name(), waits + at));
       int depth = each.stack().size();
@@ -41,7 +43,7 @@ record CallRow(int thread, int depth, String name, String place) {
 
   private static String where(ThreadSnapshot.Level level, IntUnaryOperator now) {
     return level.source().equals("interpreter")
-        ? "interpreter, line " + level.line()
-        : "line " + now.applyAsInt(level.line());
+        ? text("interpreterLine", level.line())
+        : text("inLine", now.applyAsInt(level.line()));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.EventQueue;
@@ -32,22 +34,19 @@ public final class CallStackView implements View {
   public static final String ID = "call-stack";
 
   /** What people read on its tab. */
-  public static final String TITLE = "Call stack";
+  public static final String TITLE = text("callStack");
 
-  private static final String NOTE =
-      "No program runs. The threads of one that runs appear here, and when it is paused, by a"
-          + " breakpoint (F9) or in the debugger, their calls with variables.";
+  private static final String NOTE = text("noProgramRunsTheThreadsOf");
 
-  private static final String PAST_NOTE =
-      "A recording has threads and calls only of the moments at which the debugger stopped.";
+  private static final String PAST_NOTE = text("aRecordingHasThreadsAndCalls");
 
   private final Workbench workbench;
   private final DebugPresenter debug;
   private final Rows rows = new Rows();
   private final JTable table = new JTable(rows);
   private final DebugPanel panel;
-  private final JButton kill = new JButton("End thread");
-  private final JCheckBox onErrors = new JCheckBox("Stop at errors");
+  private final JButton kill = new JButton(text("endThread"));
+  private final JCheckBox onErrors = new JCheckBox(text("stopAtErrors"));
   private final JButton hold;
   private final JButton resume;
   private final List<JButton> steps;
@@ -60,14 +59,14 @@ public final class CallStackView implements View {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.debug = debug;
-    hold = button("Pause all", "debug.pause", "Pauses all threads, to look at them");
-    resume = button("Resume", "program.run", "Resumes the program");
+    hold = button(text("pauseAll"), "debug.pause", text("pausesAllThreadsToLookAt"));
+    resume = button(text("resume"), "program.run", text("resumesTheProgram"));
     resume.setName("call-stack-resume");
     steps =
         List.of(
-            button("Over", "debug.step-over", "Step over: to the next statement of this function"),
-            button("Into", "debug.step-into", "Step into: to the next statement, in any function"),
-            button("Out", "debug.step-out", "Step out: to the next statement of the caller"));
+            button(text("stepOverShort"), "debug.step-over", text("stepOverToTheNextStatement")),
+            button(text("stepIntoShort"), "debug.step-into", text("stepIntoToTheNextStatement")),
+            button(text("stepOutShort"), "debug.step-out", text("stepOutToTheNextStatement")));
     setUpTable();
     JPanel content = new JPanel(new BorderLayout());
     content.add(buttons(), BorderLayout.NORTH);
@@ -84,8 +83,8 @@ public final class CallStackView implements View {
 
   private void setUpTable() {
     table.setName("call-stack-table");
-    table.getAccessibleContext().setAccessibleName("Threads and calls");
-    table.setToolTipText("Select a call to see its variables; Del ends a thread");
+    table.getAccessibleContext().setAccessibleName(text("threadsAndCalls"));
+    table.setToolTipText(text("selectACallToSeeIts"));
     table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
@@ -97,7 +96,7 @@ public final class CallStackView implements View {
     table.registerKeyboardAction(
         event -> killSelected(), KeyStroke.getKeyStroke("DELETE"), JComponent.WHEN_FOCUSED);
     JPopupMenu menu = new JPopupMenu();
-    menu.add(VariablesView.item("End thread", "Del", this::killSelected));
+    menu.add(VariablesView.item(text("endThread"), text("deleteKey"), this::killSelected));
     table.setComponentPopupMenu(menu);
   }
 
@@ -108,12 +107,12 @@ public final class CallStackView implements View {
     steps.forEach(row::add);
     kill.setName("thread-end");
     kill.putClientProperty("JButton.buttonType", "toolBarButton");
-    kill.setToolTipText("Ends the selected thread, and those that it started (Del)");
-    kill.getAccessibleContext().setAccessibleName("End thread");
+    kill.setToolTipText(text("endsTheSelectedThreadAndThose"));
+    kill.getAccessibleContext().setAccessibleName(text("endThread"));
     kill.addActionListener(event -> killSelected());
     row.add(kill);
     onErrors.setName("call-stack-break-on-errors");
-    onErrors.setToolTipText("Pauses a program that fails, so that its variables can be looked at");
+    onErrors.setToolTipText(text("pausesAProgramThatFailsSo"));
     onErrors.addActionListener(event -> debug.breakpoints().setOnErrors(onErrors.isSelected()));
     debug.breakpoints().addListener(() -> onErrors.setSelected(debug.breakpoints().onErrors()));
     row.add(onErrors);
@@ -205,9 +204,7 @@ public final class CallStackView implements View {
 
   private String running() {
     String keys = KeyText.shown(workbench.actions().keysOf("debug.pause"));
-    return "Running: where its threads were a moment ago. Pause all"
-        + (keys.isEmpty() ? "" : " (" + keys + ")")
-        + " shows their variables.";
+    return keys.isEmpty() ? text("running") : text("runningWithKeys", keys);
   }
 
   private void mark(Scope scope) {
@@ -251,7 +248,7 @@ public final class CallStackView implements View {
   @SuppressWarnings("serial") // never written to a stream
   private static final class Rows extends RowsModel<CallRow> {
     Rows() {
-      super(List.of("Thread or call", "Where"));
+      super(List.of(text("threadOrCall"), text("whereColumn")));
     }
 
     @Override

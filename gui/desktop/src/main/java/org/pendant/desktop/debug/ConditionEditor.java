@@ -1,7 +1,8 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.Component;
-import java.util.Locale;
 import java.util.function.IntUnaryOperator;
 import javax.swing.DefaultCellEditor;
 import javax.swing.JLabel;
@@ -27,17 +28,22 @@ final class ConditionEditor extends DefaultCellEditor {
   private boolean editing;
 
   private ConditionEditor(
-      String kind, String tip, JLabel why, ConditionCheck check, IntUnaryOperator lineOfRow) {
+      String name,
+      String kind,
+      String tip,
+      JLabel why,
+      ConditionCheck check,
+      IntUnaryOperator lineOfRow) {
     super(new JTextField());
     this.kind = kind;
     this.why = why;
     this.check = check;
     this.lineOfRow = lineOfRow;
     field = (JTextField) getComponent();
-    field.setName("breakpoint-" + kind.toLowerCase(Locale.ROOT));
+    field.setName("breakpoint-" + name);
     field.putClientProperty("FlatLaf.styleClass", "monospaced");
-    field.getAccessibleContext().setAccessibleName(kind + " of the breakpoint");
-    field.setToolTipText(tip + ". Ctrl+Space completes");
+    field.getAccessibleContext().setAccessibleName(text("fieldOfBreakpoint", kind));
+    field.setToolTipText(text("tipWithCompletion", tip));
     completions = new FieldCompletions(field, this::complete);
     field.getDocument().addDocumentListener(new Typed());
   }
@@ -51,19 +57,15 @@ final class ConditionEditor extends DefaultCellEditor {
   static ConditionEditor ofConditions(
       JLabel why, ConditionCheck check, IntUnaryOperator lineOfRow) {
     return new ConditionEditor(
-        "Condition",
-        "An expression, such as count > 3; the program stops when it is true",
-        why,
-        check,
-        lineOfRow);
+        "condition", text("condition"), text("anExpressionSuchAsCount3"), why, check, lineOfRow);
   }
 
   /** An editor of messages, as {@link #ofConditions}. */
   static ConditionEditor ofMessages(JLabel why, ConditionCheck check, IntUnaryOperator lineOfRow) {
     return new ConditionEditor(
-        "Message",
-        "A text with expressions in braces, such as turn {count}; it is logged, and the program"
-            + " does not stop",
+        "message",
+        text("message"),
+        text("aTextWithExpressionsInBraces"),
         why,
         check.forMessages(),
         lineOfRow);
@@ -85,7 +87,7 @@ final class ConditionEditor extends DefaultCellEditor {
 
   /** The message of a breakpoint until people have typed theirs. */
   static String firstMessage(int line) {
-    return "line " + line;
+    return text("firstMessage", line);
   }
 
   private void complete() {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.function.BooleanSupplier;
 import java.util.function.IntSupplier;
 import org.pendant.desktop.workbench.Workbench;
@@ -20,21 +22,21 @@ public final class DebugActions {
       Workbench workbench, DebugPresenter debug, BreakpointsView list, IntSupplier caretLine) {
     Actions actions = workbench.actions();
     Stepping steps = debug.steps();
-    add(actions, "pause", "Pause in the debugger", "shift F6", steps::canPause, steps::pause);
-    add(actions, "step-over", "Step over calls", "", steps::canStep, steps::over);
-    add(actions, "step-into", "Step into calls", "F11", steps::canStep, steps::into);
-    add(actions, "step-out", "Step out to the caller", "shift F11", steps::canStep, steps::out);
+    add(actions, "pause", text("pauseInTheDebugger"), "shift F6", steps::canPause, steps::pause);
+    add(actions, "step-over", text("stepOverCalls"), "", steps::canStep, steps::over);
+    add(actions, "step-into", text("stepIntoCalls"), "F11", steps::canStep, steps::into);
+    add(actions, "step-out", text("stepOutToTheCaller"), "shift F11", steps::canStep, steps::out);
     add(
         actions,
         "run-to-line",
-        "Run to the line of the caret",
+        text("runToTheLineOfThe"),
         "control F10",
         steps::canStep,
         () -> steps.runTo(caretLine.getAsInt()));
     add(
         actions,
         "show-held",
-        "Show where the debugger has paused",
+        text("showWhereTheDebuggerHasPaused"),
         "alt F10",
         debug::held,
         debug::showHeld);
@@ -42,21 +44,21 @@ public final class DebugActions {
     add(
         actions,
         "conditional-breakpoint",
-        "Breakpoint with a condition\u2026",
+        text("breakpointWithACondition"),
         "shift F9",
         () -> true,
         () -> list.editCondition(caretLine.getAsInt()));
     add(
         actions,
         "logpoint",
-        "Logpoint: log a message\u2026",
+        text("logpointLogAMessage"),
         "alt F9",
         () -> true,
         () -> list.editMessage(caretLine.getAsInt()));
     add(
         actions,
         "enable-breakpoint",
-        "Breakpoint at the caret on or off",
+        text("breakpointAtTheCaretOnOr"),
         "control F9",
         () -> breakpoints.at(caretLine.getAsInt()).isPresent(),
         () ->
@@ -66,14 +68,14 @@ public final class DebugActions {
     add(
         actions,
         "remove-breakpoints",
-        "Remove all breakpoints",
+        text("removeAllBreakpoints"),
         "control shift F9",
         () -> !breakpoints.all().isEmpty(),
         breakpoints::removeAll);
     actions.add(
         Action.of(
                 "debug.break-on-errors",
-                "Stop at errors",
+                text("stopAtErrors"),
                 "",
                 () -> breakpoints.setOnErrors(!breakpoints.onErrors()))
             .checked(breakpoints::onErrors));

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.Dimension;
 import java.util.List;
 import java.util.function.BooleanSupplier;
@@ -65,23 +67,23 @@ public final class DebugBar extends JPanel {
     this.past = past;
     setName(name);
     setOpaque(false);
-    getAccessibleContext().setAccessibleName("Debug bar");
+    getAccessibleContext().setAccessibleName(text("debugBar"));
     BooleanSupplier any = this::wanted;
     Icon run = Glyph.PLAY.icon(SIDE, Palette.ok());
     Icon stop = Glyph.STOP.icon(SIDE, Palette.error());
     tools =
         List.of(
-            back("Reverse continue", "past.reverse-continue", "reverse-continue"),
-            back("Step back", "past.step-back", "step-back"),
-            on("Next statement of the recording", "past.step-on", "step-over"),
-            on("Next breakpoint of the recording", "past.continue", "continue-on"),
-            on("Back to now: Esc", "timeline.live", "to-now"),
-            tool("Continue", "program.run", run, any, When.NOW),
-            step("Step over", "program.step", "step-over"),
-            step("Step into", "debug.step-into", "step-into"),
-            step("Step out", "debug.step-out", "step-out"),
-            step("Run to the line of the caret", "debug.run-to-line", "run-to"),
-            tool("Stop", "program.stop", stop, any, When.NOW));
+            back(text("reverseContinue"), "past.reverse-continue", "reverse-continue"),
+            back(text("stepBack"), "past.step-back", "step-back"),
+            on(text("nextStatementOfTheRecording"), "past.step-on", "step-over"),
+            on(text("nextBreakpointOfTheRecording"), "past.continue", "continue-on"),
+            on(text("backToNowEsc"), "timeline.live", "to-now"),
+            tool(text("continueLabel"), "program.run", run, any, When.NOW),
+            step(text("stepOver"), "program.step", "step-over"),
+            step(text("stepInto"), "debug.step-into", "step-into"),
+            step(text("stepOut"), "debug.step-out", "step-out"),
+            step(text("runToTheLineOfThe"), "debug.run-to-line", "run-to"),
+            tool(text("stop"), "program.stop", stop, any, When.NOW));
     setVisible(false);
   }
 

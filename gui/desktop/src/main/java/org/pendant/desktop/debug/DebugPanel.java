@@ -17,8 +17,8 @@ final class DebugPanel extends JPanel {
   private static final String CONTENT = "content";
   private static final String NOTE = "note";
 
-  private final JTextArea status = text("debug-status", "Why the program is paused");
-  private final JTextArea note = text("debug-note", "What to do");
+  private final JTextArea status = text("debug-status", DebugTexts.text("whyTheProgramIsPaused"));
+  private final JTextArea note = text("debug-note", DebugTexts.text("whatToDo"));
   private final JPanel top = new JPanel(new MigLayout("insets 6 8 6 8, fillx", "[grow]", "[]"));
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);

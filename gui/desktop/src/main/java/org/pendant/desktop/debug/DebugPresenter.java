@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
@@ -84,10 +86,11 @@ public final class DebugPresenter {
     List<ValueNode.Group> groups = new ArrayList<>();
     List<ValueNode> locals = reader.read(scope, debugger.variables(scope.thread(), scope.depth()));
     if (!locals.isEmpty()) {
-      groups.add(new ValueNode.Group("Local in " + scope.function(), scope, locals));
+      groups.add(new ValueNode.Group(text("localIn", scope.function()), scope, locals));
     }
     groups.add(
-        new ValueNode.Group("Global", Scope.GLOBAL, reader.read(Scope.GLOBAL, debugger.globals())));
+        new ValueNode.Group(
+            text("global"), Scope.GLOBAL, reader.read(Scope.GLOBAL, debugger.globals())));
     return groups;
   }
 

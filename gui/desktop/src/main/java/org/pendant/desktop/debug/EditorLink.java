@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -99,24 +101,19 @@ public final class EditorLink implements BreakpointListener {
   }
 
   static BreakpointMark mark(Breakpoint breakpoint, long hits) {
-    String does = breakpoint.logs() ? "logs \u201c" + breakpoint.message() + "\u201d" : "stops";
-    StringBuilder about = new StringBuilder();
-    if (!breakpoint.enabled()) {
-      about.append("Disabled: ").append(does);
-    } else if (breakpoint.logs()) {
-      about.append("The program ").append(does).append(" before this line");
-    } else {
-      about.append("The program stops before this line");
-    }
+    String about =
+        breakpoint.logs()
+            ? text(breakpoint.enabled() ? "logsHere" : "wouldLogHere", breakpoint.message())
+            : text(breakpoint.enabled() ? "stopsHere" : "wouldStopHere");
     if (!breakpoint.condition().isEmpty()) {
-      about.append(" when ").append(breakpoint.condition());
+      about = text("markWithCondition", about, breakpoint.condition());
     }
     if (!breakpoint.hits().always()) {
-      about.append(", ").append(breakpoint.hits().words());
+      about = text("markWithHitRule", about, breakpoint.hits().words());
     }
     if (hits > 0) {
-      about.append("; hit ").append(hits == 1 ? "once" : hits + " times");
+      about = hits == 1 ? text("markHitOnce", about) : text("markHitTimes", about, hits);
     }
-    return new BreakpointMark(breakpoint.enabled(), kind(breakpoint), about.toString());
+    return new BreakpointMark(breakpoint.enabled(), kind(breakpoint), about);
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.FocusAdapter;
@@ -45,7 +47,7 @@ public final class FieldCompletions {
     this.field = field;
     this.wanted = wanted;
     list.setName("condition-completions");
-    list.getAccessibleContext().setAccessibleName("Completions");
+    list.getAccessibleContext().setAccessibleName(text("completions"));
     list.setFocusable(false);
     list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     list.putClientProperty(

@@ -48,8 +48,7 @@ final class KeptFiles {
     return damaged.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "Breakpoints, caret and folds are lost, as the settings are damaged there: "
-                + String.join(", ", damaged));
+            DebugTexts.text("breakpointsCaretAndFoldsAreLost", String.join(", ", damaged)));
   }
 
   /** What is remembered of a file. */

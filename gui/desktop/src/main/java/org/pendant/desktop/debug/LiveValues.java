@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -24,14 +26,14 @@ final class LiveValues {
       Scope scope = new Scope(Debugger.MAIN, Debugger.OUTERMOST + 1, samples.mainFunction());
       groups.add(
           new ValueNode.Group(
-              "Local in " + samples.mainFunction(),
+              text("localIn", samples.mainFunction()),
               scope,
               nodes(samples.locals(), scope, unfolded)));
     }
     if (!samples.globals().isEmpty()) {
       groups.add(
           new ValueNode.Group(
-              ended.isEmpty() ? "Global" : "Global, last values of " + ended,
+              ended.isEmpty() ? text("global") : text("globalLastValuesOf", ended),
               Scope.GLOBAL,
               nodes(samples.globals(), Scope.GLOBAL, unfolded)));
     }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
@@ -117,7 +119,7 @@ public final class Stepping {
     int stepped = thread;
     List<Integer> wanted = toRun.apply(line);
     if (wanted.isEmpty()) {
-      tell.accept("Line " + line + " is not in the part of the program that runs");
+      tell.accept(text("lineIsNotInThePart", line));
       return;
     }
     int next =
@@ -167,6 +169,6 @@ public final class Stepping {
   }
 
   private void refused(String why) {
-    tell.accept("Refused: " + why);
+    tell.accept(text("refused", why));
   }
 }

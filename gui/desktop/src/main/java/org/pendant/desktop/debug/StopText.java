@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.function.IntUnaryOperator;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
@@ -18,31 +20,27 @@ final class StopText {
     int line = now.applyAsInt(stop.line());
     return switch (stop.reason()) {
       case PauseReason.AtBreakpoint at ->
-          "Breakpoint on line "
-              + now.applyAsInt(at.line())
-              + (at.hits() > 1 ? ", hit " + at.hits() : "");
+          at.hits() > 1
+              ? text("breakpointOnLineHit", now.applyAsInt(at.line()), at.hits())
+              : text("breakpointOnLine", now.applyAsInt(at.line()));
       case PauseReason.ConditionFailed failed ->
-          "The condition of the breakpoint on line "
-              + now.applyAsInt(failed.line())
-              + " failed: "
-              + ByteText.decoded(failed.message());
-      case PauseReason.Stepped() -> "Stepped to line " + line;
-      case PauseReason.PauseRequested() -> "Paused at line " + line;
+          text(
+              "theConditionOfTheBreakpointOn",
+              now.applyAsInt(failed.line()),
+              ByteText.decoded(failed.message()));
+      case PauseReason.Stepped() -> text("steppedToLine", line);
+      case PauseReason.PauseRequested() -> text("pausedAtLine", line);
       case PauseReason.Failed failed ->
-          "Failed on line "
-              + line
-              + ": "
-              + ByteText.decoded(failed.failure().message())
-              + ". The program ends when it continues";
+          text("failedOnLineTheProgramEnds", line, ByteText.decoded(failed.failure().message()));
     };
   }
 
   /** What is said behind the line itself. */
   static String atLine(DebugState.Stop stop) {
     return switch (stop.reason()) {
-      case PauseReason.AtBreakpoint at -> at.hits() > 1 ? "hit " + at.hits() : "";
+      case PauseReason.AtBreakpoint at -> at.hits() > 1 ? text("hitTimes", at.hits()) : "";
       case PauseReason.ConditionFailed failed ->
-          "The condition failed: " + ByteText.decoded(failed.message());
+          text("theConditionFailed", ByteText.decoded(failed.message()));
       case PauseReason.Stepped(), PauseReason.PauseRequested() -> "";
       case PauseReason.Failed failed -> ByteText.decoded(failed.failure().message());
     };

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Font;
@@ -120,8 +122,8 @@ final class ValueCell extends DefaultTableCellRenderer {
         setIcon(row.level() == 0 ? star(row.favourite(), selected) : null);
         setToolTipText(
             row.favourite()
-                ? "A favourite: it comes first (S)"
-                : "Makes it a favourite, which comes first (S)");
+                ? text("aFavouriteItComesFirstS")
+                : text("makesItAFavouriteWhichComes"));
       }
       case ValueTableModel.VALUE -> {
         setFont(UIManager.getFont("monospaced.font"));
@@ -129,7 +131,7 @@ final class ValueCell extends DefaultTableCellRenderer {
         setText(text.isEmpty() ? "\u2013" : text.replaceAll("\\R", "\u21b5"));
         String why = table.whyFixed(row);
         setToolTipText(
-            (text.isEmpty() ? "It has no value yet" : text)
+            (text.isEmpty() ? text("itHasNoValueYet") : text)
                 + (why.isEmpty() ? "" : " \u2013 " + why));
         mark(row, selected);
       }
@@ -148,7 +150,7 @@ final class ValueCell extends DefaultTableCellRenderer {
       case NONE -> {}
       case SINCE_STOP -> {
         setFont(getFont().deriveFont(Font.BOLD));
-        setToolTipText(getToolTipText() + " \u2013 changed since the last stop");
+        setToolTipText(text("changedSinceTheLastStop", getToolTipText()));
         colour(Palette.warning(), selected);
       }
       case JUST_NOW -> colour(Palette.accent(), selected);

@@ -90,11 +90,7 @@ sealed interface ValueRow {
    */
   record More(ValueKey key, int level, int shown, int total, boolean cut) implements ValueRow {
     String text() {
-      return shown
-          + " of "
-          + total
-          + " shown \u2013 "
-          + (cut ? "pause in the debugger to see all" : "Enter shows more");
+      return DebugTexts.text(cut ? "shownUntilPaused" : "shownUntilEnter", shown, total);
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -76,7 +78,7 @@ final class ValueTable extends JTable {
     setSurrendersFocusOnKeystroke(true);
     JTextField field = new JTextField();
     field.setName(name + "-field");
-    field.getAccessibleContext().setAccessibleName("New value, any expression");
+    field.getAccessibleContext().setAccessibleName(text("newValueAnyExpression"));
     field.putClientProperty("FlatLaf.styleClass", "monospaced");
     DefaultCellEditor editor = new DefaultCellEditor(field);
     editor.setClickCountToStart(2);

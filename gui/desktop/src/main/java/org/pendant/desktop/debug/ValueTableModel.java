@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.List;
 import java.util.function.BiConsumer;
 import org.pendant.kit.table.RowsModel;
@@ -11,7 +13,8 @@ final class ValueTableModel extends RowsModel<ValueRow> {
   static final int VALUE = 1;
   static final int KIND = 2;
   static final int STAR = 3;
-  private static final List<String> TITLES = List.of("Name", "Value", "Kind", "");
+  private static final List<String> TITLES =
+      List.of(text("nameColumn"), text("valueColumn"), text("kindColumn"), "");
 
   private final ValueTree tree;
   private final boolean namesEditable;
@@ -49,7 +52,7 @@ final class ValueTableModel extends RowsModel<ValueRow> {
             case NAME -> value.name();
             case VALUE -> tree.toEdit(value);
             case KIND -> value.kind();
-            default -> value.favourite() ? "favourite" : "";
+            default -> value.favourite() ? text("favourite") : "";
           };
       case ValueRow.Heading heading -> heading.title();
       case ValueRow.More more -> more.text();

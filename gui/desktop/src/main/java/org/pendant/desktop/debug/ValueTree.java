@@ -197,7 +197,7 @@ final class ValueTree {
     }
     Refusal refusal = refusals.get(key);
     if (refusal != null) {
-      laid.add(new ValueRow.Problem(key, level, "Not changed: " + refusal.why()));
+      laid.add(new ValueRow.Problem(key, level, DebugTexts.text("notChanged", refusal.why())));
     }
     if (!open) {
       return;
@@ -251,8 +251,8 @@ final class ValueTree {
       return "";
     }
     return live.filter(Live::changeable).isPresent()
-        ? "Pause in the debugger to change it"
-        : "It can be changed while the program runs or is paused";
+        ? DebugTexts.text("pauseInTheDebuggerToChange")
+        : DebugTexts.text("itCanBeChangedWhileThe");
   }
 
   /** What an editor of the value begins with: what was refused before, or what it is. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.Set;
 import java.util.function.LongSupplier;
 import org.pendant.controller.state.ControllerState;
@@ -94,22 +96,22 @@ final class VariablesPresenter {
       return "";
     }
     if (!filter.isBlank() && !live.samples().empty()) {
-      return "No variable has '" + filter.strip() + "' in its name.";
+      return text("noVariableHasInItsName", filter.strip());
     }
     if (program.isEmpty()) {
-      return "No program has run yet. Run one with F5: its variables appear here.";
+      return text("noProgramHasRunYetRun");
     }
     return hiddenCount > 0
-        ? "The program " + program + " has no variables but those that its nodes make."
-        : "The program " + program + " has no variables.";
+        ? text("theProgramHasNoVariablesBut", program)
+        : text("theProgramHasNoVariables", program);
   }
 
   /** How many variables are not shown, and why; empty for none. */
   String omission() {
     int omitted = live.samples().omitted();
     if (omitted > 0) {
-      return omitted + " more variables are shown only while the program is paused";
+      return text("moreVariablesAreShownOnlyWhile", omitted);
     }
-    return hiddenCount > 0 && filter.isBlank() ? hiddenCount + " that nodes make are hidden" : "";
+    return hiddenCount > 0 && filter.isBlank() ? text("thatNodesMakeAreHidden", hiddenCount) : "";
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.List;
@@ -72,7 +74,7 @@ public final class VariablesView implements View {
             false,
             (row, text) -> {},
             Optional.of(presenter::toggleFavourite));
-    table.getAccessibleContext().setAccessibleName("Variables: name, value, kind and favourite");
+    table.getAccessibleContext().setAccessibleName(text("variablesNameValueKindAndFavourite"));
     table.setComponentPopupMenu(menu());
     table.registerKeyboardAction(
         event -> plot(), KeyStroke.getKeyStroke("P"), JComponent.WHEN_FOCUSED);
@@ -102,10 +104,10 @@ public final class VariablesView implements View {
 
   private JPanel head() {
     filter.setName("variables-filter");
-    filter.putClientProperty("JTextField.placeholderText", "Filter variables");
+    filter.putClientProperty("JTextField.placeholderText", text("filterVariables"));
     filter.putClientProperty("JTextField.showClearButton", true);
-    filter.setToolTipText("Shows only variables with this in their names; Escape shows all");
-    filter.getAccessibleContext().setAccessibleName("Filter variables");
+    filter.setToolTipText(text("showsOnlyVariablesWithThisIn"));
+    filter.getAccessibleContext().setAccessibleName(text("filterVariables"));
     filter.getDocument().addDocumentListener(new Typed(() -> filtered(filter.getText())));
     filter.registerKeyboardAction(
         event -> filter.setText(""), KeyStroke.getKeyStroke("ESCAPE"), JComponent.WHEN_FOCUSED);
@@ -132,13 +134,13 @@ public final class VariablesView implements View {
 
   private JPopupMenu menu() {
     JPopupMenu menu = new JPopupMenu();
-    menu.add(item("Change value", "F2, or a double click", table::editValue));
-    menu.add(item("Copy value", "Puts the value on the clipboard", table::copyValue));
-    menu.add(item("Copy expression", "What yields the value", table::copyExpression));
+    menu.add(item(text("changeValue"), text("f2OrADoubleClick"), table::editValue));
+    menu.add(item(text("copyValue"), text("putsTheValueOnTheClipboard"), table::copyValue));
+    menu.add(item(text("copyExpression"), text("whatYieldsTheValue"), table::copyExpression));
     menu.addSeparator();
-    menu.add(item("Favourite on or off", "S: favourites come first", table::toggleStar));
-    menu.add(item("Add to plot", "P: draws it over time on the Plots screen", this::plot));
-    menu.add(item("Add to watches", "Shows it at every stop", this::watch));
+    menu.add(item(text("favouriteOnOrOff"), text("sFavouritesComeFirst"), table::toggleStar));
+    menu.add(item(text("addToPlot"), text("pDrawsItOverTimeOn"), this::plot));
+    menu.add(item(text("addToWatches"), text("showsItAtEveryStop"), this::watch));
     menu.addSeparator();
     menu.add(changeBefore(workbench));
     menu.addSeparator();
@@ -148,13 +150,13 @@ public final class VariablesView implements View {
 
   private JMenuItem generated() {
     JMenuItem item =
-        new JCheckBoxMenuItem("Those that nodes make") {
+        new JCheckBoxMenuItem(text("thoseThatNodesMake")) {
           @Override
           public boolean isSelected() {
             return hidden.shown();
           }
         };
-    item.setToolTipText("Poses and joint positions of waypoints, counters of loops, and others");
+    item.setToolTipText(text("posesAndJointPositionsOfWaypoints"));
     item.addActionListener(event -> toggleGenerated());
     return item;
   }
@@ -168,8 +170,8 @@ public final class VariablesView implements View {
   static JMenuItem changeBefore(Workbench workbench) {
     String keys = KeyText.shown(workbench.actions().keysOf("past.change-before"));
     return item(
-        "Go to its last change",
-        "Shows the moment at which it got this value" + (keys.isEmpty() ? "" : " (" + keys + ")"),
+        text("goToItsLastChange"),
+        keys.isEmpty() ? text("showsItsChange") : text("showsItsChangeByKeys", keys),
         () -> workbench.actions().run("past.change-before"));
   }
 
@@ -182,18 +184,18 @@ public final class VariablesView implements View {
 
   private void declareActions() {
     var actions = workbench.actions();
-    actions.add(Action.of(ID + ".filter", "Variables: filter", "", this::goToFilter));
+    actions.add(Action.of(ID + ".filter", text("variablesFilter"), "", this::goToFilter));
     actions.add(
         new Action(
             ID + ".favourite",
-            "Variables: favourite on or off",
+            text("variablesFavouriteOnOrOff"),
             "",
             this::chosen,
             table::toggleStar));
     actions.add(
-        Action.of(ID + ".generated", "Variables: those that nodes make", "", this::toggleGenerated)
+        Action.of(ID + ".generated", text("variablesThoseThatNodesMake"), "", this::toggleGenerated)
             .checked(hidden::shown));
-    actions.add(new Action(ID + ".plot", "Variables: add to plot", "", this::chosen, this::plot));
+    actions.add(new Action(ID + ".plot", text("variablesAddToPlot"), "", this::chosen, this::plot));
   }
 
   private boolean chosen() {
@@ -230,7 +232,7 @@ public final class VariablesView implements View {
     String omitted = presenter.omission();
     if (!omitted.equals(omission.getText())) {
       omission.setText(omitted);
-      omission.setToolTipText(omitted + "; the menu of a right click says what is shown");
+      omission.setToolTipText(text("theMenuOfARightClick", omitted));
       omission.setForeground(Palette.quiet());
       omission.setVisible(!omitted.isEmpty());
     }
@@ -243,7 +245,7 @@ public final class VariablesView implements View {
 
   @Override
   public String title() {
-    return "Variables";
+    return text("variables");
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.Optional;
@@ -23,11 +25,9 @@ public final class WatchesView implements View {
   public static final String ID = "watches";
 
   /** What people read on its tab. */
-  public static final String TITLE = "Watches";
+  public static final String TITLE = text("watches");
 
-  private static final String NOTE =
-      "No watches yet. Type an expression below, or drag a variable here: its value is computed"
-          + " whenever the program stops. Variables are followed while it runs, too.";
+  private static final String NOTE = text("noWatchesYetTypeAnExpression");
 
   private final DebugPresenter debug;
   private final ValueTable table;
@@ -51,7 +51,7 @@ public final class WatchesView implements View {
             true,
             (row, text) -> debug.changeWatch(ValueTable.expression(row), text),
             Optional.empty());
-    table.getAccessibleContext().setAccessibleName("Watches: expression, value and kind");
+    table.getAccessibleContext().setAccessibleName(text("watchesExpressionValueAndKind"));
     table.setComponentPopupMenu(menu());
     table.registerKeyboardAction(
         event -> remove(), KeyStroke.getKeyStroke("DELETE"), JComponent.WHEN_FOCUSED);
@@ -86,28 +86,28 @@ public final class WatchesView implements View {
     JPopupMenu menu = new JPopupMenu();
     menu.add(
         VariablesView.item(
-            "Change expression",
-            "Another one in its place",
+            text("changeExpression"),
+            text("anotherOneInItsPlace"),
             () -> table.edit(ValueTableModel.NAME)));
-    menu.add(VariablesView.item("Change value", "F2, or a double click", table::editValue));
-    menu.add(VariablesView.item("Copy value", "Puts it on the clipboard", table::copyValue));
+    menu.add(VariablesView.item(text("changeValue"), text("f2OrADoubleClick"), table::editValue));
+    menu.add(VariablesView.item(text("copyValue"), text("putsItOnTheClipboard"), table::copyValue));
     menu.add(VariablesView.changeBefore(workbench));
     menu.addSeparator();
-    menu.add(VariablesView.item("Remove", "Del", this::remove));
+    menu.add(VariablesView.item(text("remove"), text("deleteKey"), this::remove));
     return menu;
   }
 
   private JPanel adding() {
     field.setName("watch-field");
-    field.putClientProperty("JTextField.placeholderText", "Expression to watch");
-    field.setToolTipText("An expression that is computed at every stop; Enter adds it");
-    field.getAccessibleContext().setAccessibleName("Expression to watch");
+    field.putClientProperty("JTextField.placeholderText", text("expressionToWatch"));
+    field.setToolTipText(text("anExpressionThatIsComputedAt"));
+    field.getAccessibleContext().setAccessibleName(text("expressionToWatch"));
     field.putClientProperty("FlatLaf.styleClass", "monospaced");
     field.addActionListener(event -> addTyped());
-    JButton add = new JButton("Add");
+    JButton add = new JButton(text("add"));
     add.setName("watch-add");
-    add.setToolTipText("Adds the expression to the watches");
-    add.getAccessibleContext().setAccessibleName("Add watch");
+    add.setToolTipText(text("addsTheExpressionToTheWatches"));
+    add.getAccessibleContext().setAccessibleName(text("addWatch"));
     add.addActionListener(event -> addTyped());
     JPanel row = new JPanel(new MigLayout("insets 8, fillx", "[grow]8[]"));
     row.add(field, "growx, wmin 0");
