@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
@@ -11,8 +12,10 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.ArmChoice;
+import org.pendant.controller.safety.SpeedUse;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.recording.RecordingRing;
+import org.pendant.recording.explain.Cause;
 import org.pendant.recording.explain.MotionExplanation;
 
 /** How it reads why the arm moved so. */
@@ -67,5 +70,55 @@ final class MotionWordsTest {
   void everyJointHasPlaceSpeedAndTorque() {
     List<String> names = words.rows(at(1250)).stream().map(MotionWords.Row::name).toList();
     assertTrue(names.containsAll(List.of("Base", "Base speed", "Base torque")), names.toString());
+  }
+
+  private static SpeedUse use(SpeedUse.Kind kind, int joint) {
+    return new SpeedUse(kind, joint, 0.5, 1, 0.5);
+  }
+
+  private String cause(Cause.Kind kind, double asked, Optional<SpeedUse> use) {
+    MotionExplanation then = at(1250);
+    return words.cause(
+        new MotionExplanation(
+            then.now(), "movel(p)", 0, 0, 0, then.uses(), new Cause(kind, true, 0.2, asked, use)));
+  }
+
+  @Test
+  void whyItIsSlowerThanTheCommandAsksIsASentence() {
+    Optional<SpeedUse> elbow = Optional.of(use(SpeedUse.Kind.JOINT_SPEED, 2));
+    assertEquals(
+        "Slower than the command asks (500 mm/s): joint speed of elbow at 50 % of 57.3\u00b0/s, as"
+            + " fast as it can turn.",
+        cause(Cause.Kind.JOINT_LIMIT, 0.5, elbow));
+    assertEquals(
+        "Slower than the command asks (500 mm/s): the way is too short, and the arm slows down from"
+            + " here on.",
+        cause(Cause.Kind.SHORT_WAY, 0.5, Optional.empty()));
+    assertEquals(
+        "Slower than the command asks (500 mm/s): what drives can do along this path, or a blend.",
+        cause(Cause.Kind.PATH_LIMIT, 0.5, Optional.empty()));
+  }
+
+  @Test
+  void ratesAreSaidBesideThoseOfTheCommand() {
+    assertEquals(
+        "Steady, at the speed that makes the move take as long as the command says: 200 mm/s.",
+        cause(Cause.Kind.COMMAND_TIME, 0.2, Optional.empty()));
+    assertEquals(
+        "Speeding up, at 200 mm/s\u00b2, as the command says.",
+        cause(Cause.Kind.ACCELERATION, 0.2, Optional.empty()));
+    assertEquals(
+        "Slowing down, for the end of the move or a corner, at 200 mm/s\u00b2; the command says"
+            + " 500 mm/s\u00b2.",
+        cause(Cause.Kind.DECELERATION, 0.5, Optional.empty()));
+  }
+
+  @Test
+  void everyLimitIsNamed() {
+    for (SpeedUse.Kind kind : SpeedUse.Kind.values()) {
+      String said = cause(Cause.Kind.SAFETY_LIMIT, 0.5, Optional.of(use(kind, 0)));
+      assertTrue(said.startsWith("Slowed down by a limit: " + kind.words()), said);
+      assertTrue(said.contains(" at 50 % of 1") || said.contains(" at 50 % of 57.3"), said);
+    }
   }
 }

@@ -70,4 +70,12 @@ final class FileSearchTest {
     assertEquals(FileSearch.MAX_PLACES, summary.places());
     assertEquals(false, summary.complete());
   }
+
+  @Test
+  void saysOneAsOneAndWhatWasNotRead() {
+    assertEquals("1 place in 1 script", new FileSearch.Summary(1, 1, 0, true).sentence());
+    assertEquals(
+        "0 places in 2 scripts; 1 not read: larger than 4 MiB, or not allowed",
+        new FileSearch.Summary(2, 0, 1, true).sentence());
+  }
 }

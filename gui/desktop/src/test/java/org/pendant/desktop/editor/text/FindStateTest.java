@@ -80,4 +80,20 @@ final class FindStateTest {
         assertThrows(IllegalArgumentException.class, () -> state.replaceAll(TEXT, "$7"));
     assertEquals("$7 names a group that is not there", refused.getMessage());
   }
+
+  @Test
+  void saysOneAndMoreThanCanBeMarked() {
+    assertEquals("1 match", find("(1)", false, false, false).summary(new TextSpan(0, 0)));
+    String many = "a ".repeat(SearchQuery.MAX_MATCHES + 1);
+    FindState state = FindState.of(new SearchQuery("a", false, false, false), many);
+    int most = SearchQuery.MAX_MATCHES;
+    assertEquals(most + " or more matches", state.summary(new TextSpan(1, 1)));
+    assertEquals("2 of " + most + " or more", state.summary(new TextSpan(2, 3)));
+  }
+
+  @Test
+  void saysAtWhichCharacterAnExpressionIsWrong() {
+    String wrong = find("a**b", false, false, true).summary(new TextSpan(0, 0));
+    assertEquals("Dangling meta character '*' at character 3", wrong);
+  }
 }
