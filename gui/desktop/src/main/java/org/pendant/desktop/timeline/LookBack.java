@@ -32,8 +32,7 @@ public final class LookBack {
 
   private final Supplier<Recording> ring;
   private final Consumer<String> tell;
-  private final MomentReader reader;
-  private final MomentReader.Listener taker = new Taker();
+  private final RecordingReader<ControllerState> reader;
   private final List<Runnable> listeners = new ArrayList<>();
   private Optional<Opened> file = Optional.empty();
   private Recording recording;
@@ -61,11 +60,12 @@ public final class LookBack {
    * @param tell hears what went wrong
    */
   public LookBack(Supplier<Recording> ring, Consumer<String> tell) {
-    this(ring, tell, MomentReader.ofWindow());
+    this(ring, tell, RecordingReader.ofWindow("moment"));
   }
 
   /** As the other one, with a reader of what is not in memory. */
-  LookBack(Supplier<Recording> ring, Consumer<String> tell, MomentReader reader) {
+  LookBack(
+      Supplier<Recording> ring, Consumer<String> tell, RecordingReader<ControllerState> reader) {
     this.ring = ring;
     this.tell = tell;
     this.reader = reader;
@@ -238,7 +238,7 @@ public final class LookBack {
     }
     if (past.isPresent() && !recording.inMemory(inside)) {
       pending = Optional.of(inside);
-      reader.read(new MomentReader.Request(recording, inside, ++askedNumber), taker);
+      read(recording, inside, ++askedNumber);
       return true;
     }
     try {
@@ -264,27 +264,26 @@ public final class LookBack {
     live();
   }
 
-  /** Shows what was read, unless something newer is shown already. */
-  private final class Taker implements MomentReader.Listener {
-    @Override
-    public void read(MomentReader.Request request, ControllerState state) {
-      if (request.number() > shownNumber) {
-        shownNumber = request.number();
-        past = Optional.of(state);
-        moment = Optional.of(request.moment());
-        if (shownNumber == askedNumber) {
-          pending = Optional.empty();
-        }
-        changed();
-      }
-    }
-
-    @Override
-    public void failed(MomentReader.Request request, String why) {
-      if (request.number() > shownNumber) {
-        unreadable(why);
-      }
-    }
+  /** Shows a moment when it is read, unless something newer is shown then. */
+  private void read(Recording from, Moment wanted, long number) {
+    reader.read(
+        () -> from.at(wanted),
+        state -> {
+          if (number > shownNumber) {
+            shownNumber = number;
+            past = Optional.of(state);
+            moment = Optional.of(wanted);
+            if (shownNumber == askedNumber) {
+              pending = Optional.empty();
+            }
+            changed();
+          }
+        },
+        why -> {
+          if (number > shownNumber) {
+            unreadable(why);
+          }
+        });
   }
 
   /** Moves by so many frames of 2 ms, back for fewer than none. */

@@ -114,7 +114,8 @@ final class LookBackTest {
   private final class SlowFile {
     private final Deque<Runnable> reads = new ArrayDeque<>();
     private final LookBack looking =
-        new LookBack(run.ring::recording, told::add, new MomentReader(reads::add, Runnable::run));
+        new LookBack(
+            run.ring::recording, told::add, new RecordingReader<>(reads::add, Runnable::run));
 
     private SlowFile(Path file) throws Exception {
       run.start(
