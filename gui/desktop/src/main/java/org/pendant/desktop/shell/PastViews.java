@@ -27,6 +27,7 @@ import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.SwitchListener;
 import org.pendant.desktop.shell.run.RunProgram;
 import org.pendant.desktop.timeline.EarlierRun;
+import org.pendant.desktop.timeline.ExplainedMoment;
 import org.pendant.desktop.timeline.HeldView;
 import org.pendant.desktop.timeline.LookBack;
 import org.pendant.desktop.timeline.PastActions;
@@ -55,14 +56,13 @@ final class PastViews {
   private final Programs programs;
   private final ScriptEditor editor;
   private final LookBack lookBack;
+  private final ExplainedMoment explained;
   private final PastBanner banner;
   private final TimelineView timeline;
   private final PastSteps steps;
   private Optional<ProgramDocument> marked = Optional.empty();
   private Optional<Moment> searched = Optional.empty();
   private Optional<List<LogEntry>> shownLog = Optional.empty();
-  private Optional<ControllerState> explainedAt = Optional.empty();
-  private Optional<MotionExplanation> explained = Optional.empty();
   private IntFunction<String> place = line -> "line " + line;
 
   /**
@@ -79,6 +79,7 @@ final class PastViews {
     this.programs = programs;
     this.editor = editor;
     lookBack = new LookBack(workbench.session()::recording, workbench::notify);
+    explained = new ExplainedMoment(lookBack, this::explain, workbench::notify);
     banner = new PastBanner(lookBack, new RecordedText());
     timeline = new TimelineView(workbench, lookBack, this::chooseFile);
     steps =
@@ -133,23 +134,17 @@ final class PastViews {
 
   /** The moment that people look at, explained; empty for now. */
   Optional<MotionExplanation> explanation() {
-    Optional<ControllerState> at = lookBack.past();
-    if (!at.equals(explainedAt)) {
-      explainedAt = at;
-      explained = at.map(state -> explain(state.frame()));
-    }
-    return explained;
+    return explained.explanation();
   }
 
-  private MotionExplanation explain(long frame) {
+  private MotionExplanation explain(Recording recording, long frame, boolean ofFile) {
     RobotSession session = workbench.session();
-    Recording recording = lookBack.recording();
     SafetyChecksum held = recording.atFrame(frame).safety().checksum();
     return MotionExplanation.of(
         recording,
         frame,
         session.safety(held, recording.arm()),
-        !lookBack.ofFile() && session.options().startRamp());
+        !ofFile && session.options().startRamp());
   }
 
   /** Looks at a moment and says why the arm moved so; tells when it is not kept any more. */

@@ -21,8 +21,7 @@ public final class RecordingReader<T> {
   private boolean busy;
 
   /** What to read, and who takes it, or why it cannot be read, in the thread that asked. */
-  private record Request<T>(
-      Supplier<T> what, Consumer<? super T> taker, Consumer<String> failed) {}
+  private record Request<T>(Supplier<T> what, Consumer<? super T> taker, Consumer<String> failed) {}
 
   /**
    * A reader.
