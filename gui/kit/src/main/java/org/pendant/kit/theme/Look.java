@@ -72,6 +72,7 @@ public final class Look {
     UIScale.setSupportedZoomFactors(factors());
     UIScale.setZoomFactor(zoomPercent() / 100f);
     UncoveredEdges.follow();
+    SubmenuKeys.install();
   }
 
   private static float[] factors() {
