@@ -17,6 +17,7 @@ import java.util.function.Function;
 import java.util.function.IntConsumer;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import javax.swing.JToolTip;
 import javax.swing.KeyStroke;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
@@ -53,6 +54,7 @@ final class ScriptArea extends RSyntaxTextArea {
   private final LineNotes notes = new LineNotes(this);
   private ScriptTyping typing;
   private final TabStops tabStops;
+  private final TextTip tip = new TextTip(this);
   private int zoom;
 
   /**
@@ -247,6 +249,11 @@ final class ScriptArea extends RSyntaxTextArea {
   /** The lines that the selection touches, or the line of the caret. */
   List<TextSpan> selectedLines() {
     return LineIndex.touched(getText(), new TextSpan(getSelectionStart(), getSelectionEnd()));
+  }
+
+  @Override
+  public JToolTip createToolTip() {
+    return tip.shown(super.createToolTip());
   }
 
   @Override

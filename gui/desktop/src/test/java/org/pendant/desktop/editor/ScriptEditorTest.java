@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Color;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -24,7 +27,10 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
+import java.util.stream.Stream;
 import javax.swing.JLabel;
+import javax.swing.JToolTip;
+import javax.swing.UIManager;
 import javax.swing.text.DefaultEditorKit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -88,6 +94,49 @@ final class ScriptEditorTest {
           area.undoLastAction();
           area.undoLastAction();
           assertEquals(TEXT, program.text());
+        });
+  }
+
+  private static boolean tipShown() {
+    return Stream.of(Window.getWindows()).anyMatch(ScriptEditorTest::showsTip);
+  }
+
+  private static boolean showsTip(Component in) {
+    return (in instanceof JToolTip && in.isShowing())
+        || (in instanceof Container inner
+            && Stream.of(inner.getComponents()).anyMatch(ScriptEditorTest::showsTip));
+  }
+
+  @Test
+  void theTooltipGoesWhenTheTextScrolls() throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          area.setToolTipText("told");
+          // also where no window has the focus
+          UIManager.put("ToolTipManager.enableToolTipMode", "allWindows");
+          area.setText("a = 1\n".repeat(200));
+          area.setCaretPosition(0);
+          area.getRootPane().validate();
+          area.scrollRectToVisible(new Rectangle(0, 0, 1, 1));
+        });
+    EventQueue.invokeAndWait(
+        () -> {
+          KeyEvent keys =
+              new KeyEvent(
+                  area,
+                  KeyEvent.KEY_PRESSED,
+                  0,
+                  InputEvent.CTRL_DOWN_MASK,
+                  KeyEvent.VK_F1,
+                  KeyEvent.CHAR_UNDEFINED);
+          Stream.of(area.getKeyListeners()).forEach(each -> each.keyPressed(keys));
+          assertTrue(tipShown(), "there is a tooltip");
+          area.scrollRectToVisible(new Rectangle(0, area.getHeight() - 1, 1, 1));
+        });
+    EventQueue.invokeAndWait(
+        () -> {
+          UIManager.put("ToolTipManager.enableToolTipMode", null);
+          assertFalse(tipShown(), "it has gone");
         });
   }
 
