@@ -150,12 +150,7 @@ final class TestWords {
       slowest.forEach(
           each ->
               lines.add(
-                  String.format(
-                      Locale.ROOT,
-                      "%.3f s  %s in %s",
-                      each.wallTimeS(),
-                      each.id().name(),
-                      each.id().file())));
+                  each.id().name() + String.format(Locale.ROOT, GAP + "%.1f s", each.wallTimeS())));
     }
   }
 
