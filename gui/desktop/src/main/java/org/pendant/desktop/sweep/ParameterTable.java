@@ -49,7 +49,7 @@ final class ParameterTable extends JTable {
   private static final int MIN_WIDTH = 44;
   private static final int MIN_NAME = 90;
   private static final int MAX_WIDTH = 140;
-  private static final int CELL_SPACE = 10;
+  private static final int CELL_SPACE = 8;
   private static final int TITLE_SPACE = 14;
   private static final int ROW_SPACE = 8;
 
