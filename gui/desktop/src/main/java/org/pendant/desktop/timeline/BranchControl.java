@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -62,14 +64,14 @@ final class BranchControl {
   /** Why there is nothing to branch from now; empty if there is. */
   String whyNot() {
     if (running.isPresent()) {
-      return "A branch is on its way";
+      return text("aBranchIsOnItsWay");
     }
     String why = lookBack.whyNoBranch();
     return why.isEmpty()
         ? lookBack
             .branchStart()
             .flatMap(state -> branches.refusal(state.frame()))
-            .map(reason -> "No branch from here: " + reason)
+            .map(reason -> text("noBranchFromHere", reason))
             .orElse("")
         : why;
   }
@@ -88,10 +90,7 @@ final class BranchControl {
   /** The question that waits for an answer, short enough for a low dock; empty for none. */
   Optional<String> question() {
     return asking.map(
-        state ->
-            "Continue from "
-                + LookBack.text(state.timeS())
-                + ", time paused? What came after is given up.");
+        state -> text("continueFromTimePausedWhatCame", LookBack.text(state.timeS())));
   }
 
   /** What the branch that is on its way does, 0 to 1; empty while there is none. */
@@ -112,7 +111,7 @@ final class BranchControl {
               .whenCompleteAsync(
                   (outcome, fault) -> done(begun, Optional.ofNullable(outcome), fault), dispatch);
     } catch (RerunRefused e) {
-      tell.accept("No branch: " + e.getMessage());
+      tell.accept(text("noBranch", e.getMessage()));
     }
     changed.run();
   }
@@ -129,18 +128,18 @@ final class BranchControl {
       running = Optional.empty();
     }
     if (outcome.isEmpty()) {
-      tell.accept("No branch, an internal error: " + fault);
+      tell.accept(text("noBranchAnInternalError", fault));
     } else {
       switch (outcome.get()) {
         case Outcome.Branched branched -> {
           lookBack.live();
           tell.accept(
-              "The robot is at "
-                  + LookBack.text(begun.frame() / (double) FrameTime.FRAMES_PER_SECOND)
-                  + " again, and its time is paused: change something, then let time continue");
+              text(
+                  "theRobotIsAtAgainAnd",
+                  LookBack.text(begun.frame() / (double) FrameTime.FRAMES_PER_SECOND)));
         }
-        case Outcome.Refused refused -> tell.accept("No branch: " + refused.reason());
-        case Outcome.Cancelled cancelled -> tell.accept("The branch was cancelled");
+        case Outcome.Refused refused -> tell.accept(text("noBranch", refused.reason()));
+        case Outcome.Cancelled cancelled -> tell.accept(text("theBranchWasCancelled"));
       }
     }
     changed.run();

@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -36,7 +38,7 @@ public final class EarlierRun {
   /** Says what differs first from the run in a file, and goes there; it is read elsewhere. */
   public void compareWith(Path file) {
     Recording recording = lookBack.recording();
-    workbench.notify("Comparing the last run with " + file.getFileName() + "\u2026");
+    workbench.notify(text("comparingTheLastRunWith", file.getFileName()));
     Thread.ofVirtual().name("earlier run").start(() -> compare(recording, file));
   }
 
@@ -47,11 +49,11 @@ public final class EarlierRun {
       long frames = FirstDifference.framesOfRun(recording).orElse(0L);
       EventQueue.invokeLater(() -> show(difference, frames, file.getFileName()));
     } catch (UncheckedIOException e) {
-      tell("Not compared: " + file + ": " + FileTrouble.reason(e.getCause()));
+      tell(text("fileNotCompared", file, FileTrouble.reason(e.getCause())));
     } catch (IOException e) {
-      tell("Not compared: " + file + ": " + FileTrouble.reason(e));
+      tell(text("fileNotCompared", file, FileTrouble.reason(e)));
     } catch (IllegalArgumentException e) {
-      tell("Not compared: " + e.getMessage());
+      tell(text("notCompared", e.getMessage()));
     }
   }
 
@@ -61,12 +63,12 @@ public final class EarlierRun {
 
   private void show(Optional<FirstDifference> difference, long frames, Path name) {
     if (difference.isEmpty()) {
-      workbench.notify("The last run equals " + name + " in all " + frames + " frames");
+      workbench.notify(text("theLastRunEqualsInAll", name, frames));
       return;
     }
     workbench.show(TimelineView.ID);
     lookBack.jump(difference.get().nowS());
     workbench.notify(
-        "Compared with " + name + ", the last run " + difference.get().words(place, MAX_VALUES));
+        text("comparedWithTheLastRun", name, difference.get().words(place, MAX_VALUES)));
   }
 }

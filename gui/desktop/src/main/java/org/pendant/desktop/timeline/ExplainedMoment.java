@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.state.ControllerState;
@@ -76,6 +78,6 @@ public final class ExplainedMoment {
             explained = Optional.of(explanation);
           }
         },
-        why -> tell.accept("That moment cannot be explained: " + why));
+        why -> tell.accept(text("thatMomentCannotBeExplained", why)));
   }
 }

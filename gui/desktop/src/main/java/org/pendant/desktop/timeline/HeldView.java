@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.awt.AWTEvent;
 import java.awt.Color;
 import java.awt.Graphics;
@@ -46,10 +48,7 @@ public final class HeldView implements View {
             selectable,
             () ->
                 tell.accept(
-                    view.title()
-                        + " shows the past: "
-                        + (lookBack.ofFile() ? "go back to the robot" : "press Live")
-                        + " to act on the robot"));
+                    text(lookBack.ofFile() ? "showsARecording" : "showsThePast", view.title())));
     lookBack.addListener(() -> layer.ifPresent(JComponent::repaint));
   }
 

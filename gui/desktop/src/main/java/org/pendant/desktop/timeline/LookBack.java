@@ -188,11 +188,11 @@ public final class LookBack {
       return "";
     }
     String at = text(seconds(moment.get().frame()));
-    return file.map(opened -> "Looking at " + at + " of the recording " + opened.path.getFileName())
-            .orElseGet(() -> "Looking at " + at)
-        + " \u2013 the robot is at "
-        + text(liveS)
-        + "; Esc leads back";
+    return file.map(
+            opened ->
+                TimelineTexts.text(
+                    "lookingAtRecording", at, opened.path.getFileName(), text(liveS)))
+        .orElseGet(() -> TimelineTexts.text("lookingAt", at, text(liveS)));
   }
 
   /** A time as people read it. */
@@ -260,7 +260,7 @@ public final class LookBack {
   }
 
   private void unreadable(String why) {
-    tell.accept("The recording can no longer be read: " + why);
+    tell.accept(TimelineTexts.text("theRecordingCanNoLongerBe", why));
     live();
   }
 
@@ -394,9 +394,9 @@ public final class LookBack {
   /** Why there is nothing to branch from; empty if that is for the controller to say. */
   String whyNoBranch() {
     if (ofFile()) {
-      return "A recording of a file cannot be continued";
+      return TimelineTexts.text("aRecordingOfAFileCannot");
     }
-    return back() ? "" : "Choose a moment on the timeline first";
+    return back() ? "" : TimelineTexts.text("chooseAMomentOnTheTimeline");
   }
 
   /**

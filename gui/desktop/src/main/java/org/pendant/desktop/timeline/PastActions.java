@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.util.function.Supplier;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
@@ -10,39 +12,39 @@ public final class PastActions {
 
   /** Adds them. */
   public static void addTo(ActionTable actions, PastSteps steps) {
-    add(actions, "step-back", "Step back", "control F11", steps::whyNoBack, steps::stepBack);
+    add(actions, "step-back", text("stepBack"), "control F11", steps::whyNoBack, steps::stepBack);
     add(
         actions,
         "reverse-continue",
-        "Reverse continue: to the breakpoint before",
+        text("reverseContinueToTheBreakpointBefore"),
         "alt F5",
         steps::whyNoBack,
         steps::breakpointBefore);
     add(
         actions,
         "step-on",
-        "Next statement of the recording",
+        text("nextStatementOfTheRecording"),
         "control shift F11",
         steps::whyNoOn,
         steps::stepOn);
     add(
         actions,
         "continue",
-        "Next breakpoint of the recording",
+        text("nextBreakpointOfTheRecording"),
         "alt shift F5",
         steps::whyNoOn,
         steps::breakpointAfter);
     add(
         actions,
         "change-before",
-        "Last change of the selected variable",
+        text("lastChangeOfTheSelectedVariable"),
         "control F8",
         steps::whyNoChange,
         steps::changeBefore);
     add(
         actions,
         "change-after",
-        "Next change of the selected variable",
+        text("nextChangeOfTheSelectedVariable"),
         "control shift F8",
         () -> steps.back() ? steps.whyNoChange() : steps.whyNoOn(),
         steps::changeAfter);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.awt.Color;
 import java.awt.event.ActionEvent;
 import java.util.List;
@@ -23,8 +25,8 @@ public final class PastBanner extends JPanel {
   private final transient LookBack lookBack;
   private final transient RecordedText text;
   private final JLabel words = new JLabel();
-  private final JButton live = new JButton("Live");
-  private final JButton recorded = new JButton("Show the text that ran");
+  private final JButton live = new JButton(text("live"));
+  private final JButton recorded = new JButton(text("showTheTextThatRan"));
 
   /** Hidden until the user looks back. */
   public PastBanner(LookBack lookBack, RecordedText text) {
@@ -38,7 +40,7 @@ public final class PastBanner extends JPanel {
     live.setName("past-banner-live");
     live.addActionListener(event -> lookBack.live());
     recorded.setName("past-banner-text");
-    recorded.setToolTipText("The program has changed since, or is not open");
+    recorded.setToolTipText(text("theProgramHasChangedSinceOr"));
     recorded.addActionListener(event -> text.open(this));
     for (JButton each : List.of(recorded, live)) {
       each.putClientProperty("FlatLaf.style", "margin: 0,8,0,8");
@@ -84,8 +86,8 @@ public final class PastBanner extends JPanel {
       words.setToolTipText(lookBack.banner());
       words.getAccessibleContext().setAccessibleName(lookBack.banner());
     }
-    live.setText(lookBack.ofFile() ? "Back to the robot" : "Live");
-    live.setToolTipText("Back to what the robot does now (Esc)");
+    live.setText(lookBack.ofFile() ? text("backToTheRobot") : text("live"));
+    live.setToolTipText(text("backToWhatTheRobotDoes"));
     live.getAccessibleContext().setAccessibleName(live.getText());
     recorded.setVisible(elsewhere);
   }

@@ -114,25 +114,26 @@ public final class PastSteps {
             || held.getAsBoolean()
             || ProgramPhase.of(live.get()) != ProgramPhase.RUNNING
         ? ""
-        : "Pause the program first, or look at a moment on the timeline";
+        : TimelineTexts.text("pauseTheProgramFirstOrLook");
   }
 
   /** Why nobody can go on through the recording; empty if they can. */
   public String whyNoOn() {
-    return lookBack.back() ? "" : "That is for the past: step back first";
+    return lookBack.back() ? "" : TimelineTexts.text("thatIsForThePastStep");
   }
 
   /** To where the statement began, or the one before. */
   public void stepBack() {
-    begin((search, from) -> step(search.before(from), "The recording has no earlier statement"));
+    begin(
+        (search, from) ->
+            step(search.before(from), TimelineTexts.text("theRecordingHasNoEarlierStatement")));
   }
 
   /** To the next statement of the recording. */
   public void stepOn() {
     begin(
         (search, from) ->
-            step(
-                search.after(from), "The recording has no later statement: Esc leads back to now"));
+            step(search.after(from), TimelineTexts.text("theRecordingHasNoLaterStatement")));
   }
 
   /** To the last breakpoint that the program came to before. */
@@ -142,7 +143,7 @@ public final class PastSteps {
         (search, from) ->
             step(
                 search.before(from, passing.lines(), passing::stops),
-                "The recording has no earlier breakpoint" + passing.unknown()));
+                passing.told(TimelineTexts.text("noEarlierBreakpoint"))));
   }
 
   /** To the next breakpoint that the program came to. */
@@ -152,7 +153,7 @@ public final class PastSteps {
         (search, from) ->
             step(
                 search.after(from, passing.lines(), passing::stops),
-                "The recording has no later breakpoint" + passing.unknown()));
+                passing.told(TimelineTexts.text("noLaterBreakpoint"))));
   }
 
   private Passing passing() {
@@ -168,11 +169,11 @@ public final class PastSteps {
   /** Why no change can be looked for; empty if one can. */
   public String whyNoChange() {
     if (watched.isEmpty()) {
-      return "Select a variable in Variables or Watches first";
+      return TimelineTexts.text("selectAVariableInVariablesOr");
     }
     return VariablePath.isOne(watched.get())
         ? whyNoBack()
-        : watched.get() + " is no variable: recordings have variables and parts of them";
+        : TimelineTexts.text("isNoVariableRecordingsHaveVariables", watched.get());
   }
 
   /** To where the watched variable got the value that it has. */
@@ -194,20 +195,20 @@ public final class PastSteps {
                   new Result(
                       (forward ? search.changeAfter(from, path) : search.changeBefore(from, path))
                           .map(change -> new Found(change.moment(), words(expression, change))),
-                      "The recording has no "
-                          + (forward ? "later" : "earlier")
-                          + " change of "
-                          + expression));
+                      TimelineTexts.text(
+                          forward ? "noLaterChange" : "noEarlierChange", expression)));
         });
   }
 
   private static String words(String expression, RecordedChange change) {
-    String after = change.after().map(PastSteps::text).orElse("nothing");
+    String after = change.after().map(PastSteps::text).orElse(TimelineTexts.text("nothing"));
     return change
         .before()
         .flatMap(VariableSample::value)
-        .map(before -> expression + " changed from " + text(change.before().get()) + " to " + after)
-        .orElseGet(() -> expression + " became " + after);
+        .map(
+            before ->
+                TimelineTexts.text("changedFromTo", expression, text(change.before().get()), after))
+        .orElseGet(() -> TimelineTexts.text("became", expression, after));
   }
 
   private static String text(VariableSample sample) {
@@ -243,7 +244,7 @@ public final class PastSteps {
       return Optional.of(
           new Result(
               Optional.empty(),
-              "The recording can no longer be read: " + e.getCause().getMessage()));
+              TimelineTexts.text("theRecordingCanNoLongerBe", e.getCause().getMessage())));
     } catch (RuntimeException | Error fault) {
       Faults.report(fault);
       return Optional.empty();
@@ -314,12 +315,12 @@ public final class PastSteps {
       return holds.orElse(false);
     }
 
-    /** What a search that found nothing may have missed; empty if no breakpoint is set. */
-    String unknown() {
-      return untold
-          .map(
-              each -> "; it cannot tell whether the condition of line " + each.line() + " was true")
-          .orElse(lines().isEmpty() ? "" : "; those set later on what took no time are not found");
+    /** What is said of a search that found nothing, with what it may have missed. */
+    String told(String nothing) {
+      if (untold.isPresent()) {
+        return TimelineTexts.text("conditionUnknown", nothing, untold.get().line());
+      }
+      return lines().isEmpty() ? nothing : TimelineTexts.text("laterOnesNotFound", nothing);
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dialog.ModalityType;
@@ -33,7 +35,7 @@ public final class RecordedText {
   public RecordedText() {
     area.setName("recorded-text");
     area.setEditable(false);
-    area.getAccessibleContext().setAccessibleName("The text that ran, read only");
+    area.getAccessibleContext().setAccessibleName(text("theTextThatRanReadOnly"));
   }
 
   /** Shows the window. */
@@ -47,7 +49,9 @@ public final class RecordedText {
   private JDialog make(Component parent) {
     JDialog window =
         new JDialog(
-            SwingUtilities.getWindowAncestor(parent), "The text that ran", ModalityType.MODELESS);
+            SwingUtilities.getWindowAncestor(parent),
+            text("theTextThatRan"),
+            ModalityType.MODELESS);
     window.setName("recorded-text-window");
     area.setFont(new Font(Font.MONOSPACED, Font.PLAIN, area.getFont().getSize()));
     window.add(new JScrollPane(area));
@@ -83,7 +87,7 @@ public final class RecordedText {
   private void mark() {
     area.getHighlighter().removeAllHighlights();
     String name = shown.map(text -> ByteText.decoded(text.source().name())).orElse("");
-    dialog.ifPresent(window -> window.setTitle("The text of " + name + " that ran: line " + line));
+    dialog.ifPresent(window -> window.setTitle(text("theTextOfThatRanLine", name, line)));
     if (line < 1 || line > area.getLineCount()) {
       return;
     }

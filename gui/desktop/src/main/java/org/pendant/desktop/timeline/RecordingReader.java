@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.awt.EventQueue;
 import java.io.UncheckedIOException;
 import java.util.Optional;
@@ -89,7 +91,7 @@ public final class RecordingReader<T> {
       return () -> request.failed().accept(e.getCause().getMessage());
     } catch (RuntimeException | Error fault) {
       Faults.report(fault);
-      return () -> request.failed().accept("internal error, " + fault);
+      return () -> request.failed().accept(text("internalError", fault));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Cursor;
 import java.awt.Dimension;
@@ -200,12 +202,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
     return pin.map(each -> LookBack.text(each.timeS()) + ": " + each.text())
         .or(
             () ->
-                mark.map(
-                    each ->
-                        LookBack.text(each.timeS())
-                            + ": "
-                            + each.text()
-                            + " (click for the message)"))
+                mark.map(each -> text("messageOfClient", LookBack.text(each.timeS()), each.text())))
         .orElseGet(() -> tracks.about(timeS, near()));
   }
 
@@ -235,7 +232,7 @@ final class TimelineCanvas extends JComponent implements Scrollable {
 
             @Override
             public String getAccessibleName() {
-              return lookBack.back() ? lookBack.banner() : "Timeline, at now";
+              return lookBack.back() ? lookBack.banner() : text("timelineAtNow");
             }
           };
     }

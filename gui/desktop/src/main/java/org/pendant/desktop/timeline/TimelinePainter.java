@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -24,12 +26,12 @@ import org.pendant.recording.RecordingMark;
 final class TimelinePainter {
   /** What there may be to see, from above. */
   private enum Row {
-    PROGRAM("Program", 1.35),
-    MARKS("Marks", 1.2),
-    INPUTS("Inputs", 1),
-    OUTPUTS("Outputs", 1),
-    NEAREST("Nearest", 1.4),
-    SPEED("TCP speed", 2.4);
+    PROGRAM(text("program"), 1.35),
+    MARKS(text("marks"), 1.2),
+    INPUTS(text("inputs"), 1),
+    OUTPUTS(text("outputs"), 1),
+    NEAREST(text("nearest"), 1.4),
+    SPEED(text("tcpSpeed"), 2.4);
 
     private final String title;
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.EventQueue;
@@ -54,9 +56,9 @@ public final class TimelineView implements View {
   /** Its name in settings and commands. */
   public static final String ID = "timeline";
 
-  private static final String OPEN = "Open recording\u2026";
-  private static final String SAVE = "Save as a test\u2026";
-  private static final String BRANCH = "Branch from here\u2026";
+  private static final String OPEN = text("openRecording");
+  private static final String SAVE = text("saveAsATest");
+  private static final String BRANCH = text("branchFromHere");
   private static final int THOUSAND = 1000;
 
   private final Workbench workbench;
@@ -70,12 +72,13 @@ public final class TimelineView implements View {
   private final CardLayout cards = new CardLayout();
   private final JPanel head = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
-  private final JButton live = button("live", "Live", "Back to what the robot does now (Esc)");
+  private final JButton live = button("live", text("live"), text("backToWhatTheRobotDoes"));
   private final JButton save = button("save-test", SAVE, "");
   private final JButton branchButton = button("branch", BRANCH, "");
   private final JLabel question = new JLabel();
   private Supplier<String> whyNotSave = () -> "";
-  private final JButton yes = button("branch-yes", "Branch", "Continues from that moment");
+  private final JButton yes =
+      button("branch-yes", text("branchNow"), text("continuesFromThatMoment"));
   private final JProgressBar progress = new JProgressBar(0, THOUSAND);
 
   /**
@@ -152,7 +155,7 @@ public final class TimelineView implements View {
   private void showSave() {
     String why = whyNotSave.get();
     save.setEnabled(why.isEmpty());
-    save.setToolTipText(why.isEmpty() ? "Writes a test that repeats the last run" : why);
+    save.setToolTipText(why.isEmpty() ? text("writesATestThatRepeatsThe") : why);
   }
 
   private record SessionBranches(RobotSession session) implements BranchControl.Branches {
@@ -187,22 +190,22 @@ public final class TimelineView implements View {
     JPanel bar = new JPanel(new MigLayout("insets 4 6 4 6, gap 6, hidemode 3"));
     live.addActionListener(event -> lookBack.live());
     branchButton.addActionListener(event -> branch.ask());
-    JButton all = button("all", "Whole", "Shows all that is kept", lookBack::showAll);
+    JButton all = button("all", text("showAll"), text("showsAllThatIsKept"), lookBack::showAll);
     JButton export =
-        button("export", "Export\u2026", "Saves the stretch that is shown as a file", this::export);
-    JButton open = button("open", OPEN, "Shows a recording of a file", chooseFile);
+        button("export", text("exportRange"), text("savesTheStretchThatIsShown"), this::export);
+    JButton open = button("open", OPEN, text("showsARecordingOfAFile"), chooseFile);
     bar.add(live);
     bar.add(
         button(
             "mark-before",
-            "\u2039 Mark",
-            "To the last mark before: start, end, stop, message (Ctrl+Left)",
+            text("markBefore"),
+            text("toTheLastMarkBeforeStart"),
             () -> canvas.toMark(false)));
     bar.add(
         button(
             "mark-after",
-            "Mark \u203a",
-            "To the next mark: start, end, stop, message (Ctrl+Right)",
+            text("markAfter"),
+            text("toTheNextMarkStartEnd"),
             () -> canvas.toMark(true)));
     bar.add(all);
     bar.add(branchButton);
@@ -213,9 +216,9 @@ public final class TimelineView implements View {
         new Squeeze(
             bar,
             List.of(
-                whole -> open.setText(whole ? OPEN : "Open\u2026"),
-                whole -> branchButton.setText(whole ? BRANCH : "Branch\u2026"),
-                whole -> save.setText(whole ? SAVE : "Test\u2026"),
+                whole -> open.setText(whole ? OPEN : text("openShort")),
+                whole -> branchButton.setText(whole ? BRANCH : text("branchShort")),
+                whole -> save.setText(whole ? SAVE : text("testShort")),
                 open::setVisible,
                 export::setVisible,
                 save::setVisible,
@@ -232,7 +235,7 @@ public final class TimelineView implements View {
     row.add(question, "wmin 0");
     yes.addActionListener(event -> branch.confirm());
     row.add(yes);
-    row.add(button("branch-no", "Cancel", "Leaves everything as it is", branch::cancel));
+    row.add(button("branch-no", text("cancel"), text("leavesEverythingAsItIs"), branch::cancel));
     row.registerKeyboardAction(
         event -> branch.cancel(),
         KeyStroke.getKeyStroke("ESCAPE"),
@@ -243,47 +246,48 @@ public final class TimelineView implements View {
   private JPanel running() {
     JPanel row = new JPanel(new MigLayout("insets 6, gap 8", "[][grow, fill, 0::][]"));
     progress.setName("timeline-progress");
-    progress.getAccessibleContext().setAccessibleName("Progress of the branch");
-    row.add(new JLabel("The run is repeated up to that moment"));
+    progress.getAccessibleContext().setAccessibleName(text("progressOfTheBranch"));
+    row.add(new JLabel(text("theRunIsRepeatedUpTo")));
     row.add(progress);
-    row.add(button("branch-cancel", "Cancel", "Leaves everything as it is", branch::cancel));
+    row.add(
+        button("branch-cancel", text("cancel"), text("leavesEverythingAsItIs"), branch::cancel));
     return row;
   }
 
   private void declareActions(Runnable chooseFile) {
     var actions = workbench.actions();
     actions.add(
-        new Action(ID + ".live", "Timeline: back to now", "", lookBack::back, lookBack::live));
+        new Action(ID + ".live", text("timelineBackToNow"), "", lookBack::back, lookBack::live));
     actions.add(
         Action.of(
-            ID + ".mark-before", "Timeline: to the mark before", "", () -> canvas.toMark(false)));
+            ID + ".mark-before", text("timelineToTheMarkBefore"), "", () -> canvas.toMark(false)));
     actions.add(
-        Action.of(ID + ".mark-after", "Timeline: to the next mark", "", () -> canvas.toMark(true)));
+        Action.of(
+            ID + ".mark-after", text("timelineToTheNextMark"), "", () -> canvas.toMark(true)));
     actions.add(
         Action.of(
             ID + ".worst-before",
-            "Timeline: to the worst moment before",
+            text("timelineToTheWorstMomentBefore"),
             "",
             () -> canvas.toPin(false)));
     actions.add(
         Action.of(
             ID + ".worst-after",
-            "Timeline: to the next worst moment",
+            text("timelineToTheNextWorstMoment"),
             "",
             () -> canvas.toPin(true)));
-    actions.add(
-        Action.of(ID + ".export", "Timeline: export what it shows\u2026", "", this::export));
+    actions.add(Action.of(ID + ".export", text("timelineExportWhatItShows"), "", this::export));
     actions.add(
         new Action(
             ID + ".branch",
-            "Timeline: branch from here\u2026",
+            text("timelineBranchFromHere"),
             "",
             () -> branch.whyNot().isEmpty(),
             () -> {
               workbench.show(ID);
               branch.ask();
             }));
-    actions.add(Action.of("file.open-recording", "Open recording\u2026", "", chooseFile));
+    actions.add(Action.of("file.open-recording", text("openRecording"), "", chooseFile));
   }
 
   /**
@@ -316,10 +320,10 @@ public final class TimelineView implements View {
                 EventQueue.invokeLater(() -> canvas.pins().setFile(profile));
               } catch (UncheckedIOException e) {
                 String why = FileTrouble.reason(e.getCause());
-                EventQueue.invokeLater(() -> trouble.accept("Not opened: " + file + ": " + why));
+                EventQueue.invokeLater(() -> trouble.accept(text("fileNotOpened", file, why)));
               } catch (IOException e) {
                 String why = FileTrouble.reason(e);
-                EventQueue.invokeLater(() -> trouble.accept("Not opened: " + file + ": " + why));
+                EventQueue.invokeLater(() -> trouble.accept(text("fileNotOpened", file, why)));
               }
             });
   }
@@ -348,7 +352,7 @@ public final class TimelineView implements View {
     SaveDialog.open(
         content,
         new SaveRequest(
-            "Export " + LookBack.text(fromS) + " to " + LookBack.text(toS),
+            text("exportTo", LookBack.text(fromS), LookBack.text(toS)),
             workbench.exportFile("run.rec"),
             List.of("rec", "csv"),
             inUse),
@@ -364,12 +368,11 @@ public final class TimelineView implements View {
 
   private void show() {
     live.setEnabled(lookBack.back());
-    live.setText(lookBack.ofFile() ? "Back to the robot" : "Live");
+    live.setText(lookBack.ofFile() ? text("backToTheRobot") : text("live"));
     live.getAccessibleContext().setAccessibleName(live.getText());
     String why = branch.whyNot();
     branchButton.setEnabled(why.isEmpty());
-    branchButton.setToolTipText(
-        why.isEmpty() ? "Puts the robot back to this moment, to continue in another way" : why);
+    branchButton.setToolTipText(why.isEmpty() ? text("putsTheRobotBackToThis") : why);
     canvas.repaint();
   }
 
@@ -398,7 +401,7 @@ public final class TimelineView implements View {
 
   @Override
   public String title() {
-    return "Timeline";
+    return text("timeline");
   }
 
   @Override

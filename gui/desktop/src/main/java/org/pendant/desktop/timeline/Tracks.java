@@ -1,5 +1,7 @@
 package org.pendant.desktop.timeline;
 
+import static org.pendant.desktop.timeline.TimelineTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -136,59 +138,59 @@ record Tracks(
     return hits;
   }
 
-  /** How near something was at a time, such as {@code , nearest 34 mm}. */
-  private String nearestWords(double timeS) {
+  /** With how near something was at a time, such as {@code 3.000 s, nearest 34 mm}. */
+  private String withNearest(String about, double timeS) {
     if (nearestM.isEmpty()) {
-      return "";
+      return about;
     }
     ColumnTrace trace = nearestM.get();
     int i = (int) Math.floor(range.share(timeS) * trace.size());
     if (i < 0 || i >= trace.size() || Double.isNaN(trace.lowest(i))) {
-      return "";
+      return about;
     }
     double mm = 1000 * trace.lowest(i);
     return mm < 0
-        ? String.format(Locale.ROOT, ", %.1f mm inside of something", -mm)
-        : String.format(Locale.ROOT, ", nearest %.0f mm", mm);
+        ? text("insideOfSomething", about, String.format(Locale.ROOT, "%.1f", -mm))
+        : text("nearestAt", about, String.format(Locale.ROOT, "%.0f", mm));
   }
 
   /** What there is at a time, in words. */
   String about(double timeS, double nearS) {
-    StringBuilder about = new StringBuilder(LookBack.text(timeS));
+    String about = LookBack.text(timeS);
     for (RecordingMark mark : marks) {
       if (Math.abs(mark.timeS() - timeS) <= nearS) {
-        return LookBack.text(mark.timeS()) + ": " + words(mark);
+        return text("markAt", LookBack.text(mark.timeS()), words(mark));
       }
     }
     for (Warning warning : warnings) {
       if (Math.abs(warning.timeS - timeS) <= nearS) {
-        return LookBack.text(warning.timeS) + ": warning: " + warning.words;
+        return text("warningAt", LookBack.text(warning.timeS), warning.words);
       }
     }
     for (Run run : runs) {
       if (run.fromS <= timeS && timeS <= run.toS) {
-        about.append(": ").append(run.name).append(" runs");
+        about = text("programRuns", about, run.name);
       }
     }
     for (Bar ramp : startRamps) {
       if (ramp.fromS <= timeS && timeS <= ramp.toS) {
-        about.append(", start ramp: moves come up to speed in its first 0.160 s");
+        about = text("startRamp", about);
       }
     }
-    return about.append(nearestWords(timeS)).toString();
+    return withNearest(about, timeS);
   }
 
   private static String words(RecordingMark mark) {
     String text = ByteText.decoded(mark.text());
     String what =
         switch (mark.kind()) {
-          case PROGRAM_STARTED -> text + " starts";
-          case PROGRAM_ENDED -> text + " ends";
-          case PROGRAM_FAILED -> "the program fails: " + text;
+          case PROGRAM_STARTED -> text("programStarts", text);
+          case PROGRAM_ENDED -> text("programEnds", text);
+          case PROGRAM_FAILED -> text("theProgramFails", text);
           case LABEL, PROTECTIVE_STOP, SAFETY_STOP, ERROR -> text;
-          case MESSAGE -> "message: " + text;
+          case MESSAGE -> text("messageMark", text);
         };
-    return mark.line() > 0 ? what + " (line " + mark.line() + ")" : what;
+    return mark.line() > 0 ? text("withLine", what, mark.line()) : what;
   }
 
   /** The program that ran already when the recording begins. */
@@ -246,7 +248,7 @@ record Tracks(
   private static String words(LogEntry warning) {
     String text = ByteText.decoded(warning.text());
     int line = warning.place().map(ScriptPlace::line).orElse(0);
-    return line > 0 ? text + " (line " + line + ")" : text;
+    return line > 0 ? text("withLine", text, line) : text;
   }
 
   private static List<Bar> edges(

@@ -1,0 +1,15 @@
+package org.pendant.desktop.timeline;
+
+import org.pendant.text.Texts;
+
+/** What this package says to people. */
+final class TimelineTexts {
+  private static final Texts TEXTS = Texts.of(TimelineTexts.class);
+
+  private TimelineTexts() {}
+
+  /** The text of a key of {@code texts/desktop.timeline.properties}, filled with values. */
+  static String text(String key, Object... values) {
+    return TEXTS.get(key, values);
+  }
+}
