@@ -1,5 +1,7 @@
 package org.pendant.desktop.whatif;
 
+import static org.pendant.desktop.whatif.WhatIfTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -21,10 +23,10 @@ final class ResultWords {
 
   /** A number that variants are compared by; the less the better. */
   enum Figure {
-    CYCLE("Cycle"),
-    TORQUE("Peak torque"),
-    JOINT_SPEED("Peak speed"),
-    ENERGY("Energy");
+    CYCLE(text("cycle")),
+    TORQUE(text("peakTorque")),
+    JOINT_SPEED(text("peakSpeed")),
+    ENERGY(text("energy"));
 
     private final String title;
 
@@ -61,11 +63,11 @@ final class ResultWords {
   static String state(VariantResult result) {
     return switch (result) {
       case VariantResult.None _ -> "";
-      case VariantResult.Waiting _ -> "waits";
+      case VariantResult.Waiting _ -> text("waits");
       case VariantResult.Running(var run) ->
           run.reachedS() > 0
-              ? String.format(Locale.ROOT, "at %.0f s", run.reachedS())
-              : String.format(Locale.ROOT, "repeats, %.0f %%", PERCENT * run.repeated());
+              ? String.format(Locale.ROOT, text("reached"), run.reachedS())
+              : String.format(Locale.ROOT, text("repeats"), PERCENT * run.repeated());
       case VariantResult.Done(var outcome) -> capital(outcome.words());
       case VariantResult.Refused(String reason) -> reason;
     };
@@ -105,14 +107,11 @@ final class ResultWords {
     OptionalDouble than = first.map(figure::of).orElse(OptionalDouble.empty());
     String text =
         switch (figure) {
-          case CYCLE ->
-              String.format(Locale.ROOT, "%.3f s", value.getAsDouble())
-                  + (outcome.roundOf() > 0 ? "/round" : "");
+          case CYCLE -> ofRound(String.format(Locale.ROOT, "%.3f s", value.getAsDouble()), outcome);
           case TORQUE, JOINT_SPEED ->
               String.format(Locale.ROOT, "%.1f %%", PERCENT * value.getAsDouble());
           case ENERGY ->
-              String.format(Locale.ROOT, "%.0f J", value.getAsDouble())
-                  + (outcome.roundOf() > 0 ? "/round" : "");
+              ofRound(String.format(Locale.ROOT, "%.0f J", value.getAsDouble()), outcome);
         };
     return than.isEmpty()
         ? text
@@ -167,28 +166,22 @@ final class ResultWords {
     return switch (figure) {
       case CYCLE ->
           outcome.cycleS().isEmpty()
-              ? String.format(
-                  Locale.ROOT, "Not finished; stopped %.3f s after the moment", outcome.timeS())
+              ? String.format(Locale.ROOT, text("notFinishedStoppedSAfterThe"), outcome.timeS())
               : outcome.roundOf() > 0
-                  ? "From one time that line " + outcome.roundOf() + " is reached to the next"
-                  : String.format(
-                      Locale.ROOT,
-                      "From the start of the program to its end; %.3f s of it were run here",
-                      outcome.timeS());
+                  ? text("fromOneTimeThatLineIs", outcome.roundOf())
+                  : String.format(Locale.ROOT, text("fromTheStartOfTheProgram"), outcome.timeS());
       case TORQUE -> outcome.torque().map(ResultWords::peak).orElse("");
       case JOINT_SPEED -> outcome.jointSpeed().map(ResultWords::peak).orElse("");
-      case ENERGY ->
-          String.format(
-              Locale.ROOT, "What the arm took from its supply in %.3f s", outcome.timeS());
+      case ENERGY -> String.format(Locale.ROOT, text("whatTheArmTookFromIts"), outcome.timeS());
     };
+  }
+
+  private static String ofRound(String amount, VariantOutcome outcome) {
+    return outcome.roundOf() > 0 ? text("aRound", amount) : amount;
   }
 
   private static String peak(Peak peak) {
     return String.format(
-        Locale.ROOT,
-        "%s, line %d, %.3f s after the moment; in %% of what the joint can do",
-        capital(peak.joint()),
-        peak.line(),
-        peak.timeS());
+        Locale.ROOT, text("peakPlace"), capital(peak.joint()), peak.line(), peak.timeS());
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.whatif;
 
+import static org.pendant.desktop.whatif.WhatIfTexts.text;
+
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -14,7 +16,7 @@ import org.pendant.script.vm.Program;
  * @param edited whether the program runs as it is edited now, not as it ran
  */
 record VariantRow(String name, String speed, String load, boolean edited) {
-  static final VariantRow AS_IT_RAN = new VariantRow("As it ran", "", "", false);
+  static final VariantRow AS_IT_RAN = new VariantRow(text("asItRanName"), "", "", false);
 
   private static final int PERCENT = 100;
 
@@ -50,17 +52,17 @@ record VariantRow(String name, String speed, String load, boolean edited) {
 
   /** Why a text is no name; empty if it is one. */
   static String nameRefusal(String typed) {
-    return typed.isBlank() ? "The name is empty, must say which variant it is" : "";
+    return typed.isBlank() ? text("theNameIsEmptyMustSay") : "";
   }
 
   /** Why a text is no speed; empty if it is one. */
   static String speedRefusal(String typed) {
-    return refusal("Speed", withoutUnit(typed, "%"), 1, PERCENT, "%");
+    return refusal(text("speed"), withoutUnit(typed, "%"), 1, PERCENT, "%");
   }
 
   /** Why a text is no load; empty if it is one. */
   static String loadRefusal(String typed) {
-    return refusal("Load", withoutUnit(typed, "kg"), 0, Variant.MAX_LOAD_KG, "kg");
+    return refusal(text("load"), withoutUnit(typed, "kg"), 0, Variant.MAX_LOAD_KG, "kg");
   }
 
   private static String refusal(String what, String typed, double least, double most, String unit) {
@@ -72,14 +74,7 @@ record VariantRow(String name, String speed, String load, boolean edited) {
         number.isPresent() && number.getAsDouble() >= least && number.getAsDouble() <= most;
     return fits
         ? ""
-        : String.format(
-            Locale.ROOT,
-            "%s is '%s', must be %.0f to %.0f %s, or empty for as it was",
-            what,
-            typed,
-            least,
-            most,
-            unit);
+        : String.format(Locale.ROOT, text("isMustBeToOrEmpty"), what, typed, least, most, unit);
   }
 
   private static OptionalDouble number(String typed) {

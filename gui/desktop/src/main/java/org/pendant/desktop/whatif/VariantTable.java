@@ -1,5 +1,7 @@
 package org.pendant.desktop.whatif;
 
+import static org.pendant.desktop.whatif.WhatIfTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Component;
@@ -44,7 +46,7 @@ final class VariantTable extends JTable {
     super(model);
     this.presenter = presenter;
     this.model = model;
-    TableLook.apply(this, "whatif-table", "Variants");
+    TableLook.apply(this, "whatif-table", text("variants"));
     TableLook.editInPlace(this);
     for (int i = 0; i < WIDTHS.size(); i++) {
       getColumnModel().getColumn(i).setPreferredWidth(WIDTHS.get(i));
@@ -57,7 +59,7 @@ final class VariantTable extends JTable {
     JComboBox<String> programs =
         new JComboBox<>(new String[] {VariantTableModel.AS_IT_RAN, VariantTableModel.AS_EDITED});
     programs.setName("whatif-program");
-    programs.getAccessibleContext().setAccessibleName("Program of the variant");
+    programs.getAccessibleContext().setAccessibleName(text("programOfTheVariant"));
     getColumnModel()
         .getColumn(VariantTableModel.PROGRAM)
         .setCellEditor(new DefaultCellEditor(programs));
@@ -102,7 +104,7 @@ final class VariantTable extends JTable {
     int row = rowAtPoint(event.getPoint());
     int column = columnAtPoint(event.getPoint());
     if (row < 0 || column < 0) {
-      return "F2 or a double click edits a cell; Ins adds a variant, Del removes one";
+      return text("f2OrADoubleClickEdits");
     }
     String about = model.about(row, column);
     return about.isEmpty() ? null : about;
@@ -129,7 +131,8 @@ final class VariantTable extends JTable {
                     ? Palette.error()
                     : model.untouched(row, column) ? Palette.quiet() : table.getForeground());
       }
-      getAccessibleContext().setAccessibleName(best ? value + ", the best" : String.valueOf(value));
+      getAccessibleContext()
+          .setAccessibleName(best ? text("theBest", value) : String.valueOf(value));
       return this;
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.whatif;
 
+import static org.pendant.desktop.whatif.WhatIfTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import javax.swing.table.AbstractTableModel;
@@ -14,11 +16,11 @@ final class VariantTableModel extends AbstractTableModel {
   static final int LOAD = 2;
   static final int PROGRAM = 3;
   static final int RESULT = 4;
-  static final String AS_IT_RAN = "as it ran";
-  static final String AS_EDITED = "as edited now";
-  private static final String AS_IT_WAS = "as it was";
+  static final String AS_IT_RAN = text("asItRan");
+  static final String AS_EDITED = text("asEditedNow");
+  private static final String AS_IT_WAS = text("asItWas");
   private static final List<String> TITLES =
-      List.of("Variant", "Speed", "Load", "Program", "Result");
+      List.of(text("variant"), text("speed"), text("load"), text("program"), text("result"));
   private static final List<Figure> FIGURES = List.of(Figure.values());
 
   private final transient WhatIfPresenter presenter;
@@ -119,12 +121,9 @@ final class VariantTableModel extends AbstractTableModel {
         .orElseGet(
             () ->
                 switch (column) {
-                  case SPEED -> "The speed slider from the moment on; empty for as it was";
-                  case LOAD ->
-                      "What truly hangs on the flange, whatever the program declares;"
-                          + " empty for as it was";
-                  case PROGRAM ->
-                      "A program as it is edited now goes from its start, where the other one did";
+                  case SPEED -> text("theSpeedSliderFromTheMoment");
+                  case LOAD -> text("whatTrulyHangsOnTheFlange");
+                  case PROGRAM -> text("aProgramAsItIsEdited");
                   default -> getValueAt(row, column).toString();
                 });
   }

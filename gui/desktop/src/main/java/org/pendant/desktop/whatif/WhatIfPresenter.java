@@ -1,5 +1,7 @@
 package org.pendant.desktop.whatif;
 
+import static org.pendant.desktop.whatif.WhatIfTexts.text;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -81,7 +83,7 @@ final class WhatIfPresenter {
     this.work = work;
     this.changed = changed;
     put(VariantRow.AS_IT_RAN);
-    put(new VariantRow("Half the speed", "50", "", false));
+    put(new VariantRow(text("halfTheSpeed"), "50", "", false));
   }
 
   private void put(VariantRow row) {
@@ -114,7 +116,7 @@ final class WhatIfPresenter {
 
   /** Why nothing can be run now; empty if it can. */
   String whyNot() {
-    return running() ? "The variants are running" : start.get().refusal();
+    return running() ? text("theVariantsAreRunning") : start.get().refusal();
   }
 
   boolean canAdd() {
@@ -128,7 +130,7 @@ final class WhatIfPresenter {
   /** One more, with the program as it is edited now. */
   void add() {
     if (canAdd()) {
-      put(new VariantRow("As edited now", "", "", true));
+      put(new VariantRow(text("asEditedName"), "", "", true));
       changed.run();
     }
   }
@@ -220,7 +222,7 @@ final class WhatIfPresenter {
       return new VariantResult.None();
     } catch (RuntimeException | Error fault) {
       Faults.report(fault);
-      return new VariantResult.Refused("internal error, " + fault);
+      return new VariantResult.Refused(text("internalError", fault));
     }
   }
 

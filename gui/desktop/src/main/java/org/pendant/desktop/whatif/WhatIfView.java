@@ -1,5 +1,7 @@
 package org.pendant.desktop.whatif;
 
+import static org.pendant.desktop.whatif.WhatIfTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.time.Duration;
@@ -56,16 +58,16 @@ public final class WhatIfView implements View {
   private final JPanel content = new JPanel(new BorderLayout());
   private final JLabel refused = new JLabel();
   private final JLabel from = new JLabel();
-  private final JButton run = button("run", "Run from the start", "");
-  private final JButton cancel = button("cancel", "Cancel", "Gives up what runs");
-  private final JButton add = button("add", "+", "Adds a variant (Ins)", "Add a variant");
+  private final JButton run = button("run", text("runFromTheStart"), "");
+  private final JButton cancel = button("cancel", text("cancel"), text("givesUpWhatRuns"));
+  private final JButton add = button("add", "+", text("addsAVariantIns"), text("addAVariant"));
   private final JButton remove =
-      button("remove", "\u2212", "Removes the selected variant (Del)", "Remove the variant");
+      button("remove", "\u2212", text("removesTheSelectedVariantDel"), text("removeTheVariant"));
   private final JButton clear =
-      button("clear", "Clear", "Forgets what came of them", "Clear the results");
-  private final JCheckBox ways = new JCheckBox("Ways in 3D");
+      button("clear", text("clear"), text("forgetsWhatCameOfThem"), text("clearTheResults"));
+  private final JCheckBox ways = new JCheckBox(text("waysIn3d"));
   private final JTextField most = new JTextField(Integer.toString(MAX_S), FIELD_COLUMNS);
-  private final JCheckBox ghosts = new JCheckBox("Ghosts in 3D");
+  private final JCheckBox ghosts = new JCheckBox(text("ghostsIn3d"));
   private final BooleanSupplier ofFile;
   private VariantSights sights = new VariantSights(List.of(), List.of(), -1, row -> 0);
 
@@ -140,23 +142,23 @@ public final class WhatIfView implements View {
     Optional<ControllerState> at = past.get();
     if (ofFile) {
       return new WhatIfPresenter.Start(
-          OptionalLong.empty(), "Run from here", "A recording of a file cannot be run again");
+          OptionalLong.empty(), text("runFromHere"), text("aRecordingOfAFileCannot"));
     }
     if (at.isPresent()) {
       long frame = at.get().frame();
       String why =
           at.get().program().line() > 0
               ? workbench.session().branchRefusal(frame).orElse("")
-              : "No program ran at the moment that is looked at";
+              : text("noProgramRanAtTheMoment");
       return new WhatIfPresenter.Start(
           OptionalLong.of(frame),
-          String.format(Locale.ROOT, "Run from %.3f s", at.get().timeS()),
+          String.format(Locale.ROOT, text("runFromMoment"), at.get().timeS()),
           why);
     }
     return new WhatIfPresenter.Start(
         OptionalLong.empty(),
-        "Run from the start",
-        workbench.session().programKnown() ? "" : "No program has run yet");
+        text("runFromTheStart"),
+        workbench.session().programKnown() ? "" : text("noProgramHasRunYet"));
   }
 
   private static JButton button(String name, String text, String tip) {
@@ -179,18 +181,17 @@ public final class WhatIfView implements View {
     remove.addActionListener(event -> presenter.remove(table.getSelectedRow()));
     clear.addActionListener(event -> presenter.clear());
     ways.setName("whatif-ways");
-    ways.setToolTipText("Shows in 3D where the tool went in each variant");
+    ways.setToolTipText(text("showsIn3dWhereTheTool"));
     ways.addActionListener(event -> set(WAYS, ways.isSelected()));
     ghosts.setName("whatif-ghosts");
-    ghosts.setToolTipText(
-        "While people look back, shows in 3D where the arm is in each variant at that time");
+    ghosts.setToolTipText(text("whilePeopleLookBackShowsIn"));
     ghosts.addActionListener(event -> set(GHOSTS, ghosts.isSelected()));
     from.setName("whatif-from");
     most.setName("whatif-most");
-    most.setToolTipText("A program that still runs after so many seconds is ended there");
-    most.getAccessibleContext().setAccessibleName("Longest robot time of a variant, s");
+    most.setToolTipText(text("aProgramThatStillRunsAfter"));
+    most.getAccessibleContext().setAccessibleName(text("longestRobotTimeOfAVariant"));
     most.getDocument().addDocumentListener(new Typing());
-    JLabel atMost = new JLabel("at most, s:");
+    JLabel atMost = new JLabel(text("atMostS"));
     atMost.setLabelFor(most);
     bar.add(run);
     bar.add(cancel);
@@ -234,9 +235,7 @@ public final class WhatIfView implements View {
     OptionalDouble typed = mostS();
     most.putClientProperty("JComponent.outline", typed.isPresent() ? null : "error");
     String why =
-        typed.isPresent()
-            ? ""
-            : "At most is '" + most.getText().strip() + "', must be above 0 to " + MAX_S + " s";
+        typed.isPresent() ? "" : text("atMostIsMustBeAbove", most.getText().strip(), MAX_S);
     refused.setText(why);
     refused.setForeground(Palette.error());
     refused.setVisible(!why.isEmpty());
@@ -248,7 +247,7 @@ public final class WhatIfView implements View {
     actions.add(
         new Action(
             ID + ".run",
-            "What if: run the variants",
+            text("whatIfRunTheVariants"),
             "",
             () -> whyNot().isEmpty(),
             () -> {
@@ -258,14 +257,14 @@ public final class WhatIfView implements View {
     actions.add(
         new Action(
             ID + ".cancel",
-            "What if: give up what runs",
+            text("whatIfGiveUpWhatRuns"),
             "",
             presenter::running,
             presenter::cancel));
     actions.add(
         new Action(
             ID + ".add",
-            "What if: add a variant",
+            text("whatIfAddAVariant"),
             "",
             presenter::canAdd,
             () -> {
@@ -275,15 +274,15 @@ public final class WhatIfView implements View {
     actions.add(
         new Action(
             ID + ".clear",
-            "What if: clear the results",
+            text("whatIfClearTheResults"),
             "",
             () -> !presenter.running(),
             presenter::clear));
     actions.add(
-        Action.of(WAYS, "What if: ways in 3D", "", () -> set(WAYS, !on(WAYS)))
+        Action.of(WAYS, text("whatIfWaysIn3d"), "", () -> set(WAYS, !on(WAYS)))
             .checked(() -> on(WAYS)));
     actions.add(
-        Action.of(GHOSTS, "What if: ghosts in 3D", "", () -> set(GHOSTS, !on(GHOSTS)))
+        Action.of(GHOSTS, text("whatIfGhostsIn3d"), "", () -> set(GHOSTS, !on(GHOSTS)))
             .checked(() -> on(GHOSTS)));
   }
 
@@ -297,7 +296,7 @@ public final class WhatIfView implements View {
   }
 
   private String whyNot() {
-    return mostS().isEmpty() ? "How long a variant may run is no number" : presenter.whyNot();
+    return mostS().isEmpty() ? text("howLongAVariantMayRun") : presenter.whyNot();
   }
 
   private void run() {
@@ -328,11 +327,7 @@ public final class WhatIfView implements View {
   private void refresh() {
     String why = whyNot();
     run.setEnabled(why.isEmpty());
-    run.setToolTipText(
-        why.isEmpty()
-            ? "Runs each variant beside the robot, which goes on as it does: from the moment that"
-                + " is looked at, or from the start of the last run"
-            : why);
+    run.setToolTipText(why.isEmpty() ? text("runsEachVariantBesideTheRobot") : why);
     cancel.setEnabled(presenter.running());
     add.setEnabled(presenter.canAdd());
     remove.setEnabled(presenter.canRemove() && table.getSelectedRow() >= 0);
@@ -366,7 +361,7 @@ public final class WhatIfView implements View {
     boolean any = presenter.running() || clear.isEnabled();
     return ranBy
         .filter(each -> any && !each.name().equals(workbench.session().shown().name()))
-        .map(each -> each.name().isEmpty() ? "" : "The results are those of " + each.name())
+        .map(each -> each.name().isEmpty() ? "" : text("theResultsAreThoseOf", each.name()))
         .orElse("");
   }
 
@@ -409,7 +404,7 @@ public final class WhatIfView implements View {
 
   @Override
   public String title() {
-    return "What if";
+    return text("whatIf");
   }
 
   @Override
