@@ -73,7 +73,7 @@ final class PalettePanel extends JPanel {
     record Kind(NodeKind kind) implements Entry {
       @Override
       public String toString() {
-        return kind.title();
+        return KindTitles.of(kind);
       }
     }
   }
@@ -158,7 +158,7 @@ final class PalettePanel extends JPanel {
           group == NodeKind.Group.GIVEN
               ? List.of()
               : NodeKind.in(group).stream()
-                  .filter(each -> each.title().toLowerCase(Locale.ROOT).contains(wanted))
+                  .filter(each -> KindTitles.of(each).toLowerCase(Locale.ROOT).contains(wanted))
                   .toList();
       if (!kinds.isEmpty()) {
         entries.add(new Entry.Heading(title(group)));
@@ -260,8 +260,8 @@ final class PalettePanel extends JPanel {
         SvgIcon icon = StepIcon.of(entry.kind());
         setIcon(selected ? icon.in(getForeground()) : icon);
         setIconTextGap(UIScale.scale(6));
-        setToolTipText(text("addsKind", entry.kind().title()));
-        getAccessibleContext().setAccessibleName(text("addKind", entry.kind().title()));
+        setToolTipText(text("addsKind", KindTitles.of(entry.kind())));
+        getAccessibleContext().setAccessibleName(text("addKind", KindTitles.of(entry.kind())));
       } else {
         setIcon(null);
         setForeground(Palette.quiet());

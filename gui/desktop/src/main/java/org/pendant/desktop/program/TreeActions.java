@@ -63,7 +63,7 @@ final class TreeActions {
       if (kind.group() != NodeKind.Group.GIVEN) {
         all.add(
             "add-" + kind.name().toLowerCase(Locale.ROOT).replace('_', '-'),
-            text("addAction", kind.title()),
+            text("addAction", KindTitles.of(kind)),
             "",
             commands::editable,
             () -> commands.add(kind));

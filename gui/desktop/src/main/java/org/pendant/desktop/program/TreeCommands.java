@@ -122,10 +122,10 @@ final class TreeCommands {
     ProgramTree before = tree();
     Optional<NewSpots.Addition> addition = NewSpots.of(before, selection.lead(), kind);
     if (!ready() || addition.isEmpty()) {
-      tell.accept(text("noPlaceAtTheSelectedNode", kind.title()));
+      tell.accept(text("noPlaceAtTheSelectedNode", KindTitles.of(kind)));
       return;
     }
-    insert(text("addKind", kind.title()), addition.get().nodes(), addition.get().spot());
+    insert(text("addKind", KindTitles.of(kind)), addition.get().nodes(), addition.get().spot());
   }
 
   private void insert(String what, List<ProgramNode> nodes, Spot spot) {
