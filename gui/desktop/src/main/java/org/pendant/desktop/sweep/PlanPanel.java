@@ -52,7 +52,7 @@ import org.pendant.sweep.plan.SamplingMethod;
 final class PlanPanel extends JPanel {
   private static final int MAX_WORKERS = 1024;
   private static final int GAP = 10;
-  private static final int REST_WIDTH = 270;
+  private static final int REST_WIDTH = 280;
   private static final int WIDE = 760;
   private static final String LEFT_TO_RIGHT = "[][grow, fill]";
   private static final List<String> GOALS =
