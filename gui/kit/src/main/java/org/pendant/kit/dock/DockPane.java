@@ -22,7 +22,7 @@ final class DockPane extends JPanel {
   private final transient Function<String, Dockable> viewOf;
   private final transient DockFrame frame;
   private final transient TabDrag drag;
-  private JTabbedPane tabs = new DockTabs();
+  private DockTabs tabs = new DockTabs();
   private transient Shown shown = new Shown(List.of(), false, false);
   private boolean filling;
 
@@ -128,6 +128,7 @@ final class DockPane extends JPanel {
       tabs.addTab(viewOf.apply(id).title(), null, nothing, text("clickToShow"));
     }
     tabs.setSelectedIndex(-1);
+    tabs.whenListed(index -> frame.show(plan.views(side).get(index)));
     tabs.addMouseListener(
         new MouseAdapter() {
           @Override

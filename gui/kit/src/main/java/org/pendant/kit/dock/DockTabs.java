@@ -4,6 +4,7 @@ import static org.pendant.kit.dock.DockTexts.text;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Graphics2D;
+import java.util.function.IntConsumer;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JTabbedPane;
@@ -19,12 +20,19 @@ import org.pendant.kit.layout.WholeTabs;
 final class DockTabs extends JTabbedPane {
   private static final int DOTS = 14;
 
+  private transient IntConsumer listed = index -> {};
+
   DockTabs() {
     setTabLayoutPolicy(SCROLL_TAB_LAYOUT);
     putClientProperty("JTabbedPane.tabType", "underlined");
     // Arrows come and go, and cover what was just brought in sight: the wheel scrolls, too.
     putClientProperty("JTabbedPane.scrollButtonsPolicy", "never");
     putClientProperty("JTabbedPane.tabsPopupPolicy", "asNeeded");
+  }
+
+  /** {@code chosen} hears which tab is chosen from the list behind the dots, selected or not. */
+  void whenListed(IntConsumer chosen) {
+    listed = chosen;
   }
 
   @Override
@@ -48,6 +56,12 @@ final class DockTabs extends JTabbedPane {
       Dots() {
         setToolTipText(text("morePanels"));
         getAccessibleContext().setAccessibleName(text("morePanels"));
+      }
+
+      @Override
+      protected void selectTab(int tabIndex) {
+        super.selectTab(tabIndex);
+        ((DockTabs) tabPane).listed.accept(tabIndex);
       }
 
       @Override
