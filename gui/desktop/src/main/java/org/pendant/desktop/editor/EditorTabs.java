@@ -4,7 +4,9 @@ import static org.pendant.desktop.editor.EditorTexts.text;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import com.formdev.flatlaf.FlatLaf;
+import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -126,6 +128,10 @@ final class EditorTabs extends JTabbedPane {
   private void chosen() {
     if (!following && getSelectedIndex() >= 0) {
       programs.select(current().program());
+      // By arrow keys people go on to the next tab.
+      if (!isFocusOwner() || EventQueue.getCurrentEvent() instanceof MouseEvent) {
+        current().area().requestFocusInWindow();
+      }
     }
   }
 

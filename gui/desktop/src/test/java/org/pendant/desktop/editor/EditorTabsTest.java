@@ -11,7 +11,10 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics2D;
 import java.awt.GraphicsEnvironment;
+import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
@@ -59,6 +62,39 @@ final class EditorTabsTest {
   void closeWindow() throws InterruptedException, InvocationTargetException {
     if (window != null) {
       EventQueue.invokeAndWait(window::close);
+    }
+  }
+
+  @Test
+  void keysGoToTheTextOfATabThatIsClicked() throws Exception {
+    EventQueue.invokeAndWait(
+        () -> {
+          Rectangle tab = tabs.getBoundsAt(1);
+          Point at = new Point(tab.x + tab.width / 4, tab.y + tab.height / 2);
+          tabs.dispatchEvent(
+              new MouseEvent(
+                  tabs,
+                  MouseEvent.MOUSE_PRESSED,
+                  0,
+                  InputEvent.BUTTON1_DOWN_MASK,
+                  at.x,
+                  at.y,
+                  1,
+                  false,
+                  MouseEvent.BUTTON1));
+        });
+    await(1);
+    awaitKeysIn(window.editor().current().area());
+  }
+
+  private static void awaitKeysIn(Component component) throws Exception {
+    boolean[] there = {false};
+    while (!there[0]) {
+      EventQueue.invokeAndWait(
+          () ->
+              there[0] =
+                  SwingUtilities.getWindowAncestor(component).getMostRecentFocusOwner()
+                      == component);
     }
   }
 
