@@ -147,9 +147,9 @@ final class DesktopWindow {
             runner::startByInput);
     docks =
         new DockFrame(
-            new DockPlan(settings, views.home(), Views.WIDE),
-            views.all(),
-            views.home(),
+            new DockPlan(settings, views.places().home(), Views.WIDE),
+            views.places().all(),
+            views.places().home(),
             this::furnish);
     workbench.attach(docks);
     SaveQueue saves = new SaveQueue();
@@ -221,7 +221,7 @@ final class DesktopWindow {
         new StopNotice(
             notices,
             () -> FormMemory.read(settings),
-            () -> views.showing("run"),
+            () -> views.places().showing("run"),
             () -> docks.show("run"));
     KeyBindings.bind(window.frame().getRootPane(), actions);
     menus = menus();
@@ -244,10 +244,10 @@ final class DesktopWindow {
   }
 
   private List<MenuPlan.Menu> menuPlan() {
-    Set<String> screens = views.screens().keySet();
+    Set<String> screens = views.places().screens().keySet();
     return MenuPlan.of(
         List.copyOf(screens),
-        views.all().stream().map(View::id).filter(id -> !screens.contains(id)).toList());
+        views.places().all().stream().map(View::id).filter(id -> !screens.contains(id)).toList());
   }
 
   private Map<String, List<String>> actionsByMenu() {
@@ -283,7 +283,7 @@ final class DesktopWindow {
     ClipboardActions.addTo(
         actions, KeyboardFocusManager.getCurrentKeyboardFocusManager()::getPermanentFocusOwner);
     WindowActions windowActions = new WindowActions(actions);
-    windowActions.addViews(docks, List.copyOf(views.screens().keySet()));
+    windowActions.addViews(docks, List.copyOf(views.places().screens().keySet()));
     windowActions.addDocks(docks);
     windowActions.addLook(look);
     LanguageActions.addTo(actions, new LanguageSetting(workbench.settings()), status::tell);
@@ -323,9 +323,9 @@ final class DesktopWindow {
 
   private Rail rail() {
     Rail rail = new Rail(actions, docks::show, docks::moveMenu);
-    for (View view : views.all()) {
-      if (views.screens().containsKey(view.id())) {
-        rail.add(view, views.screens().get(view.id()));
+    for (View view : views.places().all()) {
+      if (views.places().screens().containsKey(view.id())) {
+        rail.add(view, views.places().screens().get(view.id()));
       }
     }
     Runnable mark = () -> rail.mark(docks.mainView().orElse(""));
@@ -370,7 +370,7 @@ final class DesktopWindow {
 
   /** The screens and panels, by id. */
   List<String> views() {
-    return views.all().stream().map(View::id).toList();
+    return views.places().all().stream().map(View::id).toList();
   }
 
   /** Does what an action does, if it can be done now. */
@@ -455,7 +455,7 @@ final class DesktopWindow {
 
   /** A script says nothing on the screen of nodes. */
   private void showOfCell(ProgramDocument program) {
-    if (views.showing(ProgramView.ID)) {
+    if (views.places().showing(ProgramView.ID)) {
       views.showOpened(workbench, program);
     }
   }
@@ -510,7 +510,7 @@ final class DesktopWindow {
     Faults.guard(() -> stopNotice.refresh(state));
     Faults.guard(() -> views.follow(state));
     Faults.guard(() -> startPanel.refresh(state));
-    for (View view : views.all()) {
+    for (View view : views.places().all()) {
       if (seen.test(view.component())) {
         Faults.guard(() -> view.refresh(views.past().shown(view, state)));
       }

@@ -1,15 +1,14 @@
 package org.pendant.desktop.shell;
 
 import static org.pendant.desktop.shell.ShellTexts.text;
+import static org.pendant.desktop.shell.ViewPlaces.panel;
+import static org.pendant.desktop.shell.ViewPlaces.screen;
 
 import java.awt.EventQueue;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.IntFunction;
 import org.pendant.command.service.PortWishes;
 import org.pendant.command.service.StateFolder;
 import org.pendant.controller.state.ControllerState;
@@ -54,10 +53,8 @@ import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.shell.run.RunView;
 import org.pendant.desktop.shell.start.StartChoice;
-import org.pendant.desktop.shell.start.StartPlace;
 import org.pendant.desktop.sweep.SweepView;
 import org.pendant.desktop.tests.TestsView;
-import org.pendant.desktop.timeline.Pin;
 import org.pendant.desktop.waveform.WaveformView;
 import org.pendant.desktop.whatif.WhatIfView;
 import org.pendant.desktop.workbench.View;
@@ -65,15 +62,13 @@ import org.pendant.kit.background.WorkerThread;
 import org.pendant.kit.dock.Side;
 import org.pendant.kit.fault.Faults;
 import org.pendant.kit.icon.Glyph;
-import org.pendant.models.time.FrameTime;
-import org.pendant.recording.lines.RunProfile;
 
 /** Views: everything that is in the window: a line for each view. */
 final class Views {
   /** The screens on which people look at the arm as much as at the screen. */
   static final Set<String> WIDE = Set.of("run", "move");
 
-  private final List<Place> places;
+  private final ViewPlaces places;
   private final ScriptEditor editor;
   private final ProgramView program;
   private final ActiveInstallation installation = new ActiveInstallation();
@@ -104,13 +99,6 @@ final class Views {
   /** The controller whose programs are followed. */
   private String followed = "";
 
-  /**
-   * A view and where it belongs at first.
-   *
-   * @param glyph of its button in the rail; empty for one that is only a panel
-   */
-  private record Place(View view, Side home, Optional<Glyph> glyph) {}
-
   Views(ShellWorkbench workbench, Programs programs, ProgramRunner runner) {
     editor = new ScriptEditor(workbench, programs);
     this.runner = runner;
@@ -134,7 +122,6 @@ final class Views {
     editor.setMarginMenu(breakpoints.marginMenu());
     DebugActions.addTo(workbench, debug, breakpoints, editor::caretLine);
     past = new PastViews(workbench, programs, editor, debug.breakpoints()::stopping);
-    past.timeline().setPins(strip::profile, this::pins);
     debug.steps().inThePast(past.steps()::back, past.steps()::stepOn);
     DebugBar scriptBar = new DebugBar("debug-bar", workbench, debug, past.steps());
     scriptBar.stayAfterRuns();
@@ -153,6 +140,7 @@ final class Views {
         });
     program = programScreen(workbench, programs, move, scene);
     names = new LineNames(runs, runner, debug);
+    past.timeline().setPins(strip::profile, new ProfilePins(strip, names)::of);
     scene.onNode(program::choose);
     scene.onMoment(past::explain);
     scene.onLine(line -> showTraced(workbench, programs, line));
@@ -171,7 +159,6 @@ final class Views {
     move.whenHomeSet(home -> installation.set(installation.current().withHome(home)));
     startMove = new StartMove(session, this::forgetRun);
     start = new StartChoice(startMove, workbench.settings());
-    runner.setGate(this::gate);
     runner.whenForgotten(this::forgetRun);
     runner.setTexts(runs::plan);
     RunFrom.addTo(workbench.actions(), session, runs, program::selected, runner, start, tell);
@@ -208,14 +195,16 @@ final class Views {
     InstallationView installed = new InstallationView(workbench, installation);
     scene.setProposedSafety(installed::proposedSafety);
     CellView cell = new CellView(workbench, sceneDraft, labels::ofSignal);
-    scene.setObjectHand(cell.hand(() -> showing(CellView.ID) && past.past().isEmpty()));
+    scene.setObjectHand(cell.hand(() -> places().showing(CellView.ID) && past.past().isEmpty()));
     scene.setProposedScene(
-        () -> showing(CellView.ID) ? Optional.of(sceneDraft.scene()) : Optional.empty());
-    scene.setChosenDevice(() -> showing(CellView.ID) ? cell.chosenDevice() : Optional.empty());
+        () -> places().showing(CellView.ID) ? Optional.of(sceneDraft.scene()) : Optional.empty());
+    scene.setChosenDevice(
+        () -> places().showing(CellView.ID) ? cell.chosenDevice() : Optional.empty());
     scene.setProposedDevices(
-        () -> showing(CellView.ID) ? Optional.of(sceneDraft.devices()) : Optional.empty());
+        () -> places().showing(CellView.ID) ? Optional.of(sceneDraft.devices()) : Optional.empty());
     log = new LogView(workbench, line -> showStarted(workbench, programs, line));
     tests = new TestsView(workbench, programs, editor, installation, runner::startsElsewhere);
+    runner.setGate(new RunGate(session, program, runs, installation, tests, start, tell));
     waveforms = new WaveformView(workbench, labels::ofSignal, () -> chooseWaveforms(workbench));
     sweep =
         new SweepView(
@@ -237,7 +226,7 @@ final class Views {
             new EditedProgram(session, programs, runner, runs)::compile);
     scene.setCompared(whatIf::ways);
     places =
-        List.of(
+        ViewPlaces.of(
             screen(past.held(run), Glyph.RUN),
             screen(program, Glyph.PROGRAM),
             screen(editor, Glyph.SCRIPT),
@@ -306,19 +295,6 @@ final class Views {
     return strip.about(document, line, names.of(Optional.of(document), line));
   }
 
-  private List<Pin> pins(RunProfile profile) {
-    IntFunction<String> place =
-        profile.equals(strip.profile()) ? names::started : line -> text("line", line);
-    return profile.worst().stream()
-        .map(
-            each ->
-                new Pin(
-                    each.worst().frame() * FrameTime.FRAME_S,
-                    strip.words(each, place),
-                    each.worst().used()))
-        .toList();
-  }
-
   private ProgramView programScreen(
       ShellWorkbench workbench, Programs programs, MoveView move, ScenePanel scene) {
     WorkerThread worker = new WorkerThread("program-trees");
@@ -331,40 +307,6 @@ final class Views {
     trees.setSink(scripts);
     runs = new TreeRuns(trees, scripts);
     return new ProgramView(workbench, programs, trees, scripts, move::teach, scene::show);
-  }
-
-  /** Lets a program start when it can, and the arm is where it goes first or people want it so. */
-  private void gate(ProgramDocument document, long from, Runnable run) {
-    if (tests.debugging()) {
-      tell.accept(text("aTestIsBeingDebuggedIt"));
-      return;
-    }
-    program.whenReady(document, () -> ask(document, from, run));
-  }
-
-  private void ask(ProgramDocument document, long from, Runnable run) {
-    Optional<String> refusal = runs.whyNot(document, from);
-    if (refusal.isPresent()) {
-      tell.accept(text("cannotStartThere", document.name(), refusal.get()));
-      return;
-    }
-    Optional<StartPlace> first =
-        runs.first(document, from)
-            .flatMap(
-                place ->
-                    StartPlace.of(
-                        place, installation.current(), session.state().arm().description()));
-    // The program may be edited while people choose.
-    Runnable again =
-        () ->
-            program.whenReady(
-                document,
-                () -> {
-                  if (runs.whyNot(document, from).isEmpty()) {
-                    run.run();
-                  }
-                });
-    start.begin(first, session.state(), again);
   }
 
   /** What starts next is none of the open programs. */
@@ -478,14 +420,6 @@ final class Views {
     log.told(text);
   }
 
-  private static Place screen(View view, Glyph glyph) {
-    return new Place(new GuardedView(view), Side.MAIN, Optional.of(glyph));
-  }
-
-  private static Place panel(View view, Side home) {
-    return new Place(new GuardedView(view), home, Optional.empty());
-  }
-
   /** Has debugger and editor follow the program, whatever is in front. */
   void follow(ControllerState state) {
     boolean sameController = session.shown().name().equals(followed);
@@ -553,30 +487,8 @@ final class Views {
     return past;
   }
 
-  /** All of them, screens first. */
-  List<View> all() {
-    return places.stream().map(Place::view).toList();
-  }
-
-  /** Whether people see the view of this id. */
-  boolean showing(String id) {
-    return places.stream()
-        .map(Place::view)
-        .anyMatch(view -> view.id().equals(id) && view.component().isShowing());
-  }
-
-  /** Where each belongs at first, by id. */
-  Map<String, Side> home() {
-    Map<String, Side> home = new LinkedHashMap<>();
-    places.forEach(place -> home.put(place.view().id(), place.home()));
-    return home;
-  }
-
-  /** The glyph of each screen, by id, in the order of the rail. */
-  Map<String, Glyph> screens() {
-    Map<String, Glyph> screens = new LinkedHashMap<>();
-    places.forEach(
-        place -> place.glyph().ifPresent(glyph -> screens.put(place.view().id(), glyph)));
-    return screens;
+  /** All of them, and where each belongs. */
+  ViewPlaces places() {
+    return places;
   }
 }
