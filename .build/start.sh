@@ -1,18 +1,10 @@
 # How Pendant's JVM is started, for the launcher of the sources (pendant) and that of the packages (.build/packages/pendant),
-# which read this file. They set
+# which read this file, and options.sh before it. They set
 #   java      the command of the JVM
 #   app       the folder with pendant.jar and lib
 #   examples  the folder of the examples
 #   caches    the folder of the AOT caches, before they call `train`; limit may be words before the JVM's command then
 # shellcheck shell=sh disable=SC2034,SC2154 # variables that those set and read
-
-# Flags of the JVM, the same for training the AOT cache and for using it (it is refused otherwise). A cache keeps which methods were
-# compiled how well, too: what runs with the optimizing compiler has one that was trained with it, or nearly all stays with the first.
-# docs/benchmarks.md has the measurements behind them. The JVM's own log goes to stderr: stdout belongs to
-# the script that runs. The 3D view's library uses sun.misc.Unsafe, which the JVM would complain about.
-flags='-XX:+UseSerialGC -XX:TieredStopAtLevel=1 -Xlog:disable -Xlog:all=error:stderr --sun-misc-unsafe-memory-access=allow'
-
-optimizing='-XX:TieredStopAtLevel=4' # with this behind them, the optimizing compiler as well
 
 unavailable=69 # what WindowTraining ends with where there is no display
 late=124       # what `timeout` ends with when a computer had too much else to do
@@ -37,48 +29,28 @@ heap_is_ours() {
   esac
 }
 
-# Sets for the words of a command which AOT cache it starts with (kind: pendant, window, editors or sweep), with which
-# compilers that is trained, too, and flags of its own (own): commands would start later with the classes that windows and editors need.
+# Sets for the words of a command which AOT cache it starts with (kind: pendant, window, editors or sweep) and flags of its own (own): commands
+# would start later with the classes that windows and editors need. StartKind in Java chooses in the same way.
 choose() {
-  kind=pendant
-  compilers=
-  own=
   case ${1:-} in
-    lsp)
-      kind=editors
-      # An editor stays for hours: its server is worth the optimizing compiler. What an edit leaves behind is dropped in a
-      # young generation that holds it, so that memory stays small whatever the machine has.
-      own=$optimizing
-      heap_is_ours && own="$own -Xms80m -Xmn48m -XX:SurvivorRatio=4 -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
-      ;;
+    lsp) options_of language-server ;;
+    dap) options_of debug-adapter ;;
     sweep)
-      # Runs for minutes on end: the optimizing compiler pays. What a frame leaves behind dies in a young generation that holds some.
-      compilers=$optimizing
-      heap_is_ours && own='-Xmn64m'
       case " $* " in
-        *' --engine'*) ;; # the runs are elsewhere
-        *) kind=sweep ;;
+        *' --engine'*) options_of sweep-by-engine ;; # the runs are elsewhere
+        *) options_of sweep ;;
       esac
-      ;;
-    dap)
-      kind=editors
       ;;
     *)
       if opens_window "$@"; then
-        kind=window
-        # A window is open all day. It has its heap collected itself when enough may have died (HeapCare); this has what is
-        # free given back then, down to where it began. There is no limit: what people open may be as large as it is.
-        # What malloc has free, compiling and drawing need much of it for a moment, is given back once a minute.
-        # The heap is collected as a whole when 15 % of what is reserved for code have been used: of 48 MB before the first picture.
-        # Before Java takes the fonts that the window brings it reads all that it knows to be installed, to find one of the same
-        # name; with an empty path to them it knows of none. Those for characters that ours do not have come from fontconfig.
-        own='-XX:TrimNativeHeapInterval=60000 -XX:ReservedCodeCacheSize=128m -Dsun.java2d.fontpath='
-        heap_is_ours && own="$own -Xms64m -Xmn24m -XX:MinHeapFreeRatio=10 -XX:MaxHeapFreeRatio=20 -XX:-ShrinkHeapInSteps -XX:MetaspaceSize=64m"
+        options_of window
         export MALLOC_ARENA_MAX="${MALLOC_ARENA_MAX:-2}"
+      else
+        options_of command
       fi
       ;;
   esac
-  return 0
+  ! heap_is_ours || own="$own $heap"
 }
 
 # Records as $cache the classes that small runs load, or those of a window, of an editor's questions, of sweeps, as $kind says. Without a cache
@@ -136,5 +108,5 @@ start() {
   [ -n "$PENDANT_JAVA_OPTIONS$JDK_JAVA_OPTIONS$JAVA_TOOL_OPTIONS" ] || own="$own -Dpendant.end-at-once=true"
   choose_crash_log
   # shellcheck disable=SC2086 # flags and options are words
-  exec "$java" ${crash_log:+"$crash_log"} $flags $compilers $own $PENDANT_JAVA_OPTIONS "$@"
+  exec "$java" ${crash_log:+"$crash_log"} $flags $own $PENDANT_JAVA_OPTIONS "$@"
 }

@@ -100,6 +100,7 @@ final class InstalledTree {
     Path sources = project.resolve(".build/packages/bin");
     copy(sources.resolve("pendant"), tree.resolve("bin/pendant"));
     copy(sources.resolve("prepare"), library.resolve("prepare"));
+    copy(project.resolve(".build/options.sh"), library.resolve("options.sh"));
     copy(project.resolve(".build/start.sh"), library.resolve("start.sh"));
     Files.createDirectory(library.resolve("caches"));
     // AOT caches in folders of users are those of one build.

@@ -37,6 +37,7 @@ final class BuildLockTest {
     Files.copy(Launcher.home().resolve("pendant"), folder.resolve("pendant"));
     Files.createDirectories(folder.resolve(".build"));
     Files.copy(Launcher.home().resolve(".build/start.sh"), folder.resolve(".build/start.sh"));
+    Files.copy(Launcher.home().resolve(".build/options.sh"), folder.resolve(".build/options.sh"));
     Files.createDirectories(folder.resolve("jdk/bin"));
     Files.writeString(folder.resolve("jdk/release"), "JAVA_VERSION=\"25\"\n");
     program("jdk/bin/java", "echo ran");

@@ -9,12 +9,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.pendant.command.launch.StartKind;
 
 /** The command of the packages, installed with a Java that only says how it was called. */
 @EnabledOnOs(OS.LINUX)
@@ -34,12 +39,13 @@ final class InstalledLauncherTest {
     Path build = Launcher.home().resolve(".build");
     Files.copy(build.resolve("packages/bin/pendant"), prefix.resolve("bin/pendant"));
     Files.copy(build.resolve("packages/bin/prepare"), library.resolve("prepare"));
+    Files.copy(build.resolve("options.sh"), library.resolve("options.sh"));
     Files.copy(build.resolve("start.sh"), library.resolve("start.sh"));
     Files.writeString(library.resolve("build"), "0123456789abcdef\n");
     Path java = library.resolve("runtime/bin/java");
     Files.writeString(
         java,
-        "#!/bin/sh\nfor word; do case $word in"
+        "#!/bin/sh\n[ -z \"$DISPLAY\" ] || { echo \"$*\"; exit; }\nfor word; do case $word in"
             + " -XX:AOTCacheOutput=*) echo recorded >\"${word#*=}\";;"
             + " -XX:AOTCache=*) echo \"with ${word##*/}\";;"
             + " -XX:ErrorFile=*) crashes=${word#*=};;"
@@ -50,11 +56,17 @@ final class InstalledLauncherTest {
   }
 
   private String run(Path command, String... words) throws IOException, InterruptedException {
+    return run("", command, words);
+  }
+
+  /** Where there is a {@code display}, Java only says with which words it is called. */
+  private String run(String display, Path command, String... words)
+      throws IOException, InterruptedException {
     String[] line = new String[words.length + 1];
     line[0] = command.toString();
     System.arraycopy(words, 0, line, 1, words.length);
     ProcessBuilder builder = new ProcessBuilder(line).redirectErrorStream(true);
-    builder.environment().remove("DISPLAY");
+    builder.environment().put("DISPLAY", display);
     builder.environment().remove("WAYLAND_DISPLAY");
     builder.environment().put("XDG_CACHE_HOME", folder.resolve("user").toString());
     builder.environment().put("XDG_STATE_HOME", folder.resolve("my state").toString());
@@ -74,6 +86,39 @@ final class InstalledLauncherTest {
     assertEquals("with pendant.aot\n--version\n", run(link, "--version"));
     assertEquals("with editors.aot\nlsp\n", run(link, "lsp"));
     assertFalse(Files.exists(folder.resolve("user")));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "run a.script",
+        "--version",
+        "open a.script",
+        "open --help",
+        "--robot ur10e",
+        "missing.script",
+        "lsp",
+        "dap",
+        "sweep plan.toml",
+        "sweep plan.toml --engine spark"
+      })
+  void theShellChoosesOptionsAndCacheAsJavaDoes(String line) throws Exception {
+    List<String> words = List.of(line.split(" "));
+    StartKind kind = StartKind.of(words, true, each -> Files.isRegularFile(Path.of(each)));
+    Files.createDirectories(library.resolve("caches"));
+    Files.writeString(library.resolve("caches").resolve(kind.cache() + ".aot"), "a cache");
+
+    List<String> expected = new ArrayList<>();
+    expected.add("-XX:ErrorFile=" + folder.resolve("my state/pendant/hs_err_pid%p.log"));
+    expected.addAll(kind.all(List.of(), "Linux"));
+    expected.add("-Dpendant.end-at-once=true");
+    expected.add("-XX:AOTCache=" + library.resolve("caches").resolve(kind.cache() + ".aot"));
+    expected.addAll(List.of("-jar", library.resolve("app/pendant.jar").toString()));
+    expected.addAll(words);
+
+    assertEquals(
+        String.join(" ", expected) + "\n",
+        run(":7", prefix.resolve("bin/pendant"), words.toArray(String[]::new)));
   }
 
   @Test

@@ -2,11 +2,13 @@ package org.pendant.command;
 
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
 import org.pendant.command.doctor.Doctor;
+import org.pendant.command.launch.Relaunch;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.Version;
 import org.pendant.controller.builtin.StandardBuiltins;
@@ -64,6 +66,9 @@ public final class Pendant {
   /** Runs the command line {@code words} and ends the process. */
   public static void main(String[] words) {
     Console console = Console.ofProcess();
+    if (System.getProperty(Relaunch.STARTED_AS) != null) {
+      relaunch(List.of(words), console);
+    }
     Pendant pendant = new Pendant(console);
     ExitCode code = pendant.run(List.of(words));
     if (pendant.mayEndAtOnce && Boolean.getBoolean(END_AT_ONCE)) {
@@ -71,6 +76,17 @@ public final class Pendant {
       Runtime.getRuntime().halt(code.number());
     }
     System.exit(code.number());
+  }
+
+  /** Ends the process with another that has run {@code words}, where those need other options. */
+  private static void relaunch(List<String> words, Console console) {
+    try {
+      Relaunch.run(words).ifPresent(System::exit);
+    } catch (IOException e) {
+      console.complain("pendant: goes on with the options of other commands: " + e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   /** All that there are. */
