@@ -108,8 +108,10 @@ final class StartableJars {
 
   private static void makeStartJar(Path jar) throws IOException {
     Manifest manifest;
+    long time;
     try (JarFile in = new JarFile(jar.toFile())) {
       manifest = in.getManifest();
+      time = in.getEntry(JarFile.MANIFEST_NAME).getTime();
     }
     Attributes attributes = manifest.getMainAttributes();
     List<String> others = List.of(attributes.getValue(Name.CLASS_PATH).split(" "));
@@ -119,8 +121,9 @@ final class StartableJars {
     others.stream().filter(each -> !first.contains(each)).forEach(path::add);
     attributes.put(Name.CLASS_PATH, String.join(" ", path));
     Path start = Path.of(jar + ".new");
-    try (OutputStream file = Files.newOutputStream(start)) {
-      new JarOutputStream(file, manifest).close();
+    try (OutputStream file = Files.newOutputStream(start);
+        JarOutputStream out = new JarOutputStream(file)) {
+      write(manifest, time, out);
     }
     withoutClassPath(jar, jar.resolveSibling(DESKTOP));
     Files.move(start, jar, StandardCopyOption.REPLACE_EXISTING);
@@ -132,7 +135,8 @@ final class StartableJars {
         OutputStream file = Files.newOutputStream(copy)) {
       Manifest manifest = in.getManifest();
       manifest.getMainAttributes().remove(Name.CLASS_PATH);
-      try (JarOutputStream out = new JarOutputStream(file, manifest)) {
+      try (JarOutputStream out = new JarOutputStream(file)) {
+        write(manifest, in.getEntry(JarFile.MANIFEST_NAME).getTime(), out);
         for (JarEntry entry : (Iterable<JarEntry>) in.stream()::iterator) {
           if (!isManifest(entry)) {
             JarEntry same = new JarEntry(entry.getName());
@@ -143,6 +147,15 @@ final class StartableJars {
         }
       }
     }
+  }
+
+  /** Writes a manifest with a time of its own: left to itself, the stream takes the time of day. */
+  private static void write(Manifest manifest, long time, JarOutputStream out) throws IOException {
+    JarEntry entry = new JarEntry(JarFile.MANIFEST_NAME);
+    entry.setTime(time);
+    out.putNextEntry(entry);
+    manifest.write(out);
+    out.closeEntry();
   }
 
   private static URL url(Path jar) {

@@ -177,7 +177,11 @@ class StartableJarsTest {
         .getMainAttributes()
         .put(Name.CLASS_PATH, Stream.of(names).map("lib/"::concat).collect(joining(" ")));
     Path start = folder.resolve("pendant.jar");
-    try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(start), manifest)) {
+    JarEntry dated = new JarEntry(JarFile.MANIFEST_NAME);
+    dated.setTime(1_000_000_000_000L);
+    try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(start))) {
+      out.putNextEntry(dated);
+      manifest.write(out);
       out.putNextEntry(new JarEntry("word.txt"));
       out.write('w');
     }
@@ -193,6 +197,9 @@ class StartableJarsTest {
           attributes.getValue(Name.CLASS_PATH));
       assertEquals(List.of(JarFile.MANIFEST_NAME), jar.stream().map(JarEntry::getName).toList());
       assertFalse(desktop.getManifest().getMainAttributes().containsKey(Name.CLASS_PATH));
+      // Made later, they are the same.
+      assertEquals(dated.getTime(), jar.getEntry(JarFile.MANIFEST_NAME).getTime());
+      assertEquals(dated.getTime(), desktop.getEntry(JarFile.MANIFEST_NAME).getTime());
     }
     try (URLClassLoader started = new URLClassLoader(new URL[] {start.toUri().toURL()}, null)) {
       assertEquals('w', started.getResourceAsStream("word.txt").read());
