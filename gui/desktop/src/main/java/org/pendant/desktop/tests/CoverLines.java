@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -31,7 +33,8 @@ final class CoverLines {
         .filter(each -> !lines.containsKey(each.line()) || lines.get(each.line()).reached())
         .forEach(this::lack);
     file.functions().forEach(each -> all.put(each.line(), cover(each)));
-    missing.forEach((line, lacks) -> all.put(line, cover(Reach.SOME, "In part", lacks, List.of())));
+    missing.forEach(
+        (line, lacks) -> all.put(line, cover(Reach.SOME, text("inPart"), lacks, List.of())));
     lines.values().forEach(each -> all.put(each.line(), cover(each)));
   }
 
@@ -54,31 +57,30 @@ final class CoverLines {
     return function.reached()
         ? cover(
             Reach.ALL,
-            function.name() + " is called by " + count(function.tests().size()),
+            text("isCalledBy", function.name(), count(function.tests().size())),
             List.of(),
             function.tests())
-        : cover(Reach.NONE, function.name() + " is never called", List.of(), List.of());
+        : cover(Reach.NONE, text("isNeverCalled", function.name()), List.of(), List.of());
   }
 
   private LineCover cover(LineCoverage line) {
     if (!line.reached()) {
-      return cover(Reach.NONE, "No test reaches this line", List.of(), List.of());
+      return cover(Reach.NONE, text("noTestReachesThisLine"), List.of(), List.of());
     }
     List<String> lacks = new ArrayList<>(missing.getOrDefault(line.line(), List.of()));
     int left = line.statements().total() - line.statements().reached();
     if (left > 0) {
-      lacks.add(
-          left + " of " + line.statements().total() + " statements of the line are not reached");
+      lacks.add(text("statementsNotReached", left, line.statements().total()));
     }
     return cover(
         lacks.isEmpty() ? Reach.ALL : Reach.SOME,
-        "Reached by " + count(line.tests().size()),
+        text("reachedBy", count(line.tests().size())),
         lacks,
         line.tests());
   }
 
   private String count(int number) {
-    return number + " of " + tests + (tests == 1 ? " test" : " tests");
+    return text(tests == 1 ? "ofOneTest" : "ofTests", number, tests);
   }
 
   private static LineCover cover(
@@ -88,7 +90,7 @@ final class CoverLines {
     whole.addAll(lacks);
     names.stream().limit(MAX_NAMED).forEach(each -> whole.add("\u2022 " + each));
     if (names.size() > MAX_NAMED) {
-      whole.add("and " + (names.size() - MAX_NAMED) + " more");
+      whole.add(text("andSoManyMore", names.size() - MAX_NAMED));
     }
     String line = lacks.isEmpty() ? about : about + "; " + String.join("; ", lacks);
     return new LineCover(reach, false, line, String.join("\n", whole));

@@ -116,8 +116,8 @@ final class CoverStrip {
     return new LineCover(
         cover.reach(),
         true,
-        cover.about() + ", before the text was edited",
-        cover.whole() + "\nThe text was edited since these tests ran.");
+        TestsTexts.text("beforeTheTextWasEdited", cover.about()),
+        TestsTexts.text("theTextWasEditedSinceThese", cover.whole()));
   }
 
   /** Whether anything is shown beside a program. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.util.List;
 import java.util.StringJoiner;
 import java.util.stream.Collectors;
@@ -19,58 +21,53 @@ final class CoverageWords {
   /** All files together, in the tree. */
   static String row(CoverageReport report) {
     return report.files().isEmpty() && report.trees().isEmpty()
-        ? "Coverage" + GAP + "the tests run no program"
-        : "Coverage" + GAP + report.statements().percent() + " of statements";
+        ? text("coverage") + GAP + text("theTestsRunNoProgram")
+        : text("coverage") + GAP + text("ofStatements", report.statements().percent());
   }
 
   /** A file in the tree. */
   static String row(CoveredFile file) {
-    return file.name()
-        + GAP
-        + file.share().percent()
-        + (file.nodes().isPresent() ? " of nodes" : "");
+    String percent = file.share().percent();
+    return file.name() + GAP + (file.nodes().isPresent() ? text("ofNodes", percent) : percent);
   }
 
   /** All that is known of a file. */
   static String details(CoveredFile file) {
-    StringJoiner text = new StringJoiner("\n");
-    text.add("What the tests reach of " + file.name());
-    file.nodes().ifPresent(tree -> text.add(nodes(tree)));
-    file.lines().ifPresent(lines -> text.add(shares(lines)));
+    StringJoiner lines = new StringJoiner("\n");
+    lines.add(text("whatTheTestsReachOf", file.name()));
+    file.nodes().ifPresent(tree -> lines.add(nodes(tree)));
+    file.lines().ifPresent(covered -> lines.add(shares(covered)));
     if (file.nodes().isEmpty()) {
       file.lines()
           .map(FileCoverage::missing)
           .filter(missing -> !missing.isEmpty())
-          .ifPresent(missing -> text.add("Lines that are not reached: " + missing));
+          .ifPresent(missing -> lines.add(text("linesNotReached", missing)));
     }
-    return text.toString();
+    return lines.toString();
   }
 
   /** All files together. */
   static String details(CoverageReport report) {
-    StringJoiner text = new StringJoiner("\n");
-    text.add("What " + tests(report.tests().size()) + " reached of the programs");
-    text.add(share("Statements", report.statements()));
-    text.add(share("Ways of branches", report.branchWays()));
-    text.add(share("Truths of conditions", report.conditionWays()));
-    text.add(share("Functions", report.calledFunctions()));
+    StringJoiner lines = new StringJoiner("\n");
+    int tests = report.tests().size();
+    lines.add(tests == 1 ? text("whatOneTestReached") : text("whatTestsReached", tests));
+    lines.add(share(text("statements"), report.statements()));
+    lines.add(share(text("waysOfBranches"), report.branchWays()));
+    lines.add(share(text("truthsOfConditions"), report.conditionWays()));
+    lines.add(share(text("functions"), report.calledFunctions()));
     if (!report.trees().isEmpty()) {
-      text.add(share("Nodes of trees", report.nodes()));
+      lines.add(share(text("nodesOfTrees"), report.nodes()));
     }
-    return text.toString();
-  }
-
-  private static String tests(int number) {
-    return number == 1 ? "1 test" : number + " tests";
+    return lines.toString();
   }
 
   private static String shares(FileCoverage file) {
     return String.join(
         "\n",
-        share("Statements", file.statements()),
-        share("Ways of branches", file.branchWays()),
-        share("Truths of conditions", file.conditionWays()),
-        share("Functions", file.calledFunctions()));
+        share(text("statements"), file.statements()),
+        share(text("waysOfBranches"), file.branchWays()),
+        share(text("truthsOfConditions"), file.conditionWays()),
+        share(text("functions"), file.calledFunctions()));
   }
 
   private static String nodes(TreeCoverage tree) {
@@ -80,14 +77,14 @@ final class CoverageWords {
             .limit(MAX_NODES)
             .map(each -> each.number() + " " + each.label())
             .collect(Collectors.joining("\n  ", "\n  ", ""));
-    String more = missing.size() > MAX_NODES ? "\n  and more" : "";
-    return share("Nodes", tree.share())
-        + (missing.isEmpty() ? "" : "\nNodes that are not reached:" + names + more);
+    String more = missing.size() > MAX_NODES ? "\n  " + text("andMore") : "";
+    return share(text("nodes"), tree.share())
+        + (missing.isEmpty() ? "" : "\n" + text("nodesNotReached") + names + more);
   }
 
   private static String share(String what, Share share) {
     return share.total() == 0
-        ? what + ": there are none"
-        : what + ": " + share.percent() + ", " + share.reached() + " of " + share.total();
+        ? text("thereAreNone", what)
+        : text("share", what, share.percent(), share.reached(), share.total());
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -80,7 +82,7 @@ final class FolderFiles implements TestSetup.Files {
     try {
       path = folder.resolve(name).normalize();
     } catch (InvalidPathException e) {
-      throw new IOException("is no name of a file", e);
+      throw new IOException(text("isNoNameOfAFile"), e);
     }
     byte[] open = edited.get(path);
     return open != null ? open : fromDisk(path);
@@ -94,7 +96,7 @@ final class FolderFiles implements TestSetup.Files {
       throw new IOException(FileTrouble.reason(e), e);
     }
     if (bytes.length > MAX_BYTES) {
-      throw new IOException("has more than " + MAX_BYTES + " bytes, no program is that large");
+      throw new IOException(text("hasMoreThanBytesNoProgram", MAX_BYTES));
     }
     return bytes;
   }
@@ -138,7 +140,7 @@ final class FolderFiles implements TestSetup.Files {
       throws IOException {
     Optional<InstallationProblem> refusal = InstallationCheck.refusal(own, base.arm());
     if (refusal.isPresent()) {
-      throw new IOException("the robot of the window cannot be set up so: " + refusal.get());
+      throw new IOException(text("theRobotOfTheWindowCannot", refusal.get()));
     }
     return base.withInstallation(own);
   }

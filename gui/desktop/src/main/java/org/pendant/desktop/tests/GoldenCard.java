@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.awt.BorderLayout;
 import java.util.Optional;
 import javax.swing.BorderFactory;
@@ -19,10 +21,10 @@ import org.pendant.testing.TestId;
 @SuppressWarnings("serial") // never written to a stream
 final class GoldenCard extends JPanel {
   private final GoldenPlot plot = new GoldenPlot();
-  private final JLabel question = new JLabel("Replace the recording?");
-  private final JButton accept = new JButton("Accept as golden");
-  private final JButton replace = new JButton("Replace");
-  private final JButton keep = new JButton("Keep");
+  private final JLabel question = new JLabel(text("replaceTheRecording"));
+  private final JButton accept = new JButton(text("acceptAsGolden"));
+  private final JButton replace = new JButton(text("replace"));
+  private final JButton keep = new JButton(text("keep"));
   private final Runnable record;
   private Optional<TestId> test = Optional.empty();
   private GoldenOffer offer = GoldenOffer.NONE;
@@ -69,12 +71,12 @@ final class GoldenCard extends JPanel {
     plot.setVisible(curves.isPresent());
     curves.ifPresent(plot::show);
     id.map(GoldenComparison::name)
-        .ifPresent(name -> question.setToolTipText(name + " gets what the test does now"));
-    accept.setText(of == GoldenOffer.RECORD ? "Record as golden" : "Accept as golden");
+        .ifPresent(name -> question.setToolTipText(text("getsWhatTheTestDoesNow", name)));
+    accept.setText(of == GoldenOffer.RECORD ? text("recordAsGolden") : text("acceptAsGolden"));
     accept.setToolTipText(
         of == GoldenOffer.RECORD
-            ? "Runs the test and records what it does, to be compared with from then on"
-            : "Runs the test again and takes that in place of its recording");
+            ? text("runsTheTestAndRecordsWhat")
+            : text("runsTheTestAgainAndTakes"));
     ask(asking && !other);
   }
 

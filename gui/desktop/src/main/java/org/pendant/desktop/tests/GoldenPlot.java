@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -43,11 +45,7 @@ final class GoldenPlot extends JPanel {
   void show(TrackCurves wanted) {
     curves = wanted;
     String name =
-        String.format(
-            Locale.ROOT,
-            "%s of the new run and the recording, which differ first at %.3f s",
-            wanted.what(),
-            wanted.atS());
+        String.format(Locale.ROOT, text("ofTheNewRunAndThe"), wanted.what(), wanted.atS());
     setToolTipText(name);
     getAccessibleContext().setAccessibleName(name);
     repaint();

@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ThreadLocalRandom;
@@ -73,7 +75,7 @@ final class TestCommands {
     actions.add(
         Action.of(
             id + ".run-all",
-            "Tests: run all",
+            text("testsRunAll"),
             "",
             () -> {
               workbench.show(id);
@@ -82,41 +84,37 @@ final class TestCommands {
     actions.add(
         new Action(
             id + ".run-selected",
-            "Tests: run selected",
+            text("testsRunSelected"),
             "",
             () -> presenter.canRun() && !tree.chosenTests().isEmpty(),
             this::runSelected));
     actions.add(
         new Action(
-            id + ".debug", "Tests: debug the selected one", "", this::canDebug, this::debug));
+            id + ".debug", text("testsDebugTheSelectedOne"), "", this::canDebug, this::debug));
     actions.add(
         new Action(
-            id + ".accept",
-            "Tests: accept the new run of the selected one as golden",
-            "",
-            golden::offers,
-            this::accept));
+            id + ".accept", text("testsAcceptTheNewRunOf"), "", golden::offers, this::accept));
     actions.add(
         new Action(
             id + ".stop",
-            "Tests: stop",
+            text("testsStop"),
             "",
             () -> presenter.running() || debugging().isPresent(),
             this::stop));
     actions.add(
         new Action(
             id + ".look",
-            "Tests: look for tests again",
+            text("testsLookForTestsAgain"),
             "",
             () -> !presenter.running(),
             presenter::look));
     actions.add(
-        Action.of(id + ".coverage", "Tests: coverage", "", this::turnCoverage)
+        Action.of(id + ".coverage", text("testsCoverage"), "", this::turnCoverage)
             .checked(this::covers));
     actions.add(
         new Action(
             id + ".next-uncovered",
-            "Tests: next line that is not covered",
+            text("testsNextLineThatIsNot"),
             "",
             () -> strip.shows(programs.current()),
             this::nextUncovered));
@@ -182,7 +180,7 @@ final class TestCommands {
               editor.show(line, 1);
               editor.focus();
             },
-            () -> workbench.notify("The tests reach all of " + program.name()));
+            () -> workbench.notify(text("theTestsReachAllOf", program.name())));
   }
 
   /** What can be done with what is selected. */
@@ -190,11 +188,11 @@ final class TestCommands {
     JPopupMenu menu = new JPopupMenu();
     menu.setName("tests-menu");
     boolean runs = presenter.canRun() && !tree.chosenTests().isEmpty();
-    add(menu, "Run", "control ENTER", runs, this::runSelected);
-    add(menu, "Debug", "control shift ENTER", canDebug(), this::debug);
-    add(menu, "Accept as golden", "", golden.offers(), golden::accept);
+    add(menu, text("run"), "control ENTER", runs, this::runSelected);
+    add(menu, text("debug"), "control shift ENTER", canDebug(), this::debug);
+    add(menu, text("acceptAsGolden"), "", golden.offers(), golden::accept);
     menu.addSeparator();
-    add(menu, "Go to the line", "ENTER", tree.front().isPresent(), this::open);
+    add(menu, text("goToTheLine"), "ENTER", tree.front().isPresent(), this::open);
     return menu;
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -109,12 +111,12 @@ final class TestDebugger implements SwitchListener {
   /** Runs a test; refusals are told. */
   void debug(TestSetup setup, TestCase test, long seed) {
     if (own.isPresent()) {
-      tell.accept(own.get().test().id().name() + " is being debugged");
+      tell.accept(text("isBeingDebugged", own.get().test().id().name()));
       return;
     }
     List<ControllerState> states = session.members().stream().map(SessionMember::state).toList();
     if (states.stream().anyMatch(state -> ProgramControls.of(state).canStop())) {
-      tell.accept("Not debugged: a program runs; stop it first");
+      tell.accept(text("notDebuggedAProgramRunsStop"));
       return;
     }
     own =
@@ -132,7 +134,7 @@ final class TestDebugger implements SwitchListener {
         this::begin,
         failed -> {
           own = Optional.empty();
-          tell.accept(test.id().name() + " cannot be debugged: " + failed.getMessage());
+          tell.accept(text("cannotBeDebugged", test.id().name(), failed.getMessage()));
         });
   }
 
@@ -150,7 +152,7 @@ final class TestDebugger implements SwitchListener {
       throw new IOException(plan.broken().getFirst().problems().getFirst());
     }
     if (plan.tests().isEmpty()) {
-      throw new IOException("it is no longer in " + test.id().file());
+      throw new IOException(text("itIsNoLongerIn", test.id().file()));
     }
     try {
       DebuggedTest debugged = runner.debug(plan, test.id());
@@ -184,7 +186,7 @@ final class TestDebugger implements SwitchListener {
       return;
     }
     if (phase == Phase.LEAVING) {
-      goBack(own.get().test().id().name() + " was given up");
+      goBack(text("wasGivenUp", own.get().test().id().name()));
       return;
     }
     phase = Phase.RUNNING;
@@ -196,11 +198,7 @@ final class TestDebugger implements SwitchListener {
     starts.accept(
         document, new RunScript(test.program().source(), lines(test), 0, 0, GeneratedNames.NONE));
     if (test.watches()) {
-      tell.accept(
-          "Breakpoints in "
-              + test.file()
-              + " stop the test; those of a test that starts a program"
-              + " do not");
+      tell.accept(text("breakpointsInStopTheTestThose", test.file()));
     }
     Pace pace = own.get().pace() instanceof Pace.Paused ? Pace.REAL_TIME : own.get().pace();
     var _ =
@@ -245,14 +243,14 @@ final class TestDebugger implements SwitchListener {
     ended.accept(result);
     goBack(
         result.failure().isPresent()
-            ? result.id().name() + " is red: " + result.failure().get().message()
-            : result.id().name() + " passed");
+            ? text("isRed", result.id().name(), result.failure().get().message())
+            : text("passed", result.id().name()));
   }
 
   /** Gives the test up. */
   void stop() {
     if (own.isPresent() && phase == Phase.RUNNING) {
-      goBack(own.get().test().id().name() + " was given up");
+      goBack(text("wasGivenUp", own.get().test().id().name()));
     }
     phase = Phase.LEAVING;
   }

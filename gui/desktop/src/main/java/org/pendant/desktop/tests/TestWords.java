@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -25,34 +27,36 @@ final class TestWords {
     int all = presenter.done() + presenter.toDo();
     if (presenter.running() && (all > 0 || presenter.stopping())) {
       return presenter.stopping()
-          ? "Stopping\u2026"
-          : "Running: " + presenter.done() + " of " + count(all, "test");
+          ? text("stopping")
+          : text("running", presenter.done(), tests(all));
     }
     if (presenter.running() || presenter.looking()) {
-      return "Looking for tests\u2026";
+      return text("lookingForTests");
     }
     if (!presenter.trouble().isEmpty()) {
-      return "Not run: " + presenter.trouble();
+      return text("notRun", presenter.trouble());
     }
     return presenter.last().map(TestWords::summary).orElseGet(() -> found(presenter));
   }
 
   private static String found(TestsPresenter presenter) {
     int tests = presenter.files().stream().mapToInt(each -> each.tests().size()).sum();
-    return count(tests, "test") + " in " + count(presenter.files().size(), "file");
+    int files = presenter.files().size();
+    return switch (files) {
+      case 0 -> text("inNoFiles", tests(tests));
+      case 1 -> text("inOneFile", tests(tests));
+      default -> text("inFiles", tests(tests), files);
+    };
   }
 
   private static String summary(SuiteResult result) {
     StringJoiner words = new StringJoiner(", ");
     long red = result.results().stream().filter(each -> each.status().red()).count();
     add(words, red, "red");
-    add(
-        words,
-        result.broken().size(),
-        result.broken().size() == 1 ? "broken file" : "broken files");
-    words.add(result.count(TestStatus.PASSED) + " passed");
-    add(words, result.count(TestStatus.SKIPPED), "skipped");
-    add(words, result.notRun(), "not run");
+    add(words, result.broken().size(), result.broken().size() == 1 ? "brokenFile" : "brokenFiles");
+    words.add(text("passedCount", result.count(TestStatus.PASSED)));
+    add(words, result.count(TestStatus.SKIPPED), "skippedCount");
+    add(words, result.notRun(), "notRunCount");
     return words.toString();
   }
 
@@ -60,25 +64,22 @@ final class TestWords {
   static String more(TestsPresenter presenter) {
     return presenter
         .last()
-        .map(
-            each ->
-                String.format(
-                    Locale.ROOT,
-                    "Took %.1f s on this computer. pendant test --seed %d has the same random"
-                        + " numbers.",
-                    each.wallTimeS(),
-                    each.seed()))
+        .map(each -> String.format(Locale.ROOT, text("tookAndSeed"), each.wallTimeS(), each.seed()))
         .orElse("");
   }
 
-  private static void add(StringJoiner words, long number, String what) {
+  private static void add(StringJoiner words, long number, String key) {
     if (number > 0) {
-      words.add(number + " " + what);
+      words.add(text(key, number));
     }
   }
 
-  private static String count(int number, String word) {
-    return (number == 0 ? "no" : Integer.toString(number)) + " " + word + (number == 1 ? "" : "s");
+  private static String tests(int number) {
+    return switch (number) {
+      case 0 -> text("noTests");
+      case 1 -> text("oneTest");
+      default -> text("testCount", number);
+    };
   }
 
   /** A test in the tree, with the robot time that it took. */
@@ -86,7 +87,7 @@ final class TestWords {
     return switch (presenter.mark(test.id())) {
       case NEW -> test.id().name();
       case WAITING -> test.id().name() + GAP + "\u2026";
-      case SKIPPED -> test.id().name() + GAP + "skipped";
+      case SKIPPED -> test.id().name() + GAP + text("skipped");
       case PASSED, RED ->
           test.id().name()
               + presenter
@@ -103,21 +104,21 @@ final class TestWords {
     long passed =
         file.tests().stream().filter(each -> presenter.mark(each.id()) == TestMark.PASSED).count();
     if (!file.problems().isEmpty()) {
-      return file.name() + GAP + "cannot run";
+      return file.name() + GAP + text("cannotRun");
     }
     return known == 0
         ? file.name()
-        : file.name() + GAP + passed + " of " + file.tests().size() + " passed";
+        : file.name() + GAP + text("ofPassed", passed, file.tests().size());
   }
 
   /** What a screen reader says of a mark. */
   static String of(TestMark mark) {
     return switch (mark) {
-      case NEW -> "not run yet";
-      case WAITING -> "running";
-      case PASSED -> "passed";
-      case RED -> "red";
-      case SKIPPED -> "skipped";
+      case NEW -> text("notRunYet");
+      case WAITING -> text("waiting");
+      case PASSED -> text("green");
+      case RED -> text("redMark");
+      case SKIPPED -> text("skipped");
     };
   }
 
@@ -127,18 +128,19 @@ final class TestWords {
       return summary(presenter);
     }
     StringJoiner lines = new StringJoiner("\n");
-    lines.add(found(presenter) + presenter.folder().map(each -> " below " + each).orElse("") + ".");
+    lines.add(
+        presenter
+            .folder()
+            .map(folder -> text("foundBelow", found(presenter), folder))
+            .orElseGet(() -> text("found", found(presenter))));
     presenter.last().ifPresent(result -> addLast(lines, presenter, result));
     lines.add("");
-    lines.add(
-        "Run all runs them in controllers of their own: the robot of the window stands where it is."
-            + " Choose a test or a file to see what came of it; Ctrl+Enter runs what is chosen,"
-            + " Ctrl+Shift+Enter debugs a test, Enter shows where it is written.");
+    lines.add(text("howToBegin"));
     return lines.toString();
   }
 
   private static void addLast(StringJoiner lines, TestsPresenter presenter, SuiteResult result) {
-    lines.add("Last run: " + summary(result) + ". " + more(presenter));
+    lines.add(text("lastRun", summary(result), more(presenter)));
     List<TestResult> slowest =
         result.results().stream()
             .sorted(Comparator.comparingDouble(TestResult::wallTimeS).reversed())
@@ -146,7 +148,7 @@ final class TestWords {
             .toList();
     if (slowest.size() > 1) {
       lines.add("");
-      lines.add("What took longest on this computer:");
+      lines.add(text("whatTookLongest"));
       slowest.forEach(
           each ->
               lines.add(
@@ -159,7 +161,7 @@ final class TestWords {
     return presenter
         .result(test.id())
         .map(TestWords::details)
-        .orElseGet(() -> test.id().name() + " has not run yet.");
+        .orElseGet(() -> text("hasNotRunYet", test.id().name()));
   }
 
   private static String details(TestResult result) {
@@ -167,15 +169,15 @@ final class TestWords {
     Optional<TestFailure> failure = result.failure();
     if (failure.isPresent()) {
       lines.add(failure.get().message());
-      failure.get().place().ifPresent(place -> lines.add("at " + at(place)));
-      failure.get().stack().forEach(place -> lines.add("called from " + at(place)));
+      failure.get().place().ifPresent(place -> lines.add(text("atPlace", at(place))));
+      failure.get().stack().forEach(place -> lines.add(text("calledFrom", at(place))));
     } else if (result.status() == TestStatus.SKIPPED) {
-      lines.add("Skipped: " + result.skipped());
+      lines.add(text("skippedBecause", result.skipped()));
     } else {
       lines.add(
           String.format(
               Locale.ROOT,
-              "%s passed: %.3f s of robot time, %.3f s on this computer.",
+              text("passedInTime"),
               result.id().name(),
               result.robotTimeS(),
               result.wallTimeS()));
@@ -183,35 +185,35 @@ final class TestWords {
     if (!result.output().isEmpty()) {
       int from = Math.max(0, result.output().size() - OUTPUT_LINES);
       lines.add("");
-      lines.add(from > 0 ? "The last lines of its log:" : "Its log:");
+      lines.add(text(from > 0 ? "theLastLinesOfItsLog" : "itsLog"));
       result.output().subList(from, result.output().size()).forEach(lines::add);
     }
     return lines.toString();
   }
 
   private static String at(TestPlace place) {
-    return place.text() + (place.function().isEmpty() ? "" : " in " + place.function());
+    return place.function().isEmpty()
+        ? place.text()
+        : text("inFunction", place.text(), place.function());
   }
 
   /** All that is known of a file. */
   static String details(FoundFile file) {
     return file.problems().isEmpty()
-        ? count(file.tests().size(), "test") + " in " + file.name()
+        ? text("inFile", tests(file.tests().size()), file.name())
         : String.join("\n", file.problems());
   }
 
   /** Why there is nothing in the tree. */
   static String empty(TestsPresenter presenter) {
     if (presenter.folder().isEmpty()) {
-      return "Tests are in files beside the program: save it first.";
+      return text("saveTheProgramFirst");
     }
     if (presenter.looking()) {
-      return "Looking for tests in " + presenter.folder().get() + "\u2026";
+      return text("lookingIn", presenter.folder().get());
     }
     return presenter.trouble().isEmpty()
-        ? "No tests yet: write functions that are called test_\u2026 in a file *_test.script in "
-            + presenter.folder().get()
-            + "."
-        : "Not found: " + presenter.trouble();
+        ? text("noTestsYet", presenter.folder().get())
+        : text("notFound", presenter.trouble());
   }
 }

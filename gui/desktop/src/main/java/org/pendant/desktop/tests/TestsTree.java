@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Component;
@@ -38,7 +40,7 @@ final class TestsTree extends JTree {
   TestsTree(TestsPresenter presenter) {
     this.presenter = presenter;
     setName("tests-tree");
-    getAccessibleContext().setAccessibleName("Tests");
+    getAccessibleContext().setAccessibleName(text("tests"));
     setModel(model);
     setRootVisible(false);
     setShowsRootHandles(true);

@@ -1,5 +1,7 @@
 package org.pendant.desktop.tests;
 
+import static org.pendant.desktop.tests.TestsTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
 import java.awt.Component;
@@ -73,18 +75,15 @@ public final class TestsView implements View {
   private final JSplitPane split = new JSplitPane();
   private final JLabel summary = new JLabel(" ");
   private final JLabel note = new HtmlLabel(SwingConstants.CENTER);
-  private final JCheckBox coverage = new JCheckBox("Coverage");
+  private final JCheckBox coverage = new JCheckBox(text("coverage"));
   private final CoverStrip strip;
-  private final JButton runAll = button("run-all", "Run all", "Runs all tests below the folder");
+  private final JButton runAll =
+      button("run-all", text("runAll"), text("runsAllTestsBelowTheFolder"));
   private final JButton runSelected =
-      button("run-selected", "Run selected", "Runs the selected tests and files (Ctrl+Enter)");
-  private final JButton debug =
-      button(
-          "debug",
-          "Debug",
-          "Runs the selected test in the window, where breakpoints stop it (Ctrl+Shift+Enter)");
-  private final JButton write = button("from-run", "From last run\u2026", "");
-  private final JButton stop = button("stop", "Stop", "Ends the tests that run; no more begins");
+      button("run-selected", text("runSelected"), text("runsTheSelectedTestsAndFiles"));
+  private final JButton debug = button("debug", text("debug"), text("runsTheSelectedTestInThe"));
+  private final JButton write = button("from-run", text("fromLastRun"), "");
+  private final JButton stop = button("stop", text("stop"), text("endsTheTestsThatRunNo"));
   private final CardLayout cards = new CardLayout();
   private final JPanel middle = new JPanel(cards);
   private final JPanel content = new JPanel(new BorderLayout());
@@ -151,7 +150,7 @@ public final class TestsView implements View {
   private void showWrite() {
     String why = whyNotWrite.get();
     write.setEnabled(why.isEmpty());
-    write.setToolTipText(why.isEmpty() ? "Writes a test that repeats the last run" : why);
+    write.setToolTipText(why.isEmpty() ? text("writesATestThatRepeatsThe") : why);
   }
 
   /**
@@ -218,7 +217,7 @@ public final class TestsView implements View {
 
   private JComponent parts() {
     details.setName("tests-details");
-    details.getAccessibleContext().setAccessibleName("What came of the selected test");
+    details.getAccessibleContext().setAccessibleName(text("whatCameOfTheSelectedTest"));
     details.setEditable(false);
     details.setLineWrap(true);
     details.setWrapStyleWord(true);
@@ -263,7 +262,7 @@ public final class TestsView implements View {
     JPanel panel =
         new JPanel(new MigLayout("insets 12, wrap 1, align center center", "[center, grow]"));
     note.setName("tests-note");
-    JButton help = button("help", "How to write tests", "Opens the documentation of tests");
+    JButton help = button("help", text("howToWriteTests"), text("opensTheDocumentationOfTests"));
     help.addActionListener(event -> workbench.actions().run("help.tests"));
     panel.add(note, "growx, wmin 0");
     panel.add(help);
@@ -271,14 +270,13 @@ public final class TestsView implements View {
   }
 
   private void listen() {
-    stop.getAccessibleContext().setAccessibleName("Stop the tests");
+    stop.getAccessibleContext().setAccessibleName(text("stopTheTests"));
     runAll.addActionListener(event -> commands.runAll());
     runSelected.addActionListener(event -> commands.runSelected());
     debug.addActionListener(event -> commands.debug());
     stop.addActionListener(event -> commands.stop());
     coverage.setName("tests-coverage");
-    coverage.setToolTipText(
-        "Counts what tests reach of programs, and shows it here and beside the lines of scripts");
+    coverage.setToolTipText(text("countsWhatTestsReachOfPrograms"));
     coverage.addActionListener(event -> commands.turnCoverage());
     tree.addTreeSelectionListener(event -> show());
     key("ENTER", commands::open);
@@ -346,7 +344,7 @@ public final class TestsView implements View {
     summary.setText(
         commands
             .debugging()
-            .map(test -> "Debugging " + test.id().name())
+            .map(test -> text("debugging", test.id().name()))
             .orElse(there || presenter.running() ? TestWords.summary(presenter) : " "));
     String more = TestWords.more(presenter);
     summary.setToolTipText(more.isEmpty() ? null : more);
@@ -406,7 +404,7 @@ public final class TestsView implements View {
 
   @Override
   public String title() {
-    return "Tests";
+    return text("tests");
   }
 
   @Override
