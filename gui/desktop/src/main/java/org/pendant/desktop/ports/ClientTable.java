@@ -1,5 +1,7 @@
 package org.pendant.desktop.ports;
 
+import static org.pendant.desktop.ports.PortsTexts.text;
+
 import java.util.List;
 import org.pendant.kit.table.RowsModel;
 
@@ -7,7 +9,15 @@ import org.pendant.kit.table.RowsModel;
 @SuppressWarnings("serial") // never written to a stream
 final class ClientTable extends RowsModel<ClientRow> {
   private static final List<String> TITLES =
-      List.of("Client", "Port", "For", "In", "Out", "Data", "Owns", "Waiting");
+      List.of(
+          text("client"),
+          text("port"),
+          text("for"),
+          text("in"),
+          text("out"),
+          text("data"),
+          text("owns"),
+          text("waiting"));
 
   ClientTable() {
     super(TITLES);
@@ -33,7 +43,7 @@ final class ClientTable extends RowsModel<ClientRow> {
       case 3 -> shown.in();
       case 4 -> shown.out();
       case 5 -> shown.data();
-      case 6 -> shown.writes().isEmpty() ? "" : shown.writes().size() + " inputs";
+      case 6 -> shown.writes().isEmpty() ? "" : text("inputCount", shown.writes().size());
       default -> shown.waiting();
     };
   }
@@ -42,19 +52,17 @@ final class ClientTable extends RowsModel<ClientRow> {
   String tip(int row, int column) {
     ClientRow shown = row(row);
     return switch (column) {
-      case 5 -> names("Gets", shown.reads());
-      case 6 -> names("Only it may write", shown.writes());
-      case 2 -> "For how long it has been connected";
-      case 3 -> shown.in().isEmpty() ? "Nothing comes from it" : shown.in() + " come from it";
-      case 4 -> shown.out().isEmpty() ? "Nothing goes to it" : shown.out() + " go to it";
-      case 7 ->
-          (shown.waiting().isEmpty() ? "Nothing" : shown.waiting())
-              + ": what it has not read yet, and packages that were left out for that";
+      case 5 -> names("gets", shown.reads());
+      case 6 -> names("onlyItMayWrite", shown.writes());
+      case 2 -> text("forHowLong");
+      case 3 -> shown.in().isEmpty() ? text("nothingComes") : text("comeFromIt", shown.in());
+      case 4 -> shown.out().isEmpty() ? text("nothingGoes") : text("goToIt", shown.out());
+      case 7 -> shown.waiting().isEmpty() ? text("nothingWaits") : text("waits", shown.waiting());
       default -> getValueAt(row, column).toString();
     };
   }
 
-  private static String names(String what, List<String> names) {
-    return names.isEmpty() ? "" : "<html><body width=360>" + what + ": " + String.join(", ", names);
+  private static String names(String key, List<String> names) {
+    return names.isEmpty() ? "" : "<html><body width=360>" + text(key, String.join(", ", names));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.ports;
 
+import static org.pendant.desktop.ports.PortsTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -160,11 +162,7 @@ final class ClientsPresenter {
                       new ClientMark(
                           each.robotTimeS(),
                           each.number(),
-                          each.peers().port()
-                              + " client "
-                              + each.peers().client()
-                              + " "
-                              + effect)));
+                          text("clientMark", each.peers().port(), each.peers().client(), effect))));
     }
     return marks.reversed();
   }
@@ -172,13 +170,21 @@ final class ClientsPresenter {
   /** One line about it all. */
   String summary() {
     if (!(ports.state() instanceof PortsState.Open)) {
-      return "The ports are closed";
+      return text("thePortsAreClosed");
     }
     long lost = trace.map(LiveTrace::leftOut).orElse(0L);
-    return (clients.isEmpty() ? "Nobody is connected, " : "")
-        + (messages.size() == 1 ? "1 message" : messages.size() + " messages")
-        + (recording ? "" : ", paused")
-        + (lost == 0 ? "" : ", " + lost + " left out");
+    List<String> parts = new ArrayList<>();
+    if (clients.isEmpty()) {
+      parts.add(text("nobodyIsConnected"));
+    }
+    parts.add(text(messages.size() == 1 ? "oneMessage" : "messageCount", messages.size()));
+    if (!recording) {
+      parts.add(text("paused"));
+    }
+    if (lost > 0) {
+      parts.add(text("leftOut", lost));
+    }
+    return String.join(", ", parts);
   }
 
   private List<ClientRow> rows(long nowNs) {
@@ -228,10 +234,10 @@ final class ClientsPresenter {
     if (count == 0) {
       return "";
     }
-    String fields = count == 1 ? "1 field" : count + " fields";
+    String fields = text(count == 1 ? "oneField" : "fieldCount", count);
     double rateHz = terms.rateHz();
     return rateHz == 0
-        ? fields + ", paused"
+        ? fields + ", " + text("paused")
         : String.format(Locale.ROOT, rateHz < 10 ? "%.1f Hz, " : "%.0f Hz, ", rateHz) + fields;
   }
 
@@ -241,7 +247,7 @@ final class ClientsPresenter {
       words.add(Traffic.size(connection.unsentBytes()));
     }
     if (connection.dropped() > 0) {
-      words.add(connection.dropped() + " left out");
+      words.add(text("leftOut", connection.dropped()));
     }
     return String.join(", ", words);
   }

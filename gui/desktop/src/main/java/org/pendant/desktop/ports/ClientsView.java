@@ -1,5 +1,7 @@
 package org.pendant.desktop.ports;
 
+import static org.pendant.desktop.ports.PortsTexts.text;
+
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -69,13 +71,14 @@ public final class ClientsView implements View {
   private final JTextArea detail = new JTextArea();
   private final JTextField search = new JTextField(14);
   private final JComboBox<String> direction =
-      new JComboBox<>(new String[] {"Both directions", "From clients", "To clients"});
-  private final JToggleButton effects = new JToggleButton("Effects");
-  private final JToggleButton streamed = new JToggleButton("Data");
-  private final JButton all = new JButton("All clients");
-  private final JToggleButton record = new JToggleButton("Record", true);
+      new JComboBox<>(
+          new String[] {text("bothDirections"), text("fromClients"), text("toClients")});
+  private final JToggleButton effects = new JToggleButton(text("effects"));
+  private final JToggleButton streamed = new JToggleButton(text("data"));
+  private final JButton all = new JButton(text("allClients"));
+  private final JToggleButton record = new JToggleButton(text("record"), true);
   private final JLabel summary = summary();
-  private final JButton moment = new JButton("Moment");
+  private final JButton moment = new JButton(text("moment"));
   private final DoubleConsumer lookAt;
   private boolean showing;
   private long selected = -1;
@@ -98,7 +101,7 @@ public final class ClientsView implements View {
         .add(
             Action.of(
                 "robot.clients",
-                "Clients of the ports",
+                text("clientsOfThePorts"),
                 "",
                 () -> {
                   workbench.show(ID);
@@ -107,26 +110,28 @@ public final class ClientsView implements View {
     workbench
         .actions()
         .add(
-            Action.of("clients.record", "Clients: record messages", "", this::toggleRecording)
+            Action.of("clients.record", text("clientsRecordMessages"), "", this::toggleRecording)
                 .checked(presenter::recording));
-    workbench.actions().add(Action.of("clients.clear", "Clients: clear messages", "", this::clear));
     workbench
         .actions()
-        .add(Action.of("clients.export", "Clients: export messages\u2026", "", this::export));
+        .add(Action.of("clients.clear", text("clientsClearMessages"), "", this::clear));
+    workbench
+        .actions()
+        .add(Action.of("clients.export", text("clientsExportMessages"), "", this::export));
   }
 
   private JComponent bar() {
     JPanel bar = new JPanel(new WrappingRow(8));
     bar.setName("clients-bar");
-    search.putClientProperty("JTextField.placeholderText", "Filter messages");
+    search.putClientProperty("JTextField.placeholderText", text("filterMessages"));
     search.putClientProperty("JTextField.showClearButton", true);
-    TitledCard.named(search, "clients-filter", "Show messages with this text");
+    TitledCard.named(search, "clients-filter", text("showMessagesWithThisText"));
     search
         .getDocument()
         .addDocumentListener(
             new Typed(() -> filter(presenter.filter().withText(search.getText()))));
     bar.add(search);
-    TitledCard.named(direction, "clients-direction", "Which way messages went");
+    TitledCard.named(direction, "clients-direction", text("whichWayMessagesWent"));
     direction.addActionListener(
         event ->
             filter(
@@ -140,24 +145,24 @@ public final class ClientsView implements View {
                         })));
     bar.add(direction);
     all.addActionListener(event -> clientTable.clearSelection());
-    add(bar, all, "clients-all", "Show the messages of all clients (Escape)");
+    add(bar, all, "clients-all", text("showTheMessagesOfAllClients"));
     effects.addActionListener(
         event -> filter(presenter.filter().withEffects(effects.isSelected())));
-    add(bar, effects, "clients-effects", "Show only what does something to robot or program");
+    add(bar, effects, "clients-effects", text("showOnlyWhatDoesSomethingTo"));
     streamed.addActionListener(
         event -> filter(presenter.filter().withStreamed(streamed.isSelected())));
-    add(bar, streamed, "clients-streamed", "Show also what comes by itself, many times a second");
+    add(bar, streamed, "clients-streamed", text("showAlsoWhatComesByItself"));
     record.addActionListener(event -> recordAs(record.isSelected()));
-    add(bar, record, "clients-record", "Keep messages as they come; off keeps those that are here");
+    add(bar, record, "clients-record", text("keepMessagesAsTheyComeOff"));
     moment.addActionListener(event -> showMoment());
-    add(bar, moment, "clients-moment", "Show the moment of the message in the timeline (Enter)");
-    JButton clear = new JButton("Clear");
+    add(bar, moment, "clients-moment", text("showTheMomentOfTheMessage"));
+    JButton clear = new JButton(text("clear"));
     clear.addActionListener(event -> clear());
-    add(bar, clear, "clients-clear", "Forget the messages");
-    JButton export = new JButton("Export\u2026");
+    add(bar, clear, "clients-clear", text("forgetTheMessages"));
+    JButton export = new JButton(text("export"));
     export.addActionListener(event -> export());
-    add(bar, export, "clients-export", "Save the messages shown as JSON lines or for Wireshark");
-    TitledCard.named(summary, "clients-summary", "How many messages are shown");
+    add(bar, export, "clients-export", text("saveTheMessagesShownAsJson"));
+    TitledCard.named(summary, "clients-summary", text("howManyMessagesAreShown"));
     bar.add(summary);
     return bar;
   }
@@ -173,7 +178,7 @@ public final class ClientsView implements View {
     return new JLabel() {
       @Override
       public Dimension getPreferredSize() {
-        int width = getFontMetrics(getFont()).stringWidth("Nobody is connected, 99999 messages");
+        int width = getFontMetrics(getFont()).stringWidth(text("widestSummary"));
         return new Dimension(width, super.getPreferredSize().height);
       }
     };
@@ -192,13 +197,13 @@ public final class ClientsView implements View {
   }
 
   private JComponent tables() {
-    prepare(clientTable, "clients-table", "Clients", CLIENT_WIDTHS);
+    prepare(clientTable, "clients-table", text("clients"), CLIENT_WIDTHS);
     keepWidths(clientTable, MIN_CLIENT_WIDTHS);
-    clientTable.getColumn("In").setCellRenderer(new RateCellRenderer());
-    clientTable.getColumn("Out").setCellRenderer(new RateCellRenderer());
+    clientTable.getColumn(text("in")).setCellRenderer(new RateCellRenderer());
+    clientTable.getColumn(text("out")).setCellRenderer(new RateCellRenderer());
     clientTable.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     clientTable.getSelectionModel().addListSelectionListener(event -> clientChosen());
-    prepare(messageTable, "clients-messages", "Messages", MESSAGE_WIDTHS);
+    prepare(messageTable, "clients-messages", text("messages"), MESSAGE_WIDTHS);
     keepWidths(messageTable, MIN_MESSAGE_WIDTHS);
     key(clientTable, "ESCAPE", clientTable::clearSelection);
     messageScroll
@@ -225,13 +230,13 @@ public final class ClientsView implements View {
     messageTable.setDefaultRenderer(Object.class, new MessageCellRenderer());
     messageTable.getSelectionModel().addListSelectionListener(event -> messageChosen());
     detail.setName("clients-detail");
-    detail.getAccessibleContext().setAccessibleName("The whole message");
+    detail.getAccessibleContext().setAccessibleName(text("theWholeMessage"));
     detail.putClientProperty("FlatLaf.styleClass", "monospaced");
     detail.setEditable(false);
     detail.setLineWrap(true);
     detail.setWrapStyleWord(true);
     detail.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
-    detail.setText("Choose a client to see its messages only, or a message to see all of it.");
+    detail.setText(text("chooseAClientToSeeIts"));
     JScrollPane whole = new JScrollPane(detail);
     whole.setBorder(BorderFactory.createEmptyBorder());
     whole.setPreferredSize(new Dimension(400, 170));
@@ -398,7 +403,7 @@ public final class ClientsView implements View {
     SaveDialog.open(
         content,
         new SaveRequest(
-            "Export " + shown.size() + " messages of clients",
+            text("exportMessagesOfClients", shown.size()),
             workbench.exportFile("clients.jsonl"),
             List.of("jsonl", "pcap"),
             workbench.openFiles()),
@@ -457,7 +462,7 @@ public final class ClientsView implements View {
 
   @Override
   public String title() {
-    return "Clients";
+    return text("clients");
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.desktop.ports;
 
+import static org.pendant.desktop.ports.PortsTexts.text;
+
 import java.net.InetAddress;
 import java.net.NetworkInterface;
 import java.net.SocketException;
@@ -115,7 +117,7 @@ public final class DesktopPorts implements SwitchListener {
             want(Optional.of(wishes));
           } catch (RuntimeException | Error fault) {
             // they are not open, and can be tried again
-            state = trouble(PortField.OFFSET, "internal error, " + fault);
+            state = trouble(PortField.OFFSET, text("internalError", fault));
             throw fault;
           }
         });
@@ -177,10 +179,10 @@ public final class DesktopPorts implements SwitchListener {
   private PortsState opened(Wanted now) {
     PortWishes wishes = now.wishes();
     if (!Files.isDirectory(wishes.programs())) {
-      return trouble(PortField.PROGRAMS, wishes.programs() + " is no folder");
+      return trouble(PortField.PROGRAMS, text("isNoFolder", wishes.programs()));
     }
     if (now.host().isEmpty()) {
-      return trouble(PortField.HOST, wishes.host() + " is no address of this computer");
+      return trouble(PortField.HOST, text("isNoAddressOfThisComputer", wishes.host()));
     }
     InetAddress host = now.host().get();
     RemoteControl control = new RemoteControl(true, wishes.remote());
@@ -196,8 +198,8 @@ public final class DesktopPorts implements SwitchListener {
         made.forEach(OpenPorts::close);
         return trouble(
             PortField.HOST,
-            own.map(each -> each.getHostAddress() + " is the address of another arm too")
-                .orElse(wishes.host() + " must be the first of a row of addresses, one an arm"));
+            own.map(each -> text("isTheAddressOfAnotherArm", each.getHostAddress()))
+                .orElse(text("mustBeTheFirstOfA", wishes.host())));
       }
       OpenPorts each =
           OpenPorts.open(

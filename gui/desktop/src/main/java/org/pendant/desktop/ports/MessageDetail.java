@@ -25,12 +25,15 @@ final class MessageDetail {
   static String of(WireMessage message) {
     StringBuilder text = new StringBuilder();
     text.append(message.reading().summary()).append('\n');
-    message.reading().effect().ifPresent(each -> text.append("Effect: ").append(each).append('\n'));
+    message
+        .reading()
+        .effect()
+        .ifPresent(each -> text.append(PortsTexts.text("effectIs", each)).append('\n'));
     Instant time = Instant.EPOCH.plus(message.epochUs(), ChronoUnit.MICROS);
     text.append(
         String.format(
             Locale.ROOT,
-            "%s %s, %s, robot time %.3f s, %s%n",
+            PortsTexts.text("whenAndWhere"),
             message.peers().port(),
             message.peers().client(),
             message.direction().word(),
@@ -38,7 +41,7 @@ final class MessageDetail {
             TIME.format(time.atZone(ZoneId.systemDefault()))));
     text.append('\n');
     members("", message.fields(), text);
-    text.append('\n').append(message.bytes().remaining()).append(" bytes\n");
+    text.append('\n').append(PortsTexts.text("bytes", message.bytes().remaining())).append('\n');
     bytes(message.bytes(), text);
     return text.toString();
   }
@@ -75,12 +78,18 @@ final class MessageDetail {
 
   /** A client. */
   static String of(ClientRow client) {
-    return client.peers().port()
-        + " client "
-        + client.peers().client()
-        + "\n"
-        + (client.data().isEmpty() ? "" : "\nGets " + client.data() + ":\n" + lines(client.reads()))
-        + (client.writes().isEmpty() ? "" : "\nOnly it may write:\n" + lines(client.writes()));
+    StringBuilder text = new StringBuilder();
+    text.append(PortsTexts.text("clientOf", client.peers().port(), client.peers().client()));
+    text.append('\n');
+    if (!client.data().isEmpty()) {
+      text.append('\n').append(PortsTexts.text("getsData", client.data())).append('\n');
+      text.append(lines(client.reads()));
+    }
+    if (!client.writes().isEmpty()) {
+      text.append('\n').append(PortsTexts.text("onlyItMayWriteThese")).append('\n');
+      text.append(lines(client.writes()));
+    }
+    return text.toString();
   }
 
   private static String lines(List<String> names) {

@@ -1,5 +1,7 @@
 package org.pendant.desktop.ports;
 
+import static org.pendant.desktop.ports.PortsTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import org.pendant.kit.table.RowsModel;
@@ -10,7 +12,7 @@ import org.pendant.protocols.wire.Direction;
 @SuppressWarnings("serial") // never written to a stream
 final class MessageTable extends RowsModel<WireMessage> {
   private static final List<String> TITLES =
-      List.of("Time", "", "Client", "Port", "Type", "Message");
+      List.of(text("time"), "", text("client"), text("port"), text("type"), text("message"));
 
   MessageTable() {
     super(TITLES);

@@ -1,13 +1,15 @@
 package org.pendant.desktop.ports;
 
+import static org.pendant.desktop.ports.PortsTexts.text;
+
 import org.pendant.command.service.PortWishes;
 
 /** Port field: what people type to say where the ports are. */
 enum PortField {
-  HOST("host", "Address", "Where to listen: 127.0.0.1 for this computer only"),
-  OFFSET("offset", "Offset", "Is added to every port, 0 to " + PortWishes.MAX_OFFSET),
-  MODBUS("modbus", "Modbus port", "Empty for 502 and the offset, or 1502 without the right"),
-  PROGRAMS("programs", "Programs folder", "The folder from which clients load programs");
+  HOST("host", text("address"), text("whereToListen12700")),
+  OFFSET("offset", text("offset"), text("isAddedToEveryPort0", PortWishes.MAX_OFFSET)),
+  MODBUS("modbus", text("modbusPort"), text("emptyFor502AndTheOffset")),
+  PROGRAMS("programs", text("programsFolder"), text("theFolderFromWhichClientsLoad"));
 
   private final String word;
   private final String title;

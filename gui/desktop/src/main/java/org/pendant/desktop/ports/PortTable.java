@@ -1,5 +1,7 @@
 package org.pendant.desktop.ports;
 
+import static org.pendant.desktop.ports.PortsTexts.text;
+
 import java.util.List;
 import org.pendant.desktop.ports.PortsPresenter.Row;
 import org.pendant.kit.table.RowsModel;
@@ -7,7 +9,8 @@ import org.pendant.kit.table.RowsModel;
 /** Port table: the open ports as rows. */
 @SuppressWarnings("serial") // never written to a stream
 final class PortTable extends RowsModel<Row> {
-  private static final List<String> TITLES = List.of("Port", "Address", "Clients");
+  private static final List<String> TITLES =
+      List.of(text("port"), text("address"), text("clients"));
 
   PortTable() {
     super(TITLES);

@@ -99,7 +99,7 @@ final class PortsPresenter {
   private Optional<PortWishes> wishes() {
     String host = text(PortField.HOST).strip();
     if (host.isEmpty()) {
-      return mistake(PortField.HOST, "Address is empty, must be an address of this computer");
+      return mistake(PortField.HOST, PortsTexts.text("addressIsEmpty"));
     }
     OptionalInt offset = PortWishes.number(text(PortField.OFFSET), 0, PortWishes.MAX_OFFSET);
     if (offset.isEmpty()) {
@@ -109,25 +109,21 @@ final class PortsPresenter {
     OptionalInt modbus = PortWishes.number(text(PortField.MODBUS), 1, PortWishes.MAX_PORT);
     if (chosen && modbus.isEmpty()) {
       return mistake(
-          PortField.MODBUS, notBetween(PortField.MODBUS, 1, PortWishes.MAX_PORT) + ", or empty");
+          PortField.MODBUS,
+          PortsTexts.text("orEmpty", notBetween(PortField.MODBUS, 1, PortWishes.MAX_PORT)));
     }
     try {
       Path programs = Path.of(text(PortField.PROGRAMS).strip()).toAbsolutePath().normalize();
       typed = Optional.empty();
       return Optional.of(new PortWishes(host, offset.getAsInt(), modbus, programs, remote));
     } catch (InvalidPathException e) {
-      return mistake(PortField.PROGRAMS, text(PortField.PROGRAMS) + " is no name of a folder");
+      return mistake(
+          PortField.PROGRAMS, PortsTexts.text("isNoNameOfAFolder", text(PortField.PROGRAMS)));
     }
   }
 
   private String notBetween(PortField field, int least, int most) {
-    return field.title()
-        + " is \""
-        + text(field)
-        + "\", must be a number from "
-        + least
-        + " to "
-        + most;
+    return PortsTexts.text("mustBeBetween", field.title(), text(field), least, most);
   }
 
   private Optional<PortWishes> mistake(PortField field, String text) {
@@ -158,20 +154,19 @@ final class PortsPresenter {
   /** One sentence about the ports. */
   String summary() {
     return switch (ports.state()) {
-      case PortsState.Closed _ ->
-          "Closed. Open them, and other programs reach this controller as they reach a robot.";
-      case PortsState.Opening _ -> "Opening\u2026";
+      case PortsState.Closed _ -> PortsTexts.text("closed");
+      case PortsState.Opening _ -> PortsTexts.text("opening");
       case PortsState.Open open ->
-          clients(open) + (remote() ? "" : ". Local control: they may only ask");
+          remote() ? clients(open) : PortsTexts.text("localControl", clients(open));
     };
   }
 
   private static String clients(PortsState.Open open) {
     int count = open.ports().stream().mapToInt(each -> each.port().connections().size()).sum();
     return switch (count) {
-      case 0 -> "Open, nobody is connected";
-      case 1 -> "Open, 1 client";
-      default -> "Open, " + count + " clients";
+      case 0 -> PortsTexts.text("openNobodyIsConnected");
+      case 1 -> PortsTexts.text("openOneClient");
+      default -> PortsTexts.text("openClients", count);
     };
   }
 
@@ -184,10 +179,7 @@ final class PortsPresenter {
 
   private static Stream<String> exposure(PortsState.Open open) {
     return open.exposed()
-        ? Stream.of(
-            "Any computer that reaches "
-                + open.address()
-                + " can move this robot. There are no passwords.")
+        ? Stream.of(PortsTexts.text("anyComputerThatReachesCanMove", open.address()))
         : Stream.empty();
   }
 
@@ -196,7 +188,7 @@ final class PortsPresenter {
     int more = open.missing().size() - MAX_MISSING;
     return Stream.concat(
         open.missing().stream().limit(MAX_MISSING).map(each -> each.why() + "."),
-        more > 0 ? Stream.of("So it is with " + more + " more.") : Stream.empty());
+        more > 0 ? Stream.of(PortsTexts.text("soItIsWithMore", more)) : Stream.empty());
   }
 
   /** The open ports. */

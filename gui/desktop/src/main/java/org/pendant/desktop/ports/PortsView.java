@@ -41,12 +41,12 @@ public final class PortsView implements View {
 
   private final PortsPresenter presenter;
   private final JPanel content = new JPanel(new BorderLayout());
-  private final JCheckBox on = new JCheckBox("Ports open");
-  private final JCheckBox remote = new JCheckBox("Remote control");
+  private final JCheckBox on = new JCheckBox(PortsTexts.text("portsOpen"));
+  private final JCheckBox remote = new JCheckBox(PortsTexts.text("remoteControl"));
   private final Map<PortField, JTextField> fields = new EnumMap<>(PortField.class);
-  private final JTextArea summary = text("ports-summary", "State of the ports");
-  private final JTextArea problem = text("ports-problem", "What is wrong");
-  private final JTextArea warning = text("ports-warning", "Warning");
+  private final JTextArea summary = text("ports-summary", PortsTexts.text("stateOfThePorts"));
+  private final JTextArea problem = text("ports-problem", PortsTexts.text("whatIsWrong"));
+  private final JTextArea warning = text("ports-warning", PortsTexts.text("warning"));
   private final PortTable rows = new PortTable();
   private boolean showing;
 
@@ -66,7 +66,7 @@ public final class PortsView implements View {
         .add(
             Action.of(
                 "robot.ports",
-                "Ports\u2026",
+                PortsTexts.text("ports"),
                 "",
                 () -> {
                   workbench.show(ID);
@@ -77,7 +77,7 @@ public final class PortsView implements View {
         .add(
             Action.of(
                     "robot.ports-switch",
-                    "Ports open for other programs",
+                    PortsTexts.text("portsOpenForOtherPrograms"),
                     "",
                     () -> {
                       workbench.show(ID);
@@ -111,13 +111,9 @@ public final class PortsView implements View {
   private JComponent top(Workbench workbench) {
     JPanel top =
         new JPanel(new MigLayout("insets 12, gap 8, wrap 2, hidemode 3", "[][grow,fill,0::]"));
-    TitledCard.named(
-        on, "ports-open", "Lets other programs reach this controller as they do a robot");
+    TitledCard.named(on, "ports-open", PortsTexts.text("letsOtherProgramsReachThisController"));
     on.addActionListener(event -> act(presenter::toggle));
-    TitledCard.named(
-        remote,
-        "ports-remote",
-        "Remote control: clients may control the robot. Off is local control: they may only ask");
+    TitledCard.named(remote, "ports-remote", PortsTexts.text("remoteControlClientsMayControlThe"));
     remote.addActionListener(event -> act(() -> presenter.setRemote(remote.isSelected())));
     top.add(on);
     top.add(remote);
@@ -141,8 +137,8 @@ public final class PortsView implements View {
   }
 
   private static JButton clients(Workbench workbench) {
-    JButton clients = new JButton("Clients and messages");
-    TitledCard.named(clients, "ports-clients", "Show who is connected, and every message");
+    JButton clients = new JButton(PortsTexts.text("clientsAndMessages"));
+    TitledCard.named(clients, "ports-clients", PortsTexts.text("showWhoIsConnectedAndEvery"));
     clients.addActionListener(event -> workbench.show(ClientsView.ID));
     return clients;
   }
@@ -164,7 +160,7 @@ public final class PortsView implements View {
           }
         };
     table.setName("ports-table");
-    table.getAccessibleContext().setAccessibleName("Open ports");
+    table.getAccessibleContext().setAccessibleName(PortsTexts.text("openPorts"));
     table.setFillsViewportHeight(true);
     table.setShowGrid(false);
     table.getColumnModel().getColumn(0).setPreferredWidth(170);
@@ -229,7 +225,7 @@ public final class PortsView implements View {
 
   @Override
   public String title() {
-    return "Ports";
+    return PortsTexts.text("portsTitle");
   }
 
   @Override
