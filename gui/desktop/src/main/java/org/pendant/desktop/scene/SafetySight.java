@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene;
 
+import static org.pendant.desktop.scene.SceneTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -51,15 +53,15 @@ public record SafetySight(
   public record Plane(SafetyPlane plane, State state) {
     /** Its name, and when it holds where that is not always, as it is written beside it. */
     public String words() {
-      String when =
+      String words =
           switch (plane.applies()) {
-            case BOTH -> "";
-            case NORMAL -> ", normal mode";
-            case REDUCED -> ", reduced mode";
-            case TRIGGERS_REDUCED -> ", triggers reduced mode";
+            case BOTH -> plane.name();
+            case NORMAL -> text("planeInNormalMode", plane.name());
+            case REDUCED -> text("planeInReducedMode", plane.name());
+            case TRIGGERS_REDUCED -> text("planeTriggersReducedMode", plane.name());
           };
-      String elbow = plane.elbow() ? ", elbow too" : "";
-      return plane.name() + when + elbow + (state == State.PROPOSED ? " (not applied)" : "");
+      String whole = plane.elbow() ? text("elbowToo", words) : words;
+      return state == State.PROPOSED ? text("notApplied", whole) : whole;
     }
   }
 
@@ -75,7 +77,13 @@ public record SafetySight(
    */
   public record Range(int joint, double minRad, double maxRad, State state) {
     private static final List<String> NAMES =
-        List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+        List.of(
+            text("base"),
+            text("shoulder"),
+            text("elbow"),
+            text("wrist1"),
+            text("wrist2"),
+            text("wrist3"));
 
     /**
      * The joint and its range, as it is written beside it.
@@ -84,20 +92,21 @@ public record SafetySight(
      */
     public String words(DisplayUnit unit) {
       boolean degrees = unit == DisplayUnit.DEGREE;
-      String range =
+      String words =
           Double.isInfinite(minRad) && Double.isInfinite(maxRad)
-              ? ", no limit"
-              : " "
-                  + angle(minRad, degrees)
-                  + " to "
-                  + angle(maxRad, degrees)
-                  + (degrees ? "\u00b0" : " " + unit.symbol());
-      return NAMES.get(joint) + range + (state == State.PROPOSED ? " (not applied)" : "");
+              ? text("noLimit", NAMES.get(joint))
+              : text(
+                  "range",
+                  NAMES.get(joint),
+                  angle(minRad, degrees),
+                  angle(maxRad, degrees),
+                  degrees ? "\u00b0" : " " + unit.symbol());
+      return state == State.PROPOSED ? text("notApplied", words) : words;
     }
 
     private static String angle(double rad, boolean degrees) {
       if (Double.isInfinite(rad)) {
-        return "any";
+        return text("any");
       }
       return degrees
           ? String.valueOf(Math.round(Math.toDegrees(rad)))

@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene;
 
+import static org.pendant.desktop.scene.SceneTexts.text;
+
 import java.awt.EventQueue;
 import java.io.UncheckedIOException;
 import java.util.Optional;
@@ -209,7 +211,7 @@ public final class TraceReader {
   }
 
   private void unreadable(UncheckedIOException e) {
-    tell.accept("The way of the tool cannot be read: " + e.getCause().getMessage());
+    tell.accept(text("theWayOfTheToolCannot", e.getCause().getMessage()));
   }
 
   private void show(Shown wanted) {

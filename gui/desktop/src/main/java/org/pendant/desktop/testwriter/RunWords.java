@@ -1,5 +1,7 @@
 package org.pendant.desktop.testwriter;
 
+import static org.pendant.desktop.testwriter.TestWriterTexts.text;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +15,7 @@ public final class RunWords {
   /** That a test was saved, and what of its run is not in it. */
   public static String saved(Path file, OperatedRun facts) {
     List<String> parts = new ArrayList<>();
-    parts.add("Saved " + file.getFileName());
+    parts.add(text("saved", file.getFileName()));
     long unknown =
         facts.steps().stream()
             .filter(
@@ -22,18 +24,15 @@ public final class RunWords {
                         && asked.answer().flatMap(TestPieces::of).isEmpty())
             .count();
     if (unknown > 0) {
-      parts.add(
-          unknown == 1
-              ? "an answer is not known, its line # operator says where it belongs"
-              : unknown + " answers are not known, lines # operator say where they belong");
+      parts.add(unknown == 1 ? text("anAnswerIsNotKnown") : text("answersAreNotKnown", unknown));
     }
     List<String> left = facts.left();
     if (!left.isEmpty()) {
-      String more =
+      String named = String.join("; ", left.stream().limit(SHOWN).toList());
+      parts.add(
           left.size() > SHOWN
-              ? "; and " + (left.size() - SHOWN) + " more, which its first lines name"
-              : "";
-      parts.add("not in it: " + String.join("; ", left.stream().limit(SHOWN).toList()) + more);
+              ? text("notInItAndMore", named, left.size() - SHOWN)
+              : text("notInIt", named));
     }
     return String.join(". ", parts.stream().map(RunWords::capital).toList());
   }

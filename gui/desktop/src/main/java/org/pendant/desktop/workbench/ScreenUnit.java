@@ -25,7 +25,7 @@ public record ScreenUnit(String symbol, double scale) {
       case METRE_PER_SECOND -> new ScreenUnit("mm/s", MILLI);
       case RATIO -> new ScreenUnit("%", 100);
       case LEVEL -> new ScreenUnit(LEVEL, 1);
-      case AMPERE_OR_VOLT -> new ScreenUnit("V or mA", 1);
+      case AMPERE_OR_VOLT -> new ScreenUnit(WorkbenchTexts.text("voltOrMilliampere"), 1);
       case NONE,
           SECOND,
           MILLISECOND,

@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene.gl;
 
+import static org.pendant.desktop.scene.gl.GraphicsTexts.text;
+
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
@@ -23,9 +25,7 @@ final class EglContext implements GlContext {
   /** EGL_PLATFORM_SURFACELESS_MESA: needs neither a display nor a device that is named. */
   private static final int SURFACELESS = 0x31DD;
 
-  private static final String REMEDY =
-      "; the 3D view needs OpenGL 3.3 by EGL: on Debian and Ubuntu apt install libegl1"
-          + " libegl-mesa0 libgl1-mesa-dri, on Fedora dnf install mesa-libEGL mesa-dri-drivers";
+  private static final String REMEDY = text("remedy");
 
   private static final String LIBRARY = "libEGL.so.1";
 
@@ -47,10 +47,7 @@ final class EglContext implements GlContext {
    */
   static EglContext open(String system) throws SceneUnavailable {
     if (!system.startsWith("Linux")) {
-      throw new SceneUnavailable(
-          "the 3D view draws by EGL, which "
-              + system
-              + " does not have; so far there is a 3D view on Linux only");
+      throw new SceneUnavailable(text("drawsByEgl", system));
     }
     try {
       if (!Configuration.DEBUG.get(false)) {
@@ -65,11 +62,10 @@ final class EglContext implements GlContext {
       }
       return openLoaded();
     } catch (IOException e) {
-      throw new SceneUnavailable("LWJGL cannot be unpacked: " + e.getMessage(), e);
+      throw new SceneUnavailable(text("lwjglCannotBeUnpacked", e.getMessage()), e);
     } catch (LinkageError missing) {
       // LWJGL looks for its libraries in static initialisers, so this is how their absence shows.
-      throw new SceneUnavailable(
-          "EGL cannot be loaded (" + reason(missing) + ")" + REMEDY, missing);
+      throw new SceneUnavailable(text("eglCannotBeLoaded", reason(missing), REMEDY), missing);
     }
   }
 
@@ -77,14 +73,13 @@ final class EglContext implements GlContext {
     long display = display();
     if (!EGL12.eglBindAPI(EGL14.EGL_OPENGL_API)) {
       EGL10.eglTerminate(display);
-      throw new SceneUnavailable("EGL has no desktop OpenGL here" + REMEDY);
+      throw new SceneUnavailable(text("eglHasNoDesktopOpenglHere", REMEDY));
     }
     long context = context(display);
     if (!EGL10.eglMakeCurrent(display, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_SURFACE, context)) {
       int error = EGL10.eglGetError();
       EGL10.eglTerminate(display);
-      throw new SceneUnavailable(
-          "OpenGL cannot be used without a window, EGL error " + hex(error) + REMEDY);
+      throw new SceneUnavailable(text("openglCannotBeUsedWithoutA", hex(error), REMEDY));
     }
     GL.createCapabilities();
     return new EglContext(display, context);
@@ -100,7 +95,7 @@ final class EglContext implements GlContext {
     if (standard != EGL10.EGL_NO_DISPLAY && initialised(standard)) {
       return standard;
     }
-    throw new SceneUnavailable("EGL finds no graphics and no software renderer" + REMEDY);
+    throw new SceneUnavailable(text("eglFindsNoGraphicsAndNo", REMEDY));
   }
 
   private static long surfaceless() {
@@ -150,7 +145,7 @@ final class EglContext implements GlContext {
       if (context == EGL10.EGL_NO_CONTEXT) {
         int error = EGL10.eglGetError();
         EGL10.eglTerminate(display);
-        throw new SceneUnavailable("there is no OpenGL 3.3, EGL error " + hex(error) + REMEDY);
+        throw new SceneUnavailable(text("thereIsNoOpengl33", hex(error), REMEDY));
       }
       return context;
     }
@@ -162,7 +157,7 @@ final class EglContext implements GlContext {
 
   private static String reason(Throwable failure) {
     Throwable cause = failure.getCause() == null ? failure : failure.getCause();
-    return String.valueOf(cause.getMessage()).lines().findFirst().orElse("no reason given");
+    return String.valueOf(cause.getMessage()).lines().findFirst().orElse(text("noReasonGiven"));
   }
 
   @Override

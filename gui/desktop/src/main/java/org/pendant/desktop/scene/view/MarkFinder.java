@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene.view;
 
+import static org.pendant.desktop.scene.view.PictureTexts.text;
+
 import java.awt.Point;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
@@ -117,7 +119,12 @@ final class MarkFinder {
     Optional<Traced> nearest = nearest(tool, "", point, NEAR_LINE_PX);
     return tool.elbow()
         .flatMap(
-            elbow -> nearest(elbow, "Elbow\n", point, nearest.map(Traced::px).orElse(NEAR_LINE_PX)))
+            elbow ->
+                nearest(
+                    elbow,
+                    text("elbow") + "\n",
+                    point,
+                    nearest.map(Traced::px).orElse(NEAR_LINE_PX)))
         .or(() -> nearest)
         .map(this::target);
   }
@@ -197,7 +204,7 @@ final class MarkFinder {
             .map(each -> "\n" + TraceScale.margin(each, trace.used(i), form))
             .orElse("");
     String place = form.place(traced.of(trace::x), traced.of(trace::y), traced.of(trace::z));
-    String words = traced.what() + line + place + speed + margin + "\nA click explains the speed";
+    String words = text("aClickExplainsTheSpeed", traced.what() + line + place + speed + margin);
     return new MarkTarget(
         words, 0, trace.line(i), traced.of(trace::timeS), traced.at(), Optional.empty());
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene.view;
 
+import static org.pendant.desktop.scene.view.PictureTexts.text;
+
 import java.awt.Cursor;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
@@ -20,7 +22,7 @@ import org.pendant.desktop.unit.PoseForm;
 final class MarkMouse extends MouseAdapter {
   private final SceneView view;
   private PoseForm form = PoseForm.STANDARD;
-  private IntFunction<String> places = line -> "Line " + line;
+  private IntFunction<String> places = line -> text("line", line);
   private LongConsumer chosen = node -> {};
   private IntConsumer lineChosen = line -> {};
   private DoubleConsumer momentChosen = timeS -> {};

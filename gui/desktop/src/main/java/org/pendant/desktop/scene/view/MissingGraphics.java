@@ -17,11 +17,11 @@ final class MissingGraphics extends JPanel {
   MissingGraphics(String reason) {
     super(new BorderLayout(0, 8));
     setBorder(BorderFactory.createEmptyBorder(16, 16, 16, 16));
-    JTextArea title = text("No 3D view");
+    JTextArea title = text(PictureTexts.text("no3dView"));
     title.setFont(title.getFont().deriveFont(Font.BOLD));
-    JTextArea note = text(reason + "\n\nEverything else works without it.");
+    JTextArea note = text(PictureTexts.text("everythingElseWorksWithoutIt", reason));
     note.setName("scene-unavailable");
-    note.getAccessibleContext().setAccessibleName("Why there is no 3D view");
+    note.getAccessibleContext().setAccessibleName(PictureTexts.text("whyThereIsNo3dView"));
     add(title, BorderLayout.NORTH);
     add(note, BorderLayout.CENTER);
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene.view;
 
+import static org.pendant.desktop.scene.view.PictureTexts.text;
+
 import org.pendant.desktop.scene.Picked;
 import org.pendant.desktop.scene.mesh.Link;
 
@@ -10,20 +12,20 @@ final class PickedName {
   static String of(Picked picked) {
     return switch (picked) {
       case Picked.OnLink on -> name(on.link());
-      case Picked.OnTcp tcp -> "Tool centre point";
+      case Picked.OnTcp tcp -> text("toolCentrePoint");
       case Picked.OnObject object -> object.name();
     };
   }
 
   private static String name(Link link) {
     return switch (link) {
-      case BASE -> "Base";
-      case SHOULDER -> "Shoulder";
-      case UPPER_ARM -> "Upper arm";
-      case FOREARM -> "Forearm";
-      case WRIST_1 -> "Wrist 1";
-      case WRIST_2 -> "Wrist 2";
-      case WRIST_3 -> "Wrist 3, flange";
+      case BASE -> text("base");
+      case SHOULDER -> text("shoulder");
+      case UPPER_ARM -> text("upperArm");
+      case FOREARM -> text("forearm");
+      case WRIST_1 -> text("wrist1");
+      case WRIST_2 -> text("wrist2");
+      case WRIST_3 -> text("wrist3Flange");
     };
   }
 }

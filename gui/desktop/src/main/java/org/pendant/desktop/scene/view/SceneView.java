@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene.view;
 
+import static org.pendant.desktop.scene.view.PictureTexts.text;
+
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.EventQueue;
@@ -89,11 +91,7 @@ public final class SceneView extends JPanel implements LookFollower {
     setFocusable(true);
     putClientProperty(Dockable.TAKES_KEYS, true);
     getAccessibleContext().setAccessibleName("3D view");
-    getAccessibleContext()
-        .setAccessibleDescription(
-            "Arrows turn the view, shift and arrows move it, plus and minus zoom, Enter looks at"
-                + " the tool, Home at the whole robot, 1 to 6 from the standard directions, O"
-                + " without perspective, N chooses the next place of the program");
+    getAccessibleContext().setAccessibleDescription(text("arrowsTurnTheViewShiftAnd"));
     addMouseListener(drag);
     addMouseMotionListener(drag);
     addMouseListener(placing);
@@ -318,7 +316,7 @@ public final class SceneView extends JPanel implements LookFollower {
     } catch (SceneUnavailable e) {
       EventQueue.invokeLater(() -> explain(e.getMessage()));
     } catch (RuntimeException | Error fault) {
-      EventQueue.invokeLater(() -> explain("an internal error, " + fault));
+      EventQueue.invokeLater(() -> explain(text("anInternalError", fault)));
       Faults.report(fault);
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene.view;
 
+import static org.pendant.desktop.scene.view.PictureTexts.text;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import org.pendant.desktop.scene.TcpTrace;
@@ -44,8 +46,8 @@ record TraceScale(String least, String middle, String most) {
         "",
         switch (margin) {
           case JOINT_SPEED, TORQUE, TOOL_SPEED -> "100 % " + margin.words();
-          case JOINT_LIMIT -> "at a joint limit";
-          case PLANE -> "at a plane";
+          case JOINT_LIMIT -> text("atAJointLimit");
+          case PLANE -> text("atAPlane");
         });
   }
 
@@ -57,9 +59,7 @@ record TraceScale(String least, String middle, String most) {
    */
   static String margin(Margin margin, double used, PoseForm form) {
     String value = bounded(margin, used, form);
-    return margin.isShare()
-        ? margin.words() + " " + value
-        : margin.words() + ": " + value + " away";
+    return margin.isShare() ? margin.words() + " " + value : text("away", margin.words(), value);
   }
 
   private static String bounded(Margin margin, double used, PoseForm form) {
