@@ -17,7 +17,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 final class TextLiteralsTest {
   /** Modules of which everything that people read is in bundles. */
-  private static final List<String> MODULES = List.of("gui/kit/src/main/java");
+  private static final List<String> MODULES =
+      List.of("gui/kit/src/main/java", "gui/desktop/src/main/java");
 
   @Test
   void wordsAreTextsAndNamesConstraintsAndKeysAreNot() {

@@ -63,7 +63,7 @@ final class PastViews {
   private Optional<ProgramDocument> marked = Optional.empty();
   private Optional<Moment> searched = Optional.empty();
   private Optional<List<LogEntry>> shownLog = Optional.empty();
-  private IntFunction<String> place = line -> "line " + line;
+  private IntFunction<String> place = line -> text("line", line);
 
   /**
    * Shows now.
