@@ -189,14 +189,14 @@ class UrpRoundTripTest {
         List.of(
             "Waypoint",
             "Direction",
-            "SetAction",
-            "SetAction",
-            "SetAction",
-            "SetAction",
+            "Set",
+            "Set",
+            "Set",
+            "Set",
             "Popup",
-            "OperatorInput",
+            "Operator input",
             "Palletizing",
-            "ConveyorTracking",
+            "Conveyor tracking",
             "Unknown"),
         own.stream().map(each -> each.substring(each.indexOf(", ") + 2)).toList());
   }
