@@ -98,6 +98,7 @@ final class SubmenuKeysTest {
   @Test
   void aMenuAtAPlaceHasSuchSubmenusToo() {
     JPopupMenu place = new JPopupMenu();
+    place.setInvoker(bar); // a look that is installed asks what it belongs to
     JMenu turn = menu("Turn", new JMenuItem("Left"), new JMenuItem("Right"));
     place.add(turn);
     select(place, turn, turn.getPopupMenu());
