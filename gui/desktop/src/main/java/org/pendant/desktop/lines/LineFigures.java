@@ -89,8 +89,8 @@ final class LineFigures {
     Worst each = moment.worst();
     String what =
         switch (each.margin()) {
-          case JOINT_SPEED -> text("highestJointSpeed2", share(each));
-          case TORQUE -> text("highestTorque2", share(each));
+          case JOINT_SPEED -> text("highestJointSpeedInSentence", share(each));
+          case TORQUE -> text("highestTorqueInSentence", share(each));
           case JOINT_LIMIT -> text("nearestToAJointLimit", limit(each));
           case PLANE -> text("nearestToASafetyPlane", plane(each));
           case TOOL_SPEED ->
