@@ -3,6 +3,7 @@
  */
 module org.pendant.language {
   requires transitive org.antlr.antlr4.runtime;
+  requires org.pendant.text;
 
   exports org.pendant.language.check;
   exports org.pendant.language.parse;

@@ -4,6 +4,7 @@
  */
 module org.pendant.motion {
   requires transitive org.pendant.models;
+  requires org.pendant.text;
 
   exports org.pendant.motion;
   exports org.pendant.motion.force;

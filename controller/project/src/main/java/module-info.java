@@ -9,6 +9,7 @@ module org.pendant.project {
   requires transitive org.pendant.language;
   requires transitive org.pendant.models;
   requires transitive org.pendant.script;
+  requires org.pendant.text;
 
   exports org.pendant.project.calibration;
   exports org.pendant.project.installation.file;

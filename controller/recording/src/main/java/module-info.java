@@ -5,6 +5,7 @@ module org.pendant.recording {
   requires transitive org.pendant.models;
   requires transitive org.pendant.motion;
   requires transitive org.pendant.script;
+  requires org.pendant.text;
 
   exports org.pendant.recording;
   exports org.pendant.recording.compare;

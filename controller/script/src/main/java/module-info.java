@@ -2,6 +2,7 @@
 module org.pendant.script {
   requires transitive org.pendant.language;
   requires transitive org.pendant.models;
+  requires org.pendant.text;
 
   exports org.pendant.script.coverage;
   exports org.pendant.script.debug;

@@ -6,6 +6,7 @@ module org.pendant.testing {
   requires transitive org.pendant.language;
   requires transitive org.pendant.project;
   requires transitive org.pendant.script;
+  requires org.pendant.text;
 
   exports org.pendant.testing.builtin;
   exports org.pendant.testing.coverage.report;

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 final class TextBundles {
   private static final Path ROOT = Path.of("..", "..").toAbsolutePath().normalize();
 
-  private static final Pattern PLACE = Pattern.compile("\\{\\d}|%(\\d\\$)?[-,.\\d]*[sdfeg%n]");
+  private static final Pattern PLACE = Pattern.compile("\\{\\d\\*?}|%(\\d\\$)?[-,.\\d]*[sdfeg%n]");
 
   private TextBundles() {}
 
@@ -52,9 +52,38 @@ final class TextBundles {
         name.replace(".properties", "_" + language.code() + ".properties"));
   }
 
+  /** Name of the package without {@code org.pendant}, by which the bundle is found. */
+  static String name(Path english) {
+    return english.getFileName().toString().replace(".properties", "");
+  }
+
+  /** Whether it belongs to what runs below the window and speaks English. */
+  static boolean isBelowTheWindow(Path english) {
+    String name = name(english);
+    return !name.startsWith("kit.") && !name.startsWith("desktop.");
+  }
+
+  /** Names of the bundles that the window translates by, as the list of the desktop has them. */
+  static List<String> translatedByTheWindow() throws IOException {
+    Path list = ROOT.resolve("gui/desktop/src/main/resources/org/pendant/desktop/text/bundles.txt");
+    try (Stream<String> lines = Files.lines(list)) {
+      return lines.filter(line -> !line.startsWith("#")).toList();
+    }
+  }
+
+  /** A text with values of which each is known again. */
+  static String withValues(String text) {
+    String filled = text;
+    for (int i = 0; i < 10; i++) {
+      String value = "<" + i + ">";
+      filled = filled.replace("{" + i + "}", value).replace("{" + i + "*}", value);
+    }
+    return filled;
+  }
+
   /** The sources of the package that says the texts of a file. */
   static List<Path> sources(Path english) throws IOException {
-    String name = english.getFileName().toString().replace(".properties", "");
+    String name = name(english);
     Path main = english.getParent().getParent().resolveSibling("java");
     Path folder = main.resolve(Path.of("org", "pendant")).resolve(name.replace('.', '/'));
     try (Stream<Path> files = Files.list(folder)) {
@@ -69,12 +98,15 @@ final class TextBundles {
     }
   }
 
-  /** Places for values in a text, such as <code>{0}</code> and {@code %,d}, in no order. */
+  /**
+   * Places for values in a text, such as <code>{0}</code> and {@code %,d}, in no order; those of a
+   * translation that take a text, <code>{0*}</code>, are places like others.
+   */
   static TreeSet<String> places(String text) {
     return PLACE
         .matcher(text)
         .results()
-        .map(each -> each.group().replaceFirst("\\d\\$", ""))
+        .map(each -> each.group().replaceFirst("\\d\\$", "").replace("*}", "}"))
         .collect(Collectors.toCollection(TreeSet::new));
   }
 }

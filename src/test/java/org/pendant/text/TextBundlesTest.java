@@ -72,4 +72,43 @@ final class TextBundlesTest {
     }
     assertEquals(List.of(), unused);
   }
+
+  @Test
+  void theWindowTranslatesByTheBundlesOfAllModulesBelowIt() throws IOException {
+    List<String> below = new ArrayList<>();
+    for (Path english : TextBundles.english()) {
+      if (TextBundles.isBelowTheWindow(english)) {
+        below.add(TextBundles.name(english));
+      }
+    }
+    assertEquals(below.stream().sorted().toList(), TextBundles.translatedByTheWindow());
+  }
+
+  /** Two texts that fit the same message, in different words of another language, are a mistake. */
+  @Test
+  void messagesAreRecognisedByTheTextsThatTheyWereMadeOf() throws IOException {
+    List<String> wrong = new ArrayList<>();
+    for (Language language : List.of(Language.GERMAN, Language.CHINESE)) {
+      Translations translations =
+          Translations.of(
+              language, getClass().getClassLoader(), TextBundles.translatedByTheWindow());
+      for (Path english : TextBundles.english()) {
+        if (!TextBundles.isBelowTheWindow(english)) {
+          continue;
+        }
+        Map<String, String> said = TextBundles.read(TextBundles.in(language, english));
+        TextBundles.read(english)
+            .forEach(
+                (key, text) -> {
+                  String shown = translations.of(TextBundles.withValues(text));
+                  String expected = TextBundles.withValues(said.getOrDefault(key, text));
+                  if (!shown.equals(expected)) {
+                    wrong.add(
+                        TextBundles.name(english) + " " + key + ": " + expected + " / " + shown);
+                  }
+                });
+      }
+    }
+    assertEquals(String.join("\n", List.of()), String.join("\n", wrong));
+  }
 }

@@ -38,6 +38,15 @@ public final class Texts {
   }
 
   /**
+   * What the package of {@code owner} says in English: of a package whose messages go into logs,
+   * files and out on ports, where they are the same everywhere. A window shows them by {@link
+   * Translations}.
+   */
+  public static Texts english(Class<?> owner) {
+    return of(owner, Language.ENGLISH);
+  }
+
+  /**
    * What the package of {@code owner} says, in a language; in English what was not translated.
    *
    * @throws MissingResourceException if it says nothing

@@ -1,0 +1,153 @@
+package org.pendant.text;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.MissingResourceException;
+import java.util.Optional;
+import java.util.Properties;
+
+/**
+ * Says in another language what packages have said in English. What runs and what is written into
+ * files speaks English whatever the language of the computer, so that logs, recordings, reports and
+ * what goes out on ports are the same everywhere; what shows it to people asks here.
+ *
+ * <p>A message is recognised by the English text that it was made from: the fixed pieces of that
+ * text stand in it in their order, and what is between them are the values. Of several texts that
+ * fit, the one that leaves least to values is taken. A place {@code {0*}} in a translation takes a
+ * value that is a text itself, such as the name of a joint or a sentence within a sentence, and
+ * says that in the other language too; one without the star takes it as it is.
+ */
+public final class Translations {
+  /** Texts within texts that are followed. */
+  private static final int MAX_DEPTH = 4;
+
+  private final Map<String, String> plain;
+  private final List<Translated> filled;
+
+  private Translations(Map<String, String> plain, List<Translated> filled) {
+    this.plain = plain;
+    this.filled = filled;
+  }
+
+  /** A text with places, and what it is in the other language. */
+  private record Translated(Template english, Template other) {}
+
+  /**
+   * Those of some bundles.
+   *
+   * @param loader finds their files
+   * @param bundles their names, such as {@code controller.safety}; where two say the same in
+   *     English, the first says it in the other language
+   * @throws MissingResourceException if a bundle is not there
+   */
+  public static Translations of(Language language, ClassLoader loader, Collection<String> bundles) {
+    Map<String, String> plain = new HashMap<>();
+    List<Translated> filled = new ArrayList<>();
+    if (language != Language.ENGLISH) {
+      for (String bundle : bundles) {
+        Properties english = read(loader, bundle);
+        Properties translated = read(loader, bundle + "_" + language.code());
+        for (String key : english.stringPropertyNames().stream().sorted().toList()) {
+          String text = english.getProperty(key);
+          String translation = translated.getProperty(key, text);
+          Template template = Template.of(text);
+          if (template.places().isEmpty()) {
+            plain.putIfAbsent(text, translation);
+          } else if (template.isRecognisable()) {
+            filled.add(new Translated(template, Template.of(translation)));
+          }
+        }
+      }
+    }
+    filled.sort(Comparator.comparingInt(each -> -each.english().weight()));
+    return new Translations(plain, filled);
+  }
+
+  private static Properties read(ClassLoader loader, String bundle) {
+    Properties texts = new Properties();
+    try (InputStream in = loader.getResourceAsStream("texts/" + bundle + ".properties")) {
+      if (in == null) {
+        throw new MissingResourceException("no texts of " + bundle, bundle, "");
+      }
+      texts.load(new InputStreamReader(in, StandardCharsets.UTF_8));
+      return texts;
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot read the texts of " + bundle, e);
+    }
+  }
+
+  /**
+   * A message in the other language. What no text is recognised in stays as it is; of several lines
+   * each is then looked at by itself.
+   */
+  public String of(String message) {
+    return said(message, 0).text();
+  }
+
+  /**
+   * A message in the other language.
+   *
+   * @param values how much of it no text accounts for, characters
+   */
+  private record Said(String text, int values) {}
+
+  private Said said(String message, int depth) {
+    String translation = plain.get(message);
+    if (translation != null) {
+      return new Said(translation, 0);
+    }
+    Said best = new Said(message, message.length());
+    if (depth == MAX_DEPTH) {
+      return best;
+    }
+    for (Translated each : filled) {
+      Optional<List<String>> values = each.english().valuesIn(message);
+      if (values.isPresent()) {
+        Said other = said(each, values.get(), depth);
+        best = other.values() < best.values() ? other : best;
+      }
+    }
+    return best.values() < message.length() || message.indexOf('\n') < 0
+        ? best
+        : ofLines(message, depth);
+  }
+
+  private Said said(Translated text, List<String> values, int depth) {
+    Template other = text.other();
+    StringBuilder said = new StringBuilder(other.pieces().getFirst());
+    int left = 0;
+    for (int i = 0; i < other.places().size(); i++) {
+      ValuePlace place = other.places().get(i);
+      int at = text.english().indexOf(place.number());
+      String value = at < 0 ? "" : values.get(at);
+      Said put = place.isText() ? said(value, depth + 1) : new Said(value, value.length());
+      said.append(put.text()).append(other.pieces().get(i + 1));
+      left += put.values();
+    }
+    return new Said(said.toString(), left);
+  }
+
+  private Said ofLines(String message, int depth) {
+    StringBuilder said = new StringBuilder();
+    int left = 0;
+    int from = 0;
+    while (from < message.length()) {
+      int end = message.indexOf('\n', from);
+      int next = end < 0 ? message.length() : end + 1;
+      Said line = said(message.substring(from, end < 0 ? next : end), depth + 1);
+      said.append(line.text()).append(end < 0 ? "" : "\n");
+      left += line.values();
+      from = next;
+    }
+    return new Said(said.toString(), left);
+  }
+}

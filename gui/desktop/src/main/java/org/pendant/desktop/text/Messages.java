@@ -1,0 +1,58 @@
+package org.pendant.desktop.text;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.pendant.text.Language;
+import org.pendant.text.Translations;
+
+/**
+ * What the modules below the window say, in the language of the window: what the controller writes
+ * into its log, why the arm stopped, what is wrong with a program, labels of nodes and devices. All
+ * of that is English until it is shown. What people have written themselves is not shown by this.
+ */
+public final class Messages {
+  /** Messages whose translation is remembered, since what is painted asks again and again. */
+  private static final int MAX_REMEMBERED = 4096;
+
+  private static final boolean ENGLISH = Language.ofProcess() == Language.ENGLISH;
+  private static final Map<String, String> REMEMBERED = new ConcurrentHashMap<>();
+
+  private Messages() {}
+
+  /** A message as people read it. Any thread may ask. */
+  public static String shown(String message) {
+    if (ENGLISH) {
+      return message;
+    }
+    String known = REMEMBERED.get(message);
+    if (known == null) {
+      if (REMEMBERED.size() >= MAX_REMEMBERED) {
+        REMEMBERED.clear();
+      }
+      known = Loaded.TRANSLATIONS.of(message);
+      REMEMBERED.put(message, known);
+    }
+    return known;
+  }
+
+  /** Names of the bundles that messages come from. */
+  static List<String> bundles() {
+    try (InputStream in = Messages.class.getResourceAsStream("bundles.txt")) {
+      String list = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+      return list.lines().filter(line -> !line.startsWith("#")).toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot read the names of bundles", e);
+    }
+  }
+
+  /** Read at the first message, which English windows never have. */
+  private static final class Loaded {
+    static final Translations TRANSLATIONS =
+        Translations.of(Language.ofProcess(), Messages.class.getClassLoader(), bundles());
+  }
+}
