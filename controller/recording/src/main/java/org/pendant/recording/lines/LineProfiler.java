@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.NavigableMap;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 import org.pendant.controller.safety.SafetyConfiguration;
@@ -30,11 +32,18 @@ import org.pendant.script.vm.ProgramState;
 public final class LineProfiler {
   private static final String MOVE = "move";
 
+  /** So many starts are remembered, the newest. */
+  private static final int MAX_STARTS = 1000;
+
   private final Supplier<Optional<Source>> programSource;
   private final Supplier<SafetyConfiguration> safety;
   private final ReentrantLock lock = new ReentrantLock();
 
+  /** The number of each run, by the frame in which it started. */
+  private final NavigableMap<Long, Long> starts = new TreeMap<>();
+
   private long started;
+  private long run;
   private String name = "";
   private long firstFrame;
   private Optional<FrameMargins> margins = Optional.empty();
@@ -67,6 +76,13 @@ public final class LineProfiler {
    * Takes a frame that has ended; the same frame once more, which a debugger holds, counts once.
    */
   public void see(ControllerState state) {
+    see(state, programSource, safety);
+  }
+
+  private void see(
+      ControllerState state,
+      Supplier<Optional<Source>> source,
+      Supplier<SafetyConfiguration> limits) {
     if (state.frame() == frame) {
       return;
     }
@@ -80,7 +96,7 @@ public final class LineProfiler {
       frame = state.frame();
       for (int i = 0; i < state.newProgramEvents().size(); i++) {
         if (state.newProgramEvents().get(i) instanceof ProgramEvent.Started) {
-          begin(state);
+          begin(state, source.get(), limits.get());
         }
       }
       runs = false;
@@ -92,13 +108,17 @@ public final class LineProfiler {
     }
   }
 
-  private void begin(ControllerState state) {
-    started++;
+  private void begin(ControllerState state, Optional<Source> source, SafetyConfiguration limits) {
+    // of a run that is looked at once more the number is known
+    run = starts.computeIfAbsent(state.frame(), start -> ++started);
+    if (starts.size() > MAX_STARTS) {
+      starts.pollFirstEntry();
+    }
     name = state.program().name();
     firstFrame = state.frame();
-    margins = Optional.of(new FrameMargins(state.arm(), safety.get()));
+    margins = Optional.of(new FrameMargins(state.arm(), limits));
     sums = new LineSums[0];
-    moves = programSource.get().map(LineProfiler::moves).orElseGet(BitSet::new);
+    moves = source.map(LineProfiler::moves).orElseGet(BitSet::new);
     line = 0;
   }
 
@@ -163,10 +183,37 @@ public final class LineProfiler {
     return sums[at];
   }
 
+  /**
+   * The profiler of a run that continues otherwise from the end of {@code past}, a recording of
+   * what this one has seen: it knows of the program that was started last by then, under its
+   * number, unless the recording begins later. Slow, so not for the dispatch thread.
+   *
+   * @param limits limits and planes that hold in the past
+   */
+  public LineProfiler until(Recording past, SafetyConfiguration limits) {
+    Optional<Source> source = past.programOf(past.lastFrame()).map(RecordedProgram::source);
+    LineProfiler back = new LineProfiler(programSource, safety);
+    lock.lock();
+    try {
+      back.started = started;
+      back.starts.putAll(starts.headMap(past.lastFrame(), true));
+    } finally {
+      lock.unlock();
+    }
+    if (!back.starts.isEmpty()) {
+      past.frames(
+          back.starts.lastKey(),
+          past.lastFrame(),
+          state -> back.see(state, () -> source, () -> limits));
+    }
+    return back;
+  }
+
   /** Forgets all that it has seen. */
   public void clear() {
     lock.lock();
     try {
+      starts.clear();
       margins = Optional.empty();
       sums = new LineSums[0];
       frame = Long.MIN_VALUE;
@@ -202,7 +249,7 @@ public final class LineProfiler {
           lines.add(sums[i].statistics(i, margins.get()));
         }
       }
-      return new RunProfile(started, name, firstFrame, lines);
+      return new RunProfile(run, name, firstFrame, lines);
     } finally {
       lock.unlock();
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -15,6 +16,7 @@ import org.pendant.controller.box.ArmChoice;
 import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyPlane;
+import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
 import org.pendant.script.vm.ProgramState;
 
@@ -247,5 +249,38 @@ final class LineProfilerTest {
     LineStatistics move = line(profiler.profile(), 1);
     assertTrue(move.timeS() > 2.9 && move.timeS() < 3.5, move.timeS() + " s");
     assertEquals(1, move.executions());
+  }
+
+  @Test
+  void aRunThatGoesOnOtherwiseFromAMomentHasWhatItTookUntilThen() {
+    Controller controller = new Controller(options);
+    LineProfiler profiler = new LineProfiler(controller::programSource, options::safety);
+    RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
+    List<RunProfile> seen = new ArrayList<>();
+    List<Recording> pasts = new ArrayList<>();
+    for (int run = 0; run < 2; run++) {
+      var _ =
+          controller.submit(
+              new ProgramCommand.StartProgram(
+                  TestController.program(
+                      controller,
+                      """
+                      movej([0, -1.5708, -1.5708, -1.5708, 1.5708, 0], t=0.2)
+                      movej([0.1, -1.5708, -1.5708, -1.5708, 1.5708, 0], t=0.2)
+                      """)));
+      for (int i = 0; i < 250; i++) {
+        controller.advance();
+        ring.take(controller.state());
+        profiler.see(controller.state());
+        if (i == 150) {
+          seen.add(profiler.profile());
+          pasts.add(ring.recording());
+        }
+      }
+    }
+
+    for (int i = 0; i < seen.size(); i++) {
+      assertEquals(seen.get(i), profiler.until(pasts.get(i), options.safety()).profile());
+    }
   }
 }

@@ -1,9 +1,11 @@
 package org.pendant.desktop.lines;
 
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SequencedMap;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.pendant.desktop.debug.RunLines;
@@ -34,12 +36,19 @@ public final class PathStrip {
 
   private static final long PERIOD_MS = 250;
 
+  /** So many runs are remembered, the newest: a branch goes back to one of them. */
+  private static final int MAX_RUNS = 20;
+
   private final Settings settings;
   private final Supplier<RunProfile> source;
   private final Supplier<Long> clockMs;
   private Notes sink = (program, notes) -> {};
   private Optional<Ran> next = Optional.empty();
   private boolean starting;
+
+  /** What has run, oldest first; none for texts that are not shown. */
+  private final SequencedMap<RunKey, Optional<Ran>> runs = new LinkedHashMap<>();
+
   private Optional<Ran> ran = Optional.empty();
   private RunProfile profile = RunProfile.NONE;
   private PoseForm units = PoseForm.STANDARD;
@@ -54,6 +63,13 @@ public final class PathStrip {
 
   /** A program that was started, and its text then. */
   private record Ran(ProgramDocument document, String text, RunLines lines) {}
+
+  /** A run, also among those of the other controllers of a cell. */
+  private record RunKey(long run, String name, long firstFrame) {
+    static RunKey of(RunProfile profile) {
+      return new RunKey(profile.run(), profile.name(), profile.firstFrame());
+    }
+  }
 
   /** Shows notes beside the lines of a program. */
   @FunctionalInterface
@@ -117,8 +133,8 @@ public final class PathStrip {
     if (same) {
       return;
     }
-    if (fresh.run() != profile.run() && fresh.run() != 0) {
-      begin();
+    if (fresh.run() != 0 && !RunKey.of(fresh).equals(RunKey.of(profile))) {
+      begin(RunKey.of(fresh));
     }
     profile = fresh;
     units = form;
@@ -126,14 +142,18 @@ public final class PathStrip {
     show();
   }
 
-  private void begin() {
-    if (starting) {
+  private void begin(RunKey run) {
+    if (starting && !runs.containsKey(run)) {
       starting = false;
-      ran.ifPresent(before -> sink.show(before.document(), Map.of()));
-      ran = next;
-      textNow = "";
-      kept = KeptLines.between("", "");
+      runs.put(run, next);
+      if (runs.size() > MAX_RUNS) {
+        runs.pollFirstEntry();
+      }
     }
+    ran.ifPresent(before -> sink.show(before.document(), Map.of()));
+    ran = runs.getOrDefault(run, Optional.empty());
+    textNow = "";
+    kept = KeptLines.between("", "");
   }
 
   private void show() {

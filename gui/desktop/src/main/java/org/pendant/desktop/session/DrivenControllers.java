@@ -19,6 +19,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.kit.fault.Faults;
 import org.pendant.models.time.FrameTime;
 import org.pendant.recording.Recording;
+import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.vm.ProgramState;
 
@@ -153,13 +154,30 @@ final class DrivenControllers implements AutoCloseable {
     return members.stream().map(SessionMember::on).toList();
   }
 
-  /** Others in the places of the members, when nobody drives these any more. */
-  List<SessionMember> replacedBy(List<SwitchedOn> next) {
-    List<SessionMember> replaced = new ArrayList<>();
+  /**
+   * What programs take in the parts of the runs of the members that others repeat; slow.
+   *
+   * @param again the others, in the order of the members
+   */
+  List<LineProfiler> linesUntil(List<SwitchedOn> again) {
+    List<LineProfiler> lines = new ArrayList<>();
     for (int i = 0; i < members.size(); i++) {
-      replaced.add(members.get(i).replacedBy(next.get(i)));
+      lines.add(members.get(i).runs().linesUntil(again.get(i)));
     }
-    return List.copyOf(replaced);
+    return List.copyOf(lines);
+  }
+
+  /**
+   * Others in the places of the members, whose runs they repeat, when nobody drives these any more.
+   *
+   * @param lines by {@link #linesUntil}
+   */
+  List<SessionMember> repeatedBy(List<SwitchedOn> next, List<LineProfiler> lines) {
+    List<SessionMember> repeated = new ArrayList<>();
+    for (int i = 0; i < members.size(); i++) {
+      repeated.add(members.get(i).repeatedBy(next.get(i), lines.get(i)));
+    }
+    return List.copyOf(repeated);
   }
 
   /**

@@ -33,6 +33,7 @@ import org.pendant.models.json.JsonException;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.NumberStore;
 import org.pendant.recording.Recording;
+import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.replay.Journal;
 import org.pendant.recording.replay.ParkedRuns;
@@ -523,20 +524,23 @@ public final class RobotSession implements AutoCloseable {
 
   private void branchOff(DrivenControllers from, Rerun rerun) throws RerunRefused {
     List<SwitchedOn> next = SwitchedOn.again(from.on(), rerun, store);
+    List<LineProfiler> lines = from.linesUntil(next);
     switching.lock();
     try {
       if (closed || driven != from) {
         next.forEach(SwitchedOn::close);
         throw new RerunRefused(text("theControllerWasSwitchedOffMeanwhile"));
       }
-      exchange(cell, lent, () -> driveBranch(from, next));
+      exchange(cell, lent, () -> driveBranch(from, next, lines));
     } finally {
       switching.unlock();
     }
   }
 
-  private DrivenControllers driveBranch(DrivenControllers from, List<SwitchedOn> next) {
-    DrivenControllers made = drive(from.replacedBy(next), from.shownNumber(), new Pace.Paused());
+  private DrivenControllers driveBranch(
+      DrivenControllers from, List<SwitchedOn> next, List<LineProfiler> lines) {
+    DrivenControllers made =
+        drive(from.repeatedBy(next, lines), from.shownNumber(), new Pace.Paused());
     // clients that had taken signals are gone with the ports
     made.releaseSignals();
     return made;

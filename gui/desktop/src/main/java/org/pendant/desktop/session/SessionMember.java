@@ -13,6 +13,7 @@ import org.pendant.language.source.Source;
 import org.pendant.models.pose.Pose;
 import org.pendant.protocols.toolserial.ToolSerialLine;
 import org.pendant.recording.Recording;
+import org.pendant.recording.lines.LineProfiler;
 import org.pendant.recording.replay.Journal;
 import org.pendant.script.vm.Program;
 
@@ -66,6 +67,20 @@ public final class SessionMember {
   /** Another controller in the place of this one, which nobody drives any more. */
   SessionMember replacedBy(SwitchedOn next) {
     runs.follow(next);
+    return with(next);
+  }
+
+  /**
+   * One that repeats a part of the run of this one, which nobody drives any more.
+   *
+   * @param lines what the program took in that part
+   */
+  SessionMember repeatedBy(SwitchedOn next, LineProfiler lines) {
+    runs.follow(next, lines);
+    return with(next);
+  }
+
+  private SessionMember with(SwitchedOn next) {
     return new SessionMember(name, baseInCell, armless, address, next, runs);
   }
 

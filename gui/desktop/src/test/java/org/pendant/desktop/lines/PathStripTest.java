@@ -104,6 +104,35 @@ final class PathStripTest {
   }
 
   @Test
+  void aBranchFromTheRunBeforeShowsItsLinesInItsProgram() {
+    run(line(1, 500), line(2, 500));
+    RunProfile first = profile;
+    ProgramDocument other = ProgramDocument.untitled("b.script", TEXT);
+    strip.beforeRun(other, RunScript.whole(other.source()));
+    profile = new RunProfile(2, "b", 700, List.of(line(3, 500)));
+    look();
+    assertEquals(Optional.empty(), strip.about(program, 1, "line 1"));
+
+    profile = new RunProfile(1, first.name(), first.firstFrame(), List.of(line(1, 300)));
+    look();
+    assertEquals(List.of(1), List.copyOf(shown.keySet()));
+    assertTrue(strip.about(program, 1, "line 1").isPresent());
+    assertEquals(Optional.empty(), strip.about(other, 1, "line 1"));
+  }
+
+  @Test
+  void aStartThatCameToNothingIsNoneOfTheRunThatABranchGoesBackTo() {
+    run(line(1, 500));
+    RunProfile first = profile;
+    run(line(2, 500));
+    strip.beforeRun(ProgramDocument.untitled("c.script", TEXT), RunScript.whole(program.source()));
+    profile = first;
+    look();
+    assertEquals(List.of(1), List.copyOf(shown.keySet()));
+    assertTrue(strip.about(program, 1, "line 1").isPresent());
+  }
+
+  @Test
   void whoTurnsItOffSeesNothingAndOnAgainTheSame() {
     ActionTable actions = new ActionTable(settings);
     strip.addTo(actions);

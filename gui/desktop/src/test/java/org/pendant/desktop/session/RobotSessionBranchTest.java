@@ -27,6 +27,7 @@ import org.pendant.controller.command.Reply;
 import org.pendant.controller.io.IoCommand;
 import org.pendant.controller.message.Operator;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.recording.lines.RunProfile;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.value.ScriptError;
@@ -162,6 +163,27 @@ final class RobotSessionBranchTest {
                   }
                 })));
     return Integer.parseInt(wait(text));
+  }
+
+  @Test
+  void whatLinesTookUntilThenIsKnownAndGoesOn() throws Exception {
+    try (RobotSession session = RobotSession.start(DESKTOP)) {
+      List<ControllerState> seen = ran(session, SORTING, 1000);
+      long whole = session.profile().line(10).orElseThrow().frames();
+      ControllerState then = seen.get(seen.size() / 2);
+      wait(session.branch(then).outcome());
+
+      RunProfile back = session.profile();
+      assertEquals(1, back.run());
+      long half = back.line(10).orElseThrow().frames();
+      assertTrue(0 < half && half < whole, half + " of " + whole);
+      session.setPace(new Pace.Unlimited());
+      wait(frame(session, state -> state.frame() >= 1000));
+      session.setPace(new Pace.Paused());
+      RunProfile on = session.profile();
+      assertEquals(back.firstFrame(), on.firstFrame());
+      assertTrue(on.line(10).orElseThrow().frames() >= whole, on.toString());
+    }
   }
 
   @Test
