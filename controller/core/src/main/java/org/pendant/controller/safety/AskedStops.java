@@ -50,7 +50,7 @@ final class AskedStops {
   /** The stop that counts of those that are asked for. */
   Optional<SafetyStop> first(FrameFacts facts, Observation seen, SafetyLimits limits) {
     if (program) {
-      return Optional.of(StopReason.PROGRAM.of("the program", facts.timeS()));
+      return Optional.of(StopReason.PROGRAM.asked(facts.timeS()));
     }
     if (lostPath.isPresent()) {
       return Optional.of(LostPath.stop(lostPath.get(), seen.targetQ, limits, facts.timeS()));
@@ -58,10 +58,7 @@ final class AskedStops {
     if (wrongPayloadN.isPresent()) {
       return Optional.of(
           StopReason.WRONG_PAYLOAD.of(
-              "the declared payload",
-              facts.timeS(),
-              wrongPayloadN.getAsDouble(),
-              payloadToleranceN));
+              facts.timeS(), wrongPayloadN.getAsDouble(), payloadToleranceN));
     }
     if (linkHit.isPresent()) {
       LinkHit hit = linkHit.get();

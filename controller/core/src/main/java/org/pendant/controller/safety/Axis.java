@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 /** Axis: a direction, three numbers of length 1 along the axes of a frame that the user names. */
 public record Axis(double x, double y, double z) {
   /** A shorter vector has no direction worth the name. */
@@ -16,16 +18,7 @@ public record Axis(double x, double y, double z) {
   public Axis {
     double length = Math.sqrt(x * x + y * y + z * z);
     if (!(length >= SHORTEST && length < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(
-          "direction is ["
-              + x
-              + ", "
-              + y
-              + ", "
-              + z
-              + "], must be finite and at least "
-              + SHORTEST
-              + " long");
+      throw new IllegalArgumentException(text("axisRange", x, y, z, SHORTEST));
     }
     if (Math.abs(length - 1) > ROUNDING) {
       x /= length;

@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.models.arm.ArmDescription;
@@ -80,14 +82,12 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
         changes.add(
             new Change(
                 "normal.jointSpeedRadPerS",
-                "joint "
-                    + i
-                    + " may turn at "
-                    + wanted.jointSpeedRadPerS().get(i)
-                    + " rad/s, must be at most "
-                    + FloatText.of(most)
-                    + " on "
-                    + arm.id()));
+                text(
+                    "jointTooFastForArm",
+                    i,
+                    wanted.jointSpeedRadPerS().get(i),
+                    FloatText.of(most),
+                    arm.id())));
       }
       fitRange(i, min, max, arm, changes);
     }
@@ -117,22 +117,21 @@ public record FittedSafety(SafetyConfiguration configuration, List<Change> chang
     if (!below && !above && !apart) {
       return;
     }
-    String wanted = FloatText.of(min[i]) + " to " + FloatText.of(max[i]);
+    double wantedMin = min[i];
+    double wantedMax = max[i];
     min[i] = below || apart ? least : min[i];
     max[i] = above || apart ? most : max[i];
     changes.add(
         new Change(
             "normal.jointMinRad",
-            "joint "
-                + i
-                + " may be at "
-                + wanted
-                + " rad, must be within "
-                + FloatText.of(least)
-                + " to "
-                + FloatText.of(most)
-                + " on "
-                + arm.id()));
+            text(
+                "jointRangeBeyondArm",
+                i,
+                FloatText.of(wantedMin),
+                FloatText.of(wantedMax),
+                FloatText.of(least),
+                FloatText.of(most),
+                arm.id())));
   }
 
   /** The tighter one of each limit; a range that would be empty is the normal one. */

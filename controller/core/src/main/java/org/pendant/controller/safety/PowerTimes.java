@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 /**
  * Power times: how long changes of power take, s. What a safety function demands takes no time in
  * any case.
@@ -37,9 +39,13 @@ public record PowerTimes(
   }
 
   private static void check(String name, double timeS) {
-    if (!(timeS >= 0 && timeS <= MAX_S)) {
+    if (!inRange(timeS)) {
       throw new IllegalArgumentException(name + " is " + timeS + ", must be 0 to " + MAX_S);
     }
+  }
+
+  private static boolean inRange(double timeS) {
+    return timeS >= 0 && timeS <= MAX_S;
   }
 
   /**
@@ -50,7 +56,9 @@ public record PowerTimes(
    * @throws IllegalArgumentException if it is not in this range
    */
   public static PowerTimes ofTotal(double totalS) {
-    check("the time to switch on", totalS);
+    if (!inRange(totalS)) {
+      throw new IllegalArgumentException(text("timeToSwitchOn", totalS, MAX_S));
+    }
     double share = totalS / ON_S;
     return new PowerTimes(
         REAL.bootS * share,

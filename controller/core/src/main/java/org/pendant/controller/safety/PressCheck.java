@@ -38,13 +38,13 @@ final class PressCheck {
     elbow = elbowN > limits.elbowForceN() + FORCE_TOLERANCE_N ? elbow + 1 : 0;
     double timeS = facts.timeS();
     if (power >= FRAMES) {
-      return Optional.of(StopReason.POWER.of("arm", timeS, powerW, limits.powerW()));
+      return Optional.of(StopReason.POWER.of(timeS, powerW, limits.powerW()));
     }
     if (tool >= FRAMES) {
-      return Optional.of(StopReason.TOOL_FORCE.of("tool", timeS, toolN, limits.toolForceN()));
+      return Optional.of(StopReason.TOOL_FORCE.of(timeS, toolN, limits.toolForceN()));
     }
     if (elbow >= FRAMES) {
-      return Optional.of(StopReason.ELBOW_FORCE.of("elbow", timeS, elbowN, limits.elbowForceN()));
+      return Optional.of(StopReason.ELBOW_FORCE.of(timeS, elbowN, limits.elbowForceN()));
     }
     return Optional.empty();
   }

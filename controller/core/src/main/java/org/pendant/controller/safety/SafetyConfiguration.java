@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -33,14 +35,12 @@ public record SafetyConfiguration(
     planes = List.copyOf(planes);
     reduced.requireWithin(normal);
     if (planes.size() > MAX_PLANES) {
-      throw new IllegalArgumentException(
-          "safety configuration has " + planes.size() + " planes, must be at most " + MAX_PLANES);
+      throw new IllegalArgumentException(text("tooManyPlanes", planes.size(), MAX_PLANES));
     }
     Set<String> names = new HashSet<>();
     for (SafetyPlane plane : planes) {
       if (!names.add(plane.name())) {
-        throw new IllegalArgumentException(
-            "two safety planes are called \"" + plane.name() + "\", each must have its own name");
+        throw new IllegalArgumentException(text("planeNameTwice", plane.name()));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,14 +36,14 @@ public final class SafetyConfigurationReader {
   public static SafetyConfiguration read(String fileName, InputStream in, ArmDescription arm)
       throws JsonException {
     Json root = JsonFile.read(fileName, in);
-    JsonFields fields = new JsonFields(root, "a safety configuration");
+    JsonFields fields = new JsonFields(root, text("aSafetyConfiguration"));
     fields.allow(Nearest::among, "normal", "reduced", "planes", "toolDirection");
     SafetyLimits standard = StandardLimits.normal(arm);
-    SafetyLimits normal = limits(fields.optional("normal"), "the normal limits", standard);
+    SafetyLimits normal = limits(fields.optional("normal"), text("theNormalLimits"), standard);
     SafetyLimits reduced =
         limits(
             fields.optional("reduced"),
-            "the reduced limits",
+            text("theReducedLimits"),
             StandardLimits.reduced(standard).tighterOf(normal));
     List<SafetyPlane> planes = new ArrayList<>();
     for (Json each : fields.array("planes", SafetyConfiguration.MAX_PLANES)) {
@@ -75,7 +77,7 @@ public final class SafetyConfigurationReader {
   }
 
   private static SafetyPlane plane(Json value) throws JsonException {
-    JsonFields fields = new JsonFields(value, "a plane");
+    JsonFields fields = new JsonFields(value, text("aPlane"));
     fields.allow(Nearest::among, "name", "pointM", "allowedSide", "applies", "elbow");
     Json.Text name = fields.text("name");
     double[] point = three(fields, "pointM", POINT);
@@ -90,7 +92,7 @@ public final class SafetyConfigurationReader {
   }
 
   private static ToolDirection toolDirection(Json value) throws JsonException {
-    JsonFields fields = new JsonFields(value, "a tool direction");
+    JsonFields fields = new JsonFields(value, text("aToolDirection"));
     fields.allow(Nearest::among, "allowedInBase", "toolInFlange", "largestAngleRad", "applies");
     return new ToolDirection(
         axis(fields, "allowedInBase"),
@@ -131,7 +133,7 @@ public final class SafetyConfigurationReader {
       }
       words.add(each.word());
     }
-    throw JsonFields.wrong("applies", text, "one of " + String.join(", ", words));
+    throw JsonFields.wrong("applies", text, text("oneOf", String.join(", ", words)));
   }
 
   private static boolean flag(JsonFields fields, String key) throws JsonException {
@@ -142,6 +144,6 @@ public final class SafetyConfigurationReader {
     if (value.get() instanceof Json.Word word && !word.word().equals("null")) {
       return word.word().equals("true");
     }
-    throw JsonFields.wrong(key, value.get(), "true or false");
+    throw JsonFields.wrong(key, value.get(), text("trueOrFalse"));
   }
 }

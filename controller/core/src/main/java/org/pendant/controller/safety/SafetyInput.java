@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -36,9 +38,9 @@ public enum SafetyInput {
       }
     }
     throw new IllegalArgumentException(
-        "safety input is '"
-            + word
-            + "', must be one of "
-            + Arrays.stream(values()).map(SafetyInput::word).collect(Collectors.joining(", ")));
+        text(
+            "unknownInput",
+            word,
+            Arrays.stream(values()).map(SafetyInput::word).collect(Collectors.joining(", "))));
   }
 }

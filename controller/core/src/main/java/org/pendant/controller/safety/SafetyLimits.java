@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import org.pendant.models.arm.Joints;
 import org.pendant.motion.force.JointPositionLimits;
 
@@ -39,31 +41,29 @@ public record SafetyLimits(
   public SafetyLimits {
     requireAboveZero("power", powerW, "W");
     requireAboveZero("momentum", momentumKgMPerS, "kg m/s");
-    requireAboveZero("stopping time", stoppingTimeS, "s");
-    requireAboveZero("stopping distance", stoppingDistanceM, "m");
-    requireAboveZero("tool speed", toolSpeedMPerS, "m/s");
-    requireAboveZero("tool force", toolForceN, "N");
-    requireAboveZero("elbow speed", elbowSpeedMPerS, "m/s");
-    requireAboveZero("elbow force", elbowForceN, "N");
+    requireAboveZero("stoppingTime", stoppingTimeS, "s");
+    requireAboveZero("stoppingDistance", stoppingDistanceM, "m");
+    requireAboveZero("toolSpeed", toolSpeedMPerS, "m/s");
+    requireAboveZero("toolForce", toolForceN, "N");
+    requireAboveZero("elbowSpeed", elbowSpeedMPerS, "m/s");
+    requireAboveZero("elbowForce", elbowForceN, "N");
     for (int i = 0; i < Joints.COUNT; i++) {
-      requireAboveZero("speed of joint " + i, jointSpeedRadPerS.get(i), "rad/s");
+      requireAboveZero("speedOfJoint", jointSpeedRadPerS.get(i), "rad/s", i);
       if (!(jointMinRad.get(i) < jointMaxRad.get(i))) {
         throw new IllegalArgumentException(
-            "safety limits: joint "
-                + i
-                + " may be at "
-                + jointMinRad.get(i)
-                + " to "
-                + jointMaxRad.get(i)
-                + " rad, the first must be below the second");
+            text("jointRangeEmpty", i, jointMinRad.get(i), jointMaxRad.get(i)));
       }
     }
   }
 
-  private static void requireAboveZero(String name, double value, String unit) {
+  /**
+   * Reads texts only where something is wrong.
+   *
+   * @param joint number of the joint, if it is the limit of one
+   */
+  private static void requireAboveZero(String nameKey, double value, String unit, Object... joint) {
     if (!(value > 0)) {
-      throw new IllegalArgumentException(
-          "safety limits: " + name + " is " + value + " " + unit + ", must be above 0");
+      throw new IllegalArgumentException(text("limitAboveZero", text(nameKey, joint), value, unit));
     }
   }
 
@@ -75,46 +75,34 @@ public record SafetyLimits(
   void requireWithin(SafetyLimits wider) {
     requireAtMost("power", powerW, wider.powerW, "W");
     requireAtMost("momentum", momentumKgMPerS, wider.momentumKgMPerS, "kg m/s");
-    requireAtMost("stopping time", stoppingTimeS, wider.stoppingTimeS, "s");
-    requireAtMost("stopping distance", stoppingDistanceM, wider.stoppingDistanceM, "m");
-    requireAtMost("tool speed", toolSpeedMPerS, wider.toolSpeedMPerS, "m/s");
-    requireAtMost("tool force", toolForceN, wider.toolForceN, "N");
-    requireAtMost("elbow speed", elbowSpeedMPerS, wider.elbowSpeedMPerS, "m/s");
-    requireAtMost("elbow force", elbowForceN, wider.elbowForceN, "N");
+    requireAtMost("stoppingTime", stoppingTimeS, wider.stoppingTimeS, "s");
+    requireAtMost("stoppingDistance", stoppingDistanceM, wider.stoppingDistanceM, "m");
+    requireAtMost("toolSpeed", toolSpeedMPerS, wider.toolSpeedMPerS, "m/s");
+    requireAtMost("toolForce", toolForceN, wider.toolForceN, "N");
+    requireAtMost("elbowSpeed", elbowSpeedMPerS, wider.elbowSpeedMPerS, "m/s");
+    requireAtMost("elbowForce", elbowForceN, wider.elbowForceN, "N");
     for (int i = 0; i < Joints.COUNT; i++) {
       requireAtMost(
-          "speed of joint " + i, jointSpeedRadPerS.get(i), wider.jointSpeedRadPerS.get(i), "rad/s");
+          "speedOfJoint", jointSpeedRadPerS.get(i), wider.jointSpeedRadPerS.get(i), "rad/s", i);
       if (!(jointMinRad.get(i) >= wider.jointMinRad.get(i)
           && jointMaxRad.get(i) <= wider.jointMaxRad.get(i))) {
         throw new IllegalArgumentException(
-            "reduced limits: joint "
-                + i
-                + " may be at "
-                + jointMinRad.get(i)
-                + " to "
-                + jointMaxRad.get(i)
-                + " rad, must be within the normal range "
-                + wider.jointMinRad.get(i)
-                + " to "
-                + wider.jointMaxRad.get(i)
-                + " rad");
+            text(
+                "reducedJointRange",
+                i,
+                jointMinRad.get(i),
+                jointMaxRad.get(i),
+                wider.jointMinRad.get(i),
+                wider.jointMaxRad.get(i)));
       }
     }
   }
 
-  private static void requireAtMost(String name, double value, double most, String unit) {
+  private static void requireAtMost(
+      String nameKey, double value, double most, String unit, Object... joint) {
     if (!(value <= most)) {
       throw new IllegalArgumentException(
-          "reduced limits: "
-              + name
-              + " is "
-              + value
-              + " "
-              + unit
-              + ", must be at most the normal "
-              + most
-              + " "
-              + unit);
+          text("limitAtMostNormal", text(nameKey, joint), value, unit, most));
     }
   }
 

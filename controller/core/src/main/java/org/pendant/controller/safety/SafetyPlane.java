@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 /**
  * Safety plane, which the tool centre point, and the elbow if wanted, must not pass.
  *
@@ -26,19 +28,10 @@ public record SafetyPlane(
    */
   public SafetyPlane {
     if (name.isBlank()) {
-      throw new IllegalArgumentException("safety plane: name is blank, must have a letter");
+      throw new IllegalArgumentException(text("planeNameBlank"));
     }
     if (!Double.isFinite(pointXM + pointYM + pointZM)) {
-      throw new IllegalArgumentException(
-          "safety plane "
-              + name
-              + ": point is ["
-              + pointXM
-              + ", "
-              + pointYM
-              + ", "
-              + pointZM
-              + "] m, must be finite");
+      throw new IllegalArgumentException(text("planePointRange", name, pointXM, pointYM, pointZM));
     }
   }
 

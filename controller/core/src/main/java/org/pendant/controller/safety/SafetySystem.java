@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -205,7 +207,7 @@ public final class SafetySystem {
    */
   public Optional<Refusal> releaseBrakes() {
     if (power.mode() == RobotMode.BACKDRIVE) {
-      return powerMode("the arm is in BACKDRIVE, which must be ended first");
+      return powerMode(text("backdriveFirst"));
     }
     Optional<Refusal> refusal = stops.powerRefusal(inputs);
     if (refusal.isEmpty()) {
@@ -238,7 +240,7 @@ public final class SafetySystem {
   /** Lets a powered arm on its brakes be pushed about. Answers why not, empty if it does. */
   public Optional<Refusal> startBackdrive() {
     if (power.mode() != RobotMode.IDLE) {
-      return powerMode("the arm is " + power.mode() + ", must be IDLE for backdrive");
+      return powerMode(text("notIdleForBackdrive", power.mode()));
     }
     Optional<Refusal> refusal = stops.powerRefusal(inputs);
     if (refusal.isEmpty()) {
@@ -250,7 +252,7 @@ public final class SafetySystem {
   /** Closes the brakes after {@link #startBackdrive}. Answers why not, empty if it does. */
   public Optional<Refusal> endBackdrive() {
     if (power.mode() != RobotMode.BACKDRIVE) {
-      return powerMode("the arm is " + power.mode() + ", must be in BACKDRIVE");
+      return powerMode(text("notInBackdrive", power.mode()));
     }
     power.endBackdrive();
     return Optional.empty();
@@ -275,25 +277,16 @@ public final class SafetySystem {
 
   private Optional<Refusal> recoveryRefusal() {
     return limits.recovery()
-        ? Optional.of(
-            new Refusal(
-                Refusal.Code.SAFETY,
-                "the arm is beyond a safety limit, must be brought back by hand first"
-                    + " (RECOVERY)"))
+        ? Optional.of(new Refusal(Refusal.Code.SAFETY, text("mustBeBroughtBack")))
         : Optional.empty();
   }
 
   /** Why the arm cannot move for want of power; empty if it has power and no brakes. */
   public Optional<Refusal> motionRefusal() {
     if (power.turningOff()) {
-      return powerMode("the arm is being powered off");
+      return powerMode(text("beingPoweredOff"));
     }
-    return power.running()
-        ? Optional.empty()
-        : powerMode(
-            "the arm is "
-                + power.mode()
-                + ", must be RUNNING: power it on and release its brakes first");
+    return power.running() ? Optional.empty() : powerMode(text("notRunning", power.mode()));
   }
 
   private static Optional<Refusal> powerMode(String text) {
@@ -363,7 +356,7 @@ public final class SafetySystem {
    */
   public void setTransitionHardness(int type) {
     if (type != 0 && type != 1) {
-      throw new IllegalArgumentException("type is " + type + ", must be 0 (hard) or 1 (soft)");
+      throw new IllegalArgumentException(text("transitionType", type));
     }
     limits.setSoft(type == 1);
   }
@@ -386,7 +379,7 @@ public final class SafetySystem {
    */
   public void positionDeviationWarning(boolean enabled, double threshold) {
     if (!(threshold >= 0 && threshold <= 1)) {
-      throw new IllegalArgumentException("threshold is " + threshold + ", must be 0 to 1");
+      throw new IllegalArgumentException(text("warningThreshold", threshold));
     }
     checks.warnings().set(enabled, threshold);
   }
@@ -504,7 +497,7 @@ public final class SafetySystem {
       enterRecovery(facts);
     } else if (limits.recovery() && checks.beyond(facts.timeS(), limits, 0).isEmpty()) {
       limits.setRecovery(false);
-      log.safety(Level.INFO, "", "the arm is within its safety limits again");
+      log.safety(Level.INFO, "", text("withinLimitsAgain"));
     }
   }
 
@@ -513,17 +506,14 @@ public final class SafetySystem {
     if (beyond.isPresent() && !facts.programRunning()) {
       limits.setRecovery(true);
       log.safety(
-          Level.WARNING, beyond.get().codeText(), "recovery mode: " + beyond.get().message());
+          Level.WARNING, beyond.get().codeText(), text("recoveryMode", beyond.get().message()));
     }
   }
 
   private void reportReduced() {
     if (limits.reduced() != wasReduced) {
       wasReduced = limits.reduced();
-      log.safety(
-          Level.INFO,
-          "",
-          wasReduced ? "the reduced safety limits hold" : "the normal safety limits hold");
+      log.safety(Level.INFO, "", wasReduced ? text("reducedLimitsHold") : text("normalLimitsHold"));
     }
   }
 

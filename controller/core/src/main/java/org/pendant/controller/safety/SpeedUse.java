@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -20,22 +22,22 @@ import org.pendant.models.pose.Pose;
 public record SpeedUse(Kind kind, int joint, double value, double slowedAt, double share) {
   /** Which limit. */
   public enum Kind {
-    JOINT_SPEED("joint speed"),
-    TOOL_SPEED("tool speed"),
-    ELBOW_SPEED("elbow speed"),
+    JOINT_SPEED("jointSpeed"),
+    TOOL_SPEED("toolSpeed"),
+    ELBOW_SPEED("elbowSpeed"),
     MOMENTUM("momentum"),
-    STOPPING_TIME("stopping time"),
-    STOPPING_DISTANCE("stopping distance");
+    STOPPING_TIME("stoppingTime"),
+    STOPPING_DISTANCE("stoppingDistance");
 
-    private final String words;
+    private final String key;
 
-    Kind(String words) {
-      this.words = words;
+    Kind(String key) {
+      this.key = key;
     }
 
     /** Its name in a sentence. */
     public String words() {
-      return words;
+      return text(key);
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
@@ -11,68 +13,69 @@ import java.util.OptionalInt;
  * not published and are our choice.
  */
 public enum StopReason {
-  JOINT_LIMIT_NEAR(150, Kind.PROTECTIVE, "comes too close to its position limit", "rad"),
-  TOOL_DIRECTION_NEAR(151, Kind.PROTECTIVE, "comes too close to its largest tilt", "rad"),
-  PLANE_NEAR(152, Kind.PROTECTIVE, "comes too close to safety plane", "m"),
-  POSITION_DEVIATION(153, Kind.PROTECTIVE, "is away from its target", "rad"),
-  FORCE_MODE_SHIFT(153, Kind.PROTECTIVE, "is away from its path along", "m"),
-  FORCE_MODE_TURN(153, Kind.PROTECTIVE, "is turned away from its path about", "rad"),
+  JOINT_LIMIT_NEAR(150, Kind.PROTECTIVE, "jointLimitNear", "rad"),
+  TOOL_DIRECTION_NEAR(151, Kind.PROTECTIVE, "tiltNear", "rad"),
+  PLANE_NEAR(152, Kind.PROTECTIVE, "planeNear", "m"),
+  POSITION_DEVIATION(153, Kind.PROTECTIVE, "awayFromTarget", "rad"),
+  FORCE_MODE_SHIFT(153, Kind.PROTECTIVE, "awayFromPath", "m"),
+  FORCE_MODE_TURN(153, Kind.PROTECTIVE, "turnedAwayFromPath", "rad"),
   SINGULARITY(154, 0, Kind.PROTECTIVE, "", ""),
-  WRONG_PAYLOAD(
-      155, 0, Kind.PROTECTIVE, "is not what the flange carries, or something pushes the tool", "N"),
-  COLLISION(157, Kind.PROTECTIVE, "is pushed from outside", "Nm"),
+  WRONG_PAYLOAD(155, 0, Kind.PROTECTIVE, "wrongPayload", "N"),
+  COLLISION(157, Kind.PROTECTIVE, "pushed", "Nm"),
   LINK_HIT(157, Kind.PROTECTIVE, "", "m"),
   OUT_OF_REACH(200, 0, Kind.PROTECTIVE, "", ""),
-  TARGET_POSITION_JUMP(204, 1, Kind.PROTECTIVE, "has a target position that jumps", "rad"),
-  TARGET_SPEED_JUMP(204, 3, Kind.PROTECTIVE, "has a target speed that jumps", "rad/s"),
-  PROGRAM(209, 0, Kind.PROTECTIVE, "asks for it", ""),
+  TARGET_POSITION_JUMP(204, 1, Kind.PROTECTIVE, "targetPositionJumps", "rad"),
+  TARGET_SPEED_JUMP(204, 3, Kind.PROTECTIVE, "targetSpeedJumps", "rad/s"),
+  PROGRAM(209, 0, Kind.PROTECTIVE, "programAsks", ""),
 
-  ROBOT_EMERGENCY_STOP(100, Kind.ROBOT_EMERGENCY, "is active", ""),
-  SYSTEM_EMERGENCY_STOP(100, Kind.SYSTEM_EMERGENCY, "is active", ""),
-  SAFEGUARD_STOP(100, Kind.SAFEGUARD, "is active", ""),
-  AUTOMATIC_MODE_SAFEGUARD_STOP(100, Kind.AUTOMATIC_SAFEGUARD, "is active", ""),
+  ROBOT_EMERGENCY_STOP(100, Kind.ROBOT_EMERGENCY, "inputActive", ""),
+  SYSTEM_EMERGENCY_STOP(100, Kind.SYSTEM_EMERGENCY, "inputActive", ""),
+  SAFEGUARD_STOP(100, Kind.SAFEGUARD, "inputActive", ""),
+  AUTOMATIC_MODE_SAFEGUARD_STOP(100, Kind.AUTOMATIC_SAFEGUARD, "inputActive", ""),
 
-  JOINT_POSITION(191, 0, Kind.VIOLATION, "is beyond its position limit", "rad"),
-  JOINT_SPEED(191, 1, Kind.VIOLATION, "turns too fast", "rad/s"),
-  TOOL_SPEED(191, 2, Kind.VIOLATION, "moves too fast", "m/s"),
-  ELBOW_SPEED(191, 3, Kind.VIOLATION, "moves too fast", "m/s"),
-  MOMENTUM(191, 4, Kind.VIOLATION, "has too much momentum", "kg m/s"),
-  POWER(191, 5, Kind.VIOLATION, "does too much work on its surroundings", "W"),
-  TOOL_FORCE(191, 6, Kind.VIOLATION, "is pressed too hard", "N"),
-  ELBOW_FORCE(191, 7, Kind.VIOLATION, "is pressed too hard", "N"),
-  PLANE(191, 8, Kind.VIOLATION, "is beyond safety plane", "m"),
-  TOOL_DIRECTION(191, 9, Kind.VIOLATION, "is tilted too far", "rad"),
+  JOINT_POSITION(191, 0, Kind.VIOLATION, "jointBeyondLimit", "rad"),
+  JOINT_SPEED(191, 1, Kind.VIOLATION, "jointTooFast", "rad/s"),
+  TOOL_SPEED(191, 2, Kind.VIOLATION, "toolTooFast", "m/s"),
+  ELBOW_SPEED(191, 3, Kind.VIOLATION, "elbowTooFast", "m/s"),
+  MOMENTUM(191, 4, Kind.VIOLATION, "tooMuchMomentum", "kg m/s"),
+  POWER(191, 5, Kind.VIOLATION, "tooMuchWork", "W"),
+  TOOL_FORCE(191, 6, Kind.VIOLATION, "toolPressed", "N"),
+  ELBOW_FORCE(191, 7, Kind.VIOLATION, "elbowPressed", "N"),
+  PLANE(191, 8, Kind.VIOLATION, "beyondPlane", "m"),
+  TOOL_DIRECTION(191, 9, Kind.VIOLATION, "tilted", "rad"),
 
-  NO_READING(192, 0, Kind.FAULT, "reports no number", ""),
+  NO_READING(192, 0, Kind.FAULT, "noReading", ""),
 
-  DEVIATION_WARNING(173, Kind.WARNING, "is away from its target", "rad");
+  DEVIATION_WARNING(173, Kind.WARNING, "awayFromTarget", "rad");
 
-  /** Names of the joints, base first. */
-  private static final List<String> JOINT_NAMES =
-      List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
+  /** Keys of the joints' names, base first. */
+  private static final List<String> JOINTS =
+      List.of("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3");
 
   /** Digits of a measured number in a message: enough to tell it from its limit. */
   private static final MathContext DIGITS = new MathContext(5);
 
   /** What comes of it. */
   private enum Kind {
-    PROTECTIVE("protective stop", SafetyMode.PROTECTIVE_STOP, StopCategory.TWO),
-    ROBOT_EMERGENCY("emergency stop", SafetyMode.ROBOT_EMERGENCY_STOP, StopCategory.ONE),
-    SYSTEM_EMERGENCY("emergency stop", SafetyMode.SYSTEM_EMERGENCY_STOP, StopCategory.ONE),
-    SAFEGUARD("safeguard stop", SafetyMode.SAFEGUARD_STOP, StopCategory.TWO),
+    PROTECTIVE("protectiveStop", SafetyMode.PROTECTIVE_STOP, StopCategory.TWO),
+    ROBOT_EMERGENCY("emergencyStop", SafetyMode.ROBOT_EMERGENCY_STOP, StopCategory.ONE),
+    SYSTEM_EMERGENCY("emergencyStop", SafetyMode.SYSTEM_EMERGENCY_STOP, StopCategory.ONE),
+    SAFEGUARD("safeguardStop", SafetyMode.SAFEGUARD_STOP, StopCategory.TWO),
     AUTOMATIC_SAFEGUARD(
-        "safeguard stop", SafetyMode.AUTOMATIC_MODE_SAFEGUARD_STOP, StopCategory.TWO),
+        "safeguardStop", SafetyMode.AUTOMATIC_MODE_SAFEGUARD_STOP, StopCategory.TWO),
     VIOLATION("violation", SafetyMode.VIOLATION, StopCategory.ZERO),
     FAULT("fault", SafetyMode.FAULT, StopCategory.ZERO),
     /** Stops nothing; mode and category are not used. */
     WARNING("warning", SafetyMode.NORMAL, StopCategory.TWO);
 
-    final String word;
+    /** Key of what the log says of it. */
+    final String messageKey;
+
     final SafetyMode mode;
     final StopCategory category;
 
-    Kind(String word, SafetyMode mode, StopCategory category) {
-      this.word = word;
+    Kind(String messageKey, SafetyMode mode, StopCategory category) {
+      this.messageKey = messageKey;
       this.mode = mode;
       this.category = category;
     }
@@ -84,18 +87,21 @@ public enum StopReason {
   private final int code;
   private final int argument;
   private final Kind kind;
-  private final String words;
+
+  /** Key of what has happened; empty where the others tell. */
+  private final String sentenceKey;
+
   private final String unit;
 
-  StopReason(int code, Kind kind, String words, String unit) {
-    this(code, VARIES, kind, words, unit);
+  StopReason(int code, Kind kind, String sentenceKey, String unit) {
+    this(code, VARIES, kind, sentenceKey, unit);
   }
 
-  StopReason(int code, int argument, Kind kind, String words, String unit) {
+  StopReason(int code, int argument, Kind kind, String sentenceKey, String unit) {
     this.code = code;
     this.argument = argument;
     this.kind = kind;
-    this.words = words;
+    this.sentenceKey = sentenceKey;
     this.unit = unit;
   }
 
@@ -111,19 +117,24 @@ public enum StopReason {
 
   /** A stop because of joint {@code joint}, 0 to 5; the joint is the argument where that varies. */
   SafetyStop ofJoint(int joint, double timeS, double value, double limit) {
-    String subject = JOINT_NAMES.get(joint) + " (joint " + joint + ") " + words;
-    return stop(subject, joint, OptionalInt.of(joint), timeS, value, limit);
+    String sentence = text(sentenceKey, text(JOINTS.get(joint)), joint);
+    return stop(sentence, joint, OptionalInt.of(joint), timeS, value, limit);
   }
 
   /** A stop because of something that was measured. */
-  SafetyStop of(String subject, double timeS, double value, double limit) {
-    return stop(subject + " " + words, 0, OptionalInt.empty(), timeS, value, limit);
+  SafetyStop of(double timeS, double value, double limit) {
+    return stop(text(sentenceKey), 0, OptionalInt.empty(), timeS, value, limit);
   }
 
-  /** A stop because of the plane with this number in the configuration, from 0. */
+  /**
+   * A stop because of a plane.
+   *
+   * @param part key of what is there: {@code tool} or {@code elbow}
+   * @param number of the plane in the configuration, from 0
+   */
   SafetyStop ofPlane(
-      String subject, SafetyPlane plane, int number, double timeS, double value, double limit) {
-    String sentence = subject + " " + words + " \"" + plane.name() + "\"";
+      String part, SafetyPlane plane, int number, double timeS, double value, double limit) {
+    String sentence = text(sentenceKey, text(part), plane.name());
     return stop(sentence, number, OptionalInt.empty(), timeS, value, limit);
   }
 
@@ -133,7 +144,7 @@ public enum StopReason {
    * @param joint the argument, and the joint that it is about, 0 to 5
    */
   SafetyStop alongAxis(char axis, int joint, double timeS, double value, double limit) {
-    String sentence = "the TCP " + words + " " + axis + " of the task frame of force mode";
+    String sentence = text(sentenceKey, axis);
     return stop(sentence, joint, OptionalInt.of(joint), timeS, value, limit);
   }
 
@@ -147,9 +158,15 @@ public enum StopReason {
     return stop(sentence, joint, OptionalInt.of(joint), timeS, depthM, 0);
   }
 
-  /** A stop because of an input, or on request. */
-  SafetyStop of(String subject, double timeS) {
-    return stop(subject + " " + words, kind.mode.code(), OptionalInt.empty(), timeS, 0, 0);
+  /** A stop because of an input. */
+  SafetyStop ofInput(SafetyInput input, double timeS) {
+    String sentence = text(sentenceKey, input.word());
+    return stop(sentence, kind.mode.code(), OptionalInt.empty(), timeS, 0, 0);
+  }
+
+  /** A stop on request. */
+  SafetyStop asked(double timeS) {
+    return stop(text(sentenceKey), kind.mode.code(), OptionalInt.empty(), timeS, 0, 0);
   }
 
   /** A stop because a path cannot be followed, in words that have what was measured. */
@@ -171,29 +188,13 @@ public enum StopReason {
       double limit,
       String measuredIn) {
     int chosen = argument == VARIES ? varying : argument;
-    StringBuilder message = new StringBuilder();
-    message.append('C').append(code).append('A').append(chosen).append(' ');
-    message
-        .append(kind.word)
-        .append(" at ")
-        .append(milliseconds(timeS))
-        .append(" s: ")
-        .append(sentence);
-    if (!measuredIn.isEmpty()) {
-      message.append(": ").append(number(value)).append(' ').append(measuredIn);
-      message.append(", limit ").append(number(limit)).append(' ').append(measuredIn);
-    }
+    String told =
+        measuredIn.isEmpty()
+            ? sentence
+            : text("measured", sentence, number(value), measuredIn, number(limit));
+    String message = text(kind.messageKey, code, chosen, milliseconds(timeS), told);
     return new SafetyStop(
-        kind.mode,
-        kind.category,
-        code,
-        chosen,
-        joint,
-        timeS,
-        value,
-        limit,
-        measuredIn,
-        message.toString());
+        kind.mode, kind.category, code, chosen, joint, timeS, value, limit, measuredIn, message);
   }
 
   private static BigDecimal milliseconds(double timeS) {

@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -135,7 +137,7 @@ final class StopRecord {
   private Optional<SafetyStop> demanded(
       Set<SafetyInput> inputs, SafetyInput input, StopReason reason) {
     return inputs.contains(input) && outranks(reason.mode())
-        ? Optional.of(reason.of("input " + input.word(), nowS))
+        ? Optional.of(reason.ofInput(input, nowS))
         : Optional.empty();
   }
 
@@ -156,7 +158,7 @@ final class StopRecord {
     }
     boolean resume = programGoesOn;
     end();
-    log.safety(Level.INFO, "", "input " + input.get().word() + " is no longer active");
+    log.safety(Level.INFO, "", text("inputReleased", input.get().word()));
     return resume ? SafetyAction.RESUME : SafetyAction.NONE;
   }
 
@@ -209,16 +211,11 @@ final class StopRecord {
    */
   Optional<Refusal> unlock(boolean early) {
     if (!is(SafetyMode.PROTECTIVE_STOP)) {
-      return refused("there is no protective stop to unlock");
+      return refused(text("nothingToUnlock"));
     }
     double leftS = present.get().timeS() + UNLOCK_S - nowS;
     if (!early && leftS > ROUNDING_S) {
-      return refused(
-          "the protective stop can be unlocked "
-              + Math.round(UNLOCK_S)
-              + " s after it happened, "
-              + Math.ceil(leftS * 10) / 10
-              + " s are left");
+      return refused(text("unlockLater", Math.round(UNLOCK_S), Math.ceil(leftS * 10) / 10));
     }
     if (unlockTakesS > 0) {
       unlockedAtS = OptionalDouble.of(unlockedAtS.orElse(nowS + unlockTakesS));
@@ -230,16 +227,16 @@ final class StopRecord {
 
   private void endUnlocked() {
     end();
-    log.safety(Level.INFO, "", "the protective stop is unlocked");
+    log.safety(Level.INFO, "", text("unlocked"));
   }
 
   /** Ends a violation or a fault, or says why not. */
   Optional<Refusal> restart() {
     if (!needsRestart()) {
-      return refused("there is no violation or fault, nothing has to be restarted");
+      return refused(text("nothingToRestart"));
     }
     end();
-    log.safety(Level.INFO, "", "the safety functions have been restarted");
+    log.safety(Level.INFO, "", text("safetyRestarted"));
     return Optional.empty();
   }
 
@@ -250,7 +247,7 @@ final class StopRecord {
     }
     for (SafetyInput each : inputs) {
       if (each == SafetyInput.EMERGENCY_STOP || each == SafetyInput.SYSTEM_EMERGENCY_STOP) {
-        return refused("input " + each.word() + " is active, must be released first");
+        return refused(text("releaseInputFirst", each.word()));
       }
     }
     return isEmergency() ? Optional.of(refusal()) : Optional.empty();
@@ -259,20 +256,21 @@ final class StopRecord {
   /** What the present stop forbids, and what ends it. */
   Refusal refusal() {
     SafetyStop stop = present.orElseThrow();
-    return new Refusal(Refusal.Code.SAFETY, stop.message() + "; " + remedy());
+    return new Refusal(Refusal.Code.SAFETY, text(remedy(), stop.message()));
   }
 
   private static Optional<Refusal> refused(String text) {
     return Optional.of(new Refusal(Refusal.Code.SAFETY, text));
   }
 
+  /** Key of a stop with what ends it. */
   private String remedy() {
     if (needsRestart()) {
-      return "restart the safety functions, then power the arm on";
+      return "refusedUntilRestart";
     }
     if (isEmergency()) {
-      return "release the input, then power the arm on";
+      return "refusedUntilPower";
     }
-    return isSafeguard() ? "wait until the input is released" : "unlock the protective stop first";
+    return isSafeguard() ? "refusedUntilReleased" : "refusedUntilUnlocked";
   }
 }

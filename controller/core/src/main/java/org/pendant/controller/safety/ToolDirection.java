@@ -1,5 +1,7 @@
 package org.pendant.controller.safety;
 
+import static org.pendant.controller.safety.SafetyTexts.text;
+
 /**
  * Tool direction limit: how far the tool may be tilted.
  *
@@ -18,14 +20,10 @@ public record ToolDirection(
    */
   public ToolDirection {
     if (!(largestAngleRad > 0 && largestAngleRad < Math.PI)) {
-      throw new IllegalArgumentException(
-          "tool direction: largest angle is "
-              + largestAngleRad
-              + " rad, must be above 0 and below pi");
+      throw new IllegalArgumentException(text("tiltRange", largestAngleRad));
     }
     if (applies == Applies.TRIGGERS_REDUCED) {
-      throw new IllegalArgumentException(
-          "tool direction: applies is triggers_reduced, must be normal, reduced or both");
+      throw new IllegalArgumentException(text("tiltTriggersReduced"));
     }
   }
 

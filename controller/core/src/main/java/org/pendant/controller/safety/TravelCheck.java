@@ -124,7 +124,7 @@ final class TravelCheck {
     double end = direction.angleRad(target) + speed * travelS;
     double largest = direction.largestAngleRad();
     return speed > 0 && end > largest + ROUNDING
-        ? Optional.of(StopReason.TOOL_DIRECTION_NEAR.of("tool", timeS, end, largest))
+        ? Optional.of(StopReason.TOOL_DIRECTION_NEAR.of(timeS, end, largest))
         : Optional.empty();
   }
 }

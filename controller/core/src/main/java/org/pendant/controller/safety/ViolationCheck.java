@@ -70,7 +70,7 @@ final class ViolationCheck {
     double angle = direction.get().angleRad(points);
     double largest = direction.get().largestAngleRad();
     return angle > largest + tolerance
-        ? Optional.of(StopReason.TOOL_DIRECTION.of("tool", timeS, angle, largest))
+        ? Optional.of(StopReason.TOOL_DIRECTION.of(timeS, angle, largest))
         : Optional.empty();
   }
 
@@ -84,17 +84,15 @@ final class ViolationCheck {
     }
     double toolSpeed = seen.actual.toolSpeedMPerS();
     if (toolSpeed > limits.toolSpeedMPerS() + SPEED_TOLERANCE_M_PER_S) {
-      return Optional.of(
-          StopReason.TOOL_SPEED.of("tool", timeS, toolSpeed, limits.toolSpeedMPerS()));
+      return Optional.of(StopReason.TOOL_SPEED.of(timeS, toolSpeed, limits.toolSpeedMPerS()));
     }
     double elbowSpeed = seen.actual.elbowSpeedMPerS();
     if (elbowSpeed > limits.elbowSpeedMPerS() + SPEED_TOLERANCE_M_PER_S) {
-      return Optional.of(
-          StopReason.ELBOW_SPEED.of("elbow", timeS, elbowSpeed, limits.elbowSpeedMPerS()));
+      return Optional.of(StopReason.ELBOW_SPEED.of(timeS, elbowSpeed, limits.elbowSpeedMPerS()));
     }
     double momentum = seen.momentumKgMPerS();
     if (momentum > limits.momentumKgMPerS() + MOMENTUM_TOLERANCE_KG_M_PER_S) {
-      return Optional.of(StopReason.MOMENTUM.of("arm", timeS, momentum, limits.momentumKgMPerS()));
+      return Optional.of(StopReason.MOMENTUM.of(timeS, momentum, limits.momentumKgMPerS()));
     }
     return Optional.empty();
   }
