@@ -1,6 +1,7 @@
 package org.pendant.models.collision;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import org.pendant.models.arm.ArmDescription;
@@ -22,6 +23,12 @@ import org.pendant.models.pose.Transforms;
  */
 public final class ArmClearance {
   private static final int BODIES = LinkCapsules.NAMES.size();
+
+  /** The first joint is turned all round in so many steps to see whether a distance changes. */
+  private static final int TURN_STEPS = 72;
+
+  /** Distances that differ by less are the same: those of solids are found to 1e-7 m. */
+  private static final double UNCHANGED_M = 1e-6;
 
   private final ForwardKinematics forward;
   private final List<SolidShape> obstacles;
@@ -49,6 +56,9 @@ public final class ArmClearance {
   private final int[] first;
 
   private final int[] second;
+
+  /** Pairs that are apart, and as far apart wherever the joints are. */
+  private final BitSet unchanging = new BitSet();
 
   /** How far each joint moves any point of the arm at most, m for each rad. */
   private final double[] leverM = new double[Joints.COUNT];
@@ -100,7 +110,10 @@ public final class ArmClearance {
     List<int[]> pairs = pairs(arm.dh().d1());
     first = pairs.stream().mapToInt(pair -> pair[0]).toArray();
     second = pairs.stream().mapToInt(pair -> pair[1]).toArray();
-    at(q);
+    for (int i = 0; i < pairs(); i++) {
+      unchanging.set(i, !changes(i));
+    }
+    at(new double[Joints.COUNT]);
   }
 
   private void surround(int of) {
@@ -183,6 +196,26 @@ public final class ArmClearance {
     return pairs;
   }
 
+  /**
+   * Whether joints change how far the two of a pair are apart, or the two overlap. All are turned
+   * at once, each faster than the one before it: where more than the first one matters, the first
+   * step shows it.
+   */
+  private boolean changes(int pair) {
+    double[] turned = new double[Joints.COUNT];
+    at(turned);
+    double before = distanceM(pair, Double.POSITIVE_INFINITY);
+    boolean changes = before <= 0;
+    for (int i = 1; i < TURN_STEPS && !changes; i++) {
+      for (int joint = 0; joint < Joints.COUNT; joint++) {
+        turned[joint] = (joint + 1) * 2 * Math.PI * i / TURN_STEPS;
+      }
+      at(turned);
+      changes = Math.abs(distanceM(pair, Double.POSITIVE_INFINITY) - before) > UNCHANGED_M;
+    }
+    return changes;
+  }
+
   private boolean reaches(int obstacle, double shoulderM) {
     return obstacles.get(obstacle).toPoint(0, 0, shoulderM) <= leverM[0];
   }
@@ -238,6 +271,14 @@ public final class ArmClearance {
   /** How many pairs there are; they are numbered from 0. */
   public int pairs() {
     return first.length;
+  }
+
+  /**
+   * Whether the two of a pair are apart, and as far apart wherever the joints are: a shoulder that
+   * turns above a floor.
+   */
+  public boolean unchanging(int pair) {
+    return unchanging.get(pair);
   }
 
   /** The body of a pair, or the one of two that is nearer the base. */

@@ -78,6 +78,47 @@ class ArmClearanceTest {
     assertTrue(distance(clearance, "shoulder", "forearm") < 0);
   }
 
+  /**
+   * The pairs that no joint changes, by the names of the body and of the number of the obstacle.
+   */
+  private List<String> unchanging(SolidShape... obstacles) {
+    ArmClearance clearance = new ArmClearance(UR5E, links, List.of(obstacles));
+    List<String> found = new ArrayList<>();
+    for (int pair = 0; pair < clearance.pairs(); pair++) {
+      if (clearance.unchanging(pair)) {
+        String other =
+            clearance.obstacle(pair) >= 0
+                ? String.valueOf(clearance.obstacle(pair))
+                : LinkCapsules.NAMES.get(clearance.otherBody(pair));
+        found.add(LinkCapsules.NAMES.get(clearance.body(pair)) + ", " + other);
+      }
+    }
+    return found;
+  }
+
+  @Test
+  void noJointChangesHowFarTheShoulderIsFromWhatIsAlikeAllAroundItsAxis() {
+    assertEquals(List.of("shoulder, 0"), unchanging(new SolidShape.HalfSpace(0, 0, -0.1, 0, 0, 1)));
+    assertEquals(
+        List.of("shoulder, 0"),
+        unchanging(new SolidShape.Block(new Pose(0, 0, -0.1, 0, 0, 0), 1, 1, 0.1)));
+    assertEquals(List.of("shoulder, 0"), unchanging(new SolidShape.Ball(0, 0, 0.9, 0.1)));
+  }
+
+  @Test
+  void jointsChangeAllOtherDistances() {
+    double slope = Math.sqrt(0.5);
+    assertEquals(List.of(), unchanging());
+    assertEquals(List.of(), unchanging(new SolidShape.HalfSpace(0, 0, -0.2, slope, 0, slope)));
+    assertEquals(
+        List.of(), unchanging(new SolidShape.Block(new Pose(0.3, 0, 0.2, 0, 0, 0), 0.2, 1, 0.4)));
+  }
+
+  @Test
+  void whatIsInAnObstacleWhereverTheJointsAreIsNoneOfThese() {
+    assertEquals(List.of(), unchanging(new SolidShape.HalfSpace(0, 0, 0.16, 0, 0, 1)));
+  }
+
   @Test
   void theFlangeIsWhereTheKinematicsSay() {
     Random random = new Random(3);

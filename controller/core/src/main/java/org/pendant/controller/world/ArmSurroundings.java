@@ -138,6 +138,10 @@ public final class ArmSurroundings implements LinkPairs {
     return pair >= clearance.pairs();
   }
 
+  private boolean unchanging(int pair) {
+    return !ofOthers(pair) && clearance.unchanging(pair);
+  }
+
   /** Whether a pair is that of wrist 3 and an object, which touch where the flange presses. */
   @Override
   public boolean presses(int pair) {
@@ -147,7 +151,8 @@ public final class ArmSurroundings implements LinkPairs {
   }
 
   /**
-   * How far the two of the nearest pair are apart, m: below 0 by the depth where they overlap. No
+   * How far the two of the nearest pair are apart, m: below 0 by the depth where they overlap.
+   * Pairs that no joint can change do not count, such as the shoulder and a floor below it. No
    * number for an arm of which no shape is known. Any thread may ask where nobody calls another
    * method.
    *
@@ -160,7 +165,7 @@ public final class ArmSurroundings implements LinkPairs {
     boolean bare = bareFlange(tcpInFlange);
     double least = Double.POSITIVE_INFINITY;
     for (int pair = 0; pair < pairs(); pair++) {
-      if (!bare || !presses(pair)) {
+      if (!unchanging(pair) && (!bare || !presses(pair))) {
         least = Math.min(least, distanceM(pair, least));
       }
     }

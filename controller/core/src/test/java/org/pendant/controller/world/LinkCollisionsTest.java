@@ -10,6 +10,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
+import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
 
 class LinkCollisionsTest {
@@ -199,5 +200,19 @@ class LinkCollisionsTest {
   void thereAreNoneWhereLinksPassThroughAndWithoutAScene() {
     assertTrue(LinkCollisions.of(UR5E, scene(POST).withLinks(LinkContact.PASS)).isEmpty());
     assertTrue(LinkCollisions.of(UR5E, Scene.EMPTY).isEmpty());
+  }
+
+  @Test
+  void theShoulderAboveAFloorIsNotTheNearest() {
+    SceneObject floor =
+        new SceneObject.Plane(
+            "floor", new Vector3(0, 0, 0.06), new Vector3(0, 0, 1), Material.DEFAULT);
+    ArmSurroundings above = new ArmSurroundings(UR5E, scene(floor));
+    Joints upright = new Joints(0, -HALF, 0, -HALF, HALF, 0);
+    Pose tool = new Pose(0, 0, 0.1, 0, 0, 0);
+    // the shoulder is 39 mm above it whatever joints do, the upper arm 42 mm while it points up
+    assertEquals(0.0419, above.nearestM(upright, tool, new double[0]), 1e-4);
+    Joints bent = new Joints(0, -0.3, 0.6, -HALF, HALF, 0);
+    assertTrue(above.nearestM(bent, tool, new double[0]) < 0.03);
   }
 }

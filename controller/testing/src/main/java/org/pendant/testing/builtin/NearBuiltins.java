@@ -64,7 +64,8 @@ final class NearBuiltins {
         .doc(
             "How far a link of the arm is from another link, from an object of the scene that"
                 + " stands still, or from another arm, at the nearest; negative where it is"
-                + " inside.")
+                + " inside. What no joint can change, such as the shoulder above a floor, does"
+                + " not count.")
         .returns(Unit.METRE)
         .effect(Effect.SENSES)
         .does(
