@@ -189,7 +189,7 @@ public final class CallStackView implements View {
       panel.showNote(PAST_NOTE);
       return;
     }
-    panel.showContent(StopText.of(then.stop().orElseThrow(), debug::lineNow));
+    panel.showContent(debug.stopText(then.stop().orElseThrow()));
     rows.replace(CallRow.of(then.threads(), debug::lineNow));
     table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
   }

@@ -6,6 +6,7 @@ import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
@@ -164,6 +165,20 @@ public final class DebugPresenter {
   /** Why the program is paused; empty while it is not. */
   public String stopText() {
     return held.stopText();
+  }
+
+  /** Why the program was paused at a stop. */
+  String stopText(DebugState.Stop stop) {
+    return held.stopText(stop);
+  }
+
+  /**
+   * Names the places where programs are paused.
+   *
+   * @param names what a line of the running text is called within a sentence
+   */
+  public void nameLinesBy(IntFunction<String> names) {
+    held.nameLinesBy(names);
   }
 
   /**

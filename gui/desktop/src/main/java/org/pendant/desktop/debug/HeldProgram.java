@@ -1,7 +1,10 @@
 package org.pendant.desktop.debug;
 
+import static org.pendant.desktop.debug.DebugTexts.text;
+
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.desktop.editor.Execution;
@@ -20,9 +23,11 @@ final class HeldProgram {
   private final StartedProgram started;
   private DebugState debug = DebugState.FREE;
   private Optional<Scope> selected = Optional.empty();
+  private IntFunction<String> places;
 
   HeldProgram(StartedProgram started) {
     this.started = started;
+    places = line -> text("line", started.toNow(line));
   }
 
   /** Takes what a snapshot says. */
@@ -44,7 +49,17 @@ final class HeldProgram {
 
   /** Why it is paused; empty while it is not. */
   String stopText() {
-    return debug.stop().map(stop -> StopText.of(stop, started::toNow)).orElse("");
+    return debug.stop().map(this::stopText).orElse("");
+  }
+
+  /** Why it was paused at a stop. */
+  String stopText(DebugState.Stop stop) {
+    return StopText.of(stop, places);
+  }
+
+  /** Calls lines of the running text so in sentences, in place of by their present number. */
+  void nameLinesBy(IntFunction<String> names) {
+    places = names;
   }
 
   // --- the call that is looked at

@@ -2,7 +2,7 @@ package org.pendant.desktop.debug;
 
 import static org.pendant.desktop.debug.DebugTexts.text;
 
-import java.util.function.IntUnaryOperator;
+import java.util.function.IntFunction;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.PauseReason;
@@ -12,26 +12,26 @@ final class StopText {
   private StopText() {}
 
   /**
-   * The reason, with the lines of the text as it is now.
+   * The reason.
    *
-   * @param now the present line of a line of the running text
+   * @param places what a line of the running text is called within a sentence
    */
-  static String of(DebugState.Stop stop, IntUnaryOperator now) {
-    int line = now.applyAsInt(stop.line());
+  static String of(DebugState.Stop stop, IntFunction<String> places) {
+    String place = places.apply(stop.line());
     return switch (stop.reason()) {
       case PauseReason.AtBreakpoint at ->
           at.hits() > 1
-              ? text("breakpointOnLineHit", now.applyAsInt(at.line()), at.hits())
-              : text("breakpointOnLine", now.applyAsInt(at.line()));
+              ? text("breakpointOnHit", places.apply(at.line()), at.hits())
+              : text("breakpointOn", places.apply(at.line()));
       case PauseReason.ConditionFailed failed ->
           text(
               "theConditionOfTheBreakpointOn",
-              now.applyAsInt(failed.line()),
+              places.apply(failed.line()),
               ByteText.decoded(failed.message()));
-      case PauseReason.Stepped() -> text("steppedToLine", line);
-      case PauseReason.PauseRequested() -> text("pausedAtLine", line);
+      case PauseReason.Stepped() -> text("steppedTo", place);
+      case PauseReason.PauseRequested() -> text("pausedAt", place);
       case PauseReason.Failed failed ->
-          text("failedOnLineTheProgramEnds", line, ByteText.decoded(failed.failure().message()));
+          text("failedOnTheProgramEnds", place, ByteText.decoded(failed.failure().message()));
     };
   }
 

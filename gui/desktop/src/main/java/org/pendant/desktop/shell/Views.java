@@ -140,6 +140,7 @@ final class Views {
         });
     program = programScreen(workbench, programs, move, scene);
     names = new LineNames(runs, runner, debug);
+    debug.nameLinesBy(names::started);
     past.timeline().setPins(strip::profile, new ProfilePins(strip, names)::of);
     scene.onNode(program::choose);
     scene.onMoment(past::explain);

@@ -106,6 +106,17 @@ final class DebugPresenterTest {
   }
 
   @Test
+  void itNamesTheNodeWhereAProgramOfNodesIsPaused() {
+    debug.nameLinesBy(line -> "node " + 10 * line);
+    fixture.breakAt(7);
+    fixture.run();
+    assertEquals("Breakpoint on node 70", debug.stopText());
+    debug.steps().over();
+    fixture.advance();
+    assertEquals("Stepped to node 80", debug.stopText());
+  }
+
+  @Test
   void aRunToALineStopsThere() {
     fixture.breakAt(7);
     fixture.run();
