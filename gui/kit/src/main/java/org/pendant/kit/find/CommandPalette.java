@@ -2,8 +2,6 @@ package org.pendant.kit.find;
 
 import static org.pendant.kit.find.FindTexts.text;
 
-import java.awt.Color;
-import java.awt.Component;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -19,13 +17,11 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.ListCellRenderer;
 import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.action.FuzzyMatch;
-import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Overlay;
 import org.pendant.kit.theme.Palette;
@@ -61,7 +57,7 @@ public final class CommandPalette {
     list.getAccessibleContext().setAccessibleName(text("actionsThatMatch"));
     list.setVisibleRowCount(12);
     list.setFocusable(false);
-    list.setCellRenderer(new Cell());
+    list.setCellRenderer(new PaletteRow(actions));
     panel.add(query);
     panel.add(new JScrollPane(list), "grow, push");
     panel.add(nothing, "hidemode 3");
@@ -139,46 +135,6 @@ public final class CommandPalette {
     if (chosen != null && chosen.enabled().getAsBoolean()) {
       overlay.close();
       SwingUtilities.invokeLater(() -> actions.run(chosen.id()));
-    }
-  }
-
-  /** Title, reason and key in one row; a component, so that it follows the look. */
-  @SuppressWarnings("serial") // never written to a stream
-  private final class Cell extends JPanel implements ListCellRenderer<Action> {
-    private final JLabel title = new JLabel();
-    private final JLabel reason = new JLabel();
-    private final JLabel keys = new JLabel();
-
-    Cell() {
-      super(new MigLayout("insets 4 8 4 8", "[0:pref:]8[grow, 0::]16[right]"));
-      add(title);
-      add(reason);
-      add(keys, "wmin pref");
-    }
-
-    /** What is on, and which of several is chosen. */
-    private static String word(Action.Mark mark) {
-      return switch (mark) {
-        case Action.Mark.Check(var on) -> on.getAsBoolean() ? "on" : "off";
-        case Action.Mark.Choice(var on) -> on.getAsBoolean() ? "chosen" : "";
-      };
-    }
-
-    @Override
-    public Component getListCellRendererComponent(
-        JList<? extends Action> all, Action action, int index, boolean selected, boolean focus) {
-      boolean enabled = action.enabled().getAsBoolean();
-      setBackground(selected ? all.getSelectionBackground() : all.getBackground());
-      Color words = selected ? all.getSelectionForeground() : all.getForeground();
-      title.setText(action.title());
-      title.setForeground(enabled ? words : Palette.quiet());
-      reason.setText(
-          enabled ? action.mark().map(Cell::word).orElse("") : actions.reason(action.id()));
-      reason.setForeground(Palette.quiet());
-      keys.setText(KeyText.shown(actions.keysOf(action.id())));
-      keys.setForeground(selected ? words : Palette.quiet());
-      getAccessibleContext().setAccessibleName(action.title());
-      return this;
     }
   }
 }

@@ -1,5 +1,6 @@
 package org.pendant.kit.find;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
@@ -11,9 +12,11 @@ import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
+import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
+import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.dispatch.OnDispatchThread;
 import org.pendant.kit.settings.MemorySettings;
@@ -41,6 +44,26 @@ final class CommandPaletteTest {
     } finally {
       frame.dispose();
     }
+  }
+
+  @Test
+  void aLongReasonGivesWayToTheTitleAndTheKeys() {
+    ActionTable actions = new ActionTable(new MemorySettings());
+    Action action =
+        new Action(
+            "test.show", "Show controller 1 of the cell", "ctrl alt 1", () -> false, () -> {});
+    actions.add(action, () -> "the controller is alone; a scene with arms has several of them");
+    Component row =
+        new PaletteRow(actions)
+            .getListCellRendererComponent(new JList<>(), action, 0, false, false);
+    row.setSize(480, row.getPreferredSize().height);
+    row.doLayout();
+    Component[] parts = ((Container) row).getComponents();
+    for (int i = 1; i < parts.length; i++) {
+      int end = parts[i - 1].getX() + parts[i - 1].getWidth();
+      assertTrue(end <= parts[i].getX(), "part " + i + " begins left of " + end);
+    }
+    assertEquals(parts[0].getPreferredSize().width, parts[0].getWidth());
   }
 
   private static boolean isQuery(Component part) {
