@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.box.BoxCommand;
@@ -40,12 +42,7 @@ final class BoxCommandHandler implements CommandHandler<BoxCommand> {
 
   private void noteLostTime(double behindS, boolean told) {
     if (box.clock().fellBehind(behindS) && told) {
-      box.log()
-          .warning(
-              String.format(
-                  Locale.ROOT,
-                  "robot time is %.2f s behind the wall clock: this computer could not keep up",
-                  behindS));
+      box.log().warning(text("robotTimeBehind", String.format(Locale.ROOT, "%.2f", behindS)));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -33,9 +35,6 @@ final class CommandQueue {
 
   /** Most lines for interpreter mode that are checked in a frame; more wait for the next ones. */
   static final int MAX_LINES = 16;
-
-  private static final Reply FULL =
-      new Reply.Busy("more than " + CAPACITY + " commands in a frame, try again later");
 
   private final BoxClock clock;
   private final MessageLog log;
@@ -95,7 +94,7 @@ final class CommandQueue {
     if (arrived.offer(pending)) {
       wake.run();
     } else {
-      pending.reply().complete(FULL);
+      pending.reply().complete(full());
     }
     return pending;
   }
@@ -106,7 +105,7 @@ final class CommandQueue {
     long beganNs = System.nanoTime();
     try {
       if (!arrived.offer(pending, deadline.placeNs(), TimeUnit.NANOSECONDS)) {
-        return FULL;
+        return full();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -165,7 +164,7 @@ final class CommandQueue {
     if (secondaries.size() < MAX_SECONDARIES) {
       secondaries.add(secondary);
     } else {
-      String why = "more than " + MAX_SECONDARIES + " secondary programs in a frame";
+      String why = text("secondariesOfFrame", MAX_SECONDARIES);
       answered.add(new Answered(secondary, new Reply.Refused(Refusal.Code.LIMIT, why)));
     }
   }
@@ -188,7 +187,7 @@ final class CommandQueue {
               line,
               new Reply.Interpreted(
                   new Interpreter.Response.Discarded(
-                      "more than " + Interpreter.MAX_QUEUED + " statements are waiting"))));
+                      text("statementsWaiting", Interpreter.MAX_QUEUED)))));
     }
   }
 
@@ -231,6 +230,10 @@ final class CommandQueue {
     answered.add(new Answered(next, carryOut(next.command())));
   }
 
+  private static Reply full() {
+    return new Reply.Busy(text("commandsOfFrame", CAPACITY));
+  }
+
   private Reply carryOut(Command command) {
     try {
       CommandHandler<?> handler = handlers.get(command.getClass());
@@ -244,7 +247,7 @@ final class CommandQueue {
       log.internalError(e);
       return new Reply.Failed(
           new ScriptFailure(
-              "internal-error", "internal error: " + e, new SourceRange(0, 0), 1, 1, List.of()));
+              "internal-error", text("internalError", e), new SourceRange(0, 0), 1, 1, List.of()));
     }
   }
 

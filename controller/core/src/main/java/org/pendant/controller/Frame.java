@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -32,7 +34,6 @@ import org.pendant.script.vm.ScriptFailure;
  */
 final class Frame {
   private static final double NS = 1e-9;
-  private static final String FULL = "out of memory: the program has used up Java's memory";
 
   private final ControlBox box;
   private final Machine machine;
@@ -150,7 +151,7 @@ final class Frame {
     held = runScripts();
     if (held) {
       // a debugger has paused the program: time stands still, and the next call continues with it
-      commandQueue.refuseSecondaries("a debugger has paused program " + machine.programName());
+      commandQueue.refuseSecondaries(text("debuggerPaused", machine.programName()));
       publish();
       return;
     }
@@ -219,20 +220,16 @@ final class Frame {
   }
 
   private void follow(InputWatchdogs.Violation late) {
-    String what =
-        "RTDE input "
-            + late.input()
-            + " must be written at least at "
-            + Value.of(late.leastHz()).text()
-            + " Hz and was not: the program ";
+    String input = late.input();
+    String leastHz = Value.of(late.leastHz()).text();
     switch (late.action()) {
-      case IGNORE -> box.log().warning(what + "continues");
+      case IGNORE -> box.log().warning(text("inputLateIgnored", input, leastHz));
       case PAUSE -> {
-        box.log().error(what + "pauses");
+        box.log().error(text("inputLatePauses", input, leastHz));
         machine.pause();
       }
       case STOP -> {
-        box.log().error(what + "ends");
+        box.log().error(text("inputLateEnds", input, leastHz));
         machine.stop();
       }
     }
@@ -249,21 +246,17 @@ final class Frame {
   }
 
   private void follow(AssemblyWatchdog.Violation late) {
-    String what =
-        "EtherNet/IP instance "
-            + late.instance()
-            + " must be written at least at "
-            + Value.of(late.leastHz()).text()
-            + " Hz and was not: ";
+    int instance = late.instance();
+    String leastHz = Value.of(late.leastHz()).text();
     switch (late.action()) {
-      case IGNORE -> box.log().warning(what + "the program continues");
+      case IGNORE -> box.log().warning(text("instanceLateIgnored", instance, leastHz));
       case PAUSE -> {
-        box.log().error(what + "protective stop, the program pauses");
+        box.log().error(text("instanceLatePauses", instance, leastHz));
         box.safety().protectiveStop();
         machine.pause();
       }
       case STOP -> {
-        box.log().error(what + "protective stop, the program ends");
+        box.log().error(text("instanceLateEnds", instance, leastHz));
         box.safety().protectiveStop();
         machine.stop();
       }
@@ -442,12 +435,7 @@ final class Frame {
           box.log()
               .ending(
                   why.code(),
-                  "program "
-                      + machine.programName()
-                      + " stopped in line "
-                      + why.line()
-                      + ": "
-                      + why.message(),
+                  text("programFailed", machine.programName(), why.line(), why.message()),
                   machine.failurePlace());
         }
       }
@@ -510,18 +498,18 @@ final class Frame {
     if (full) {
       // first of all: for anything else there is room only when the values are gone
       machine.abandon();
-      box.log().error("program " + machine.programName() + ", line " + line + ": " + FULL);
+      box.log().error(text("programLine", machine.programName(), line, text("outOfMemory")));
     } else {
       box.log().internalError(cause);
       machine.stop();
     }
-    box.clock().determinism().taint("an internal error ended the program");
+    box.clock().determinism().taint(text("endedByError"));
     internalEnding =
         Optional.of(
             new Ending.Failed(
                 new ScriptFailure(
                     full ? "out-of-memory" : "internal-error",
-                    full ? FULL : "internal error: " + cause,
+                    full ? text("outOfMemory") : text("internalError", cause),
                     new SourceRange(0, 0),
                     line,
                     1,

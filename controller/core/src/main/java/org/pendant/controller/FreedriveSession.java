@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.box.ControlBox;
@@ -60,16 +62,11 @@ final class FreedriveSession {
           Optional.of(
               new Refusal(
                   Refusal.Code.INVALID,
-                  "the declared payload is wrong by "
-                      + text(wrong.errorN())
-                      + " N, must be at most "
-                      + text(wrong.toleranceN())
-                      + " N, or something pushes the tool; declare what hangs on the flange"
-                      + " first"));
+                  text("payloadWrong", number(wrong.errorN()), number(wrong.toleranceN()))));
     };
   }
 
-  private static String text(double newtons) {
+  private static String number(double newtons) {
     return Value.of(Math.round(10 * newtons) / 10.0).text();
   }
 
@@ -101,7 +98,7 @@ final class FreedriveSession {
           Optional.of(
               box.safety()
                   .programRefusal()
-                  .orElse(new Refusal(Refusal.Code.ARM_POWER, "freedrive has been ended")));
+                  .orElse(new Refusal(Refusal.Code.ARM_POWER, text("freedriveEnded"))));
     }
   }
 
@@ -125,6 +122,6 @@ final class FreedriveSession {
       refusal =
           refusal(box.modes().freedrive().start(FreedriveMode.free(FreedriveHolder.INPUT, true)));
     }
-    refusal.ifPresent(why -> box.log().warning("freedrive by an input: " + why.text()));
+    refusal.ifPresent(why -> box.log().warning(text("freedriveByInput", why.text())));
   }
 }

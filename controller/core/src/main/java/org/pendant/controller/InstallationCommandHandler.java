@@ -38,7 +38,7 @@ final class InstallationCommandHandler implements CommandHandler<InstallationCom
   }
 
   private Optional<Refusal> apply(Installation next) {
-    Optional<Refusal> refusal = hand.settingRefusal("the installation is changed");
+    Optional<Refusal> refusal = hand.settingRefusal("installationIsChanged");
     if (refusal.isEmpty()) {
       refusal =
           InstallationCheck.refusal(next, box.arm().description())

@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
@@ -66,7 +68,7 @@ final class InstallationHandler {
     InstallationCheck.refusal(installation, box.arm().description())
         .ifPresent(
             why -> {
-              throw new IllegalArgumentException("installation: " + why);
+              throw new IllegalArgumentException(text("installationProblem", why));
             });
     FittedSafety safety = fitted(installation);
     // the box may have been made with limits from elsewhere
@@ -85,11 +87,7 @@ final class InstallationHandler {
 
   private void tellChanges(FittedSafety safety) {
     for (FittedSafety.Change each : safety.changes()) {
-      box.log()
-          .safety(
-              Level.WARNING,
-              "",
-              "safety." + each.field() + ": " + each.message() + "; taken back to that");
+      box.log().safety(Level.WARNING, "", text("safetyTakenBack", each.field(), each.message()));
     }
   }
 
@@ -100,7 +98,7 @@ final class InstallationHandler {
   void change(Installation installation) {
     followSafety(installation);
     apply(installation);
-    box.log().info("the installation has been changed");
+    box.log().info(text("installationChanged"));
   }
 
   private void followSafety(Installation installation) {
@@ -110,15 +108,7 @@ final class InstallationHandler {
     if (!after.equals(before)) {
       box.safety().configure(wanted.configuration());
       tellChanges(wanted);
-      box.log()
-          .safety(
-              Level.INFO,
-              "",
-              "the safety configuration is another one, checksum "
-                  + after
-                  + " instead of "
-                  + before
-                  + ": the arm is powered off");
+      box.log().safety(Level.INFO, "", text("safetyChanged", after, before));
     }
   }
 
@@ -196,8 +186,7 @@ final class InstallationHandler {
       box.links().modbus().add(name, exchange(setup));
       box.links().modbus().signal(name).setUpdateHz(setup.updateHz());
     } catch (ScriptError e) {
-      box.log()
-          .warning("installation: Modbus signal " + name + " is not exchanged: " + e.getMessage());
+      box.log().warning(text("modbusNotExchanged", name, e.getMessage()));
     }
   }
 
@@ -206,7 +195,7 @@ final class InstallationHandler {
       box.links().modbus().delete(ByteText.asBytes(name));
     } catch (ScriptError e) {
       // a program has deleted it already
-      box.log().info("installation: Modbus signal " + name + " is gone: " + e.getMessage());
+      box.log().info(text("modbusGone", name, e.getMessage()));
     }
   }
 
@@ -248,10 +237,9 @@ final class InstallationHandler {
         Optional<Refusal> refusal = box.safety().releaseBrakes();
         box.log()
             .info(
-                powerInput.get()
-                    + refusal
-                        .map(why -> " asks to switch the arm on, which is refused: " + why.text())
-                        .orElse(" switches the arm on"));
+                refusal
+                    .map(why -> text("inputPowerRefused", powerInput.get(), why.text()))
+                    .orElseGet(() -> text("inputPowers", powerInput.get())));
       }
     }
   }
@@ -275,15 +263,15 @@ final class InstallationHandler {
    * @param who and what it was
    */
   void scannerLost(String who) {
-    String what = who + " timed out: ";
+
     switch (current.ethernetIpLoss().orElse(WatchdogAction.IGNORE)) {
       case IGNORE -> {}
       case PAUSE -> {
-        box.log().safety(Level.ERROR, FIELDBUS_LOST, what + "the program pauses");
+        box.log().safety(Level.ERROR, FIELDBUS_LOST, text("scannerLostPauses", who));
         machine.pause();
       }
       case STOP -> {
-        box.log().safety(Level.ERROR, FIELDBUS_LOST, what + "the program ends");
+        box.log().safety(Level.ERROR, FIELDBUS_LOST, text("scannerLostEnds", who));
         machine.stop();
       }
     }

@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.installation.Installation;
@@ -69,7 +71,7 @@ final class InstalledSignals {
   private void use(SignalUse use) {
     Optional<SignalId> id = SignalId.of(use.signal());
     if (id.isEmpty()) {
-      box.log().warning("installation: there is no signal " + use.signal());
+      box.log().warning(text("noSignal", use.signal()));
       return;
     }
     switch (id.get()) {

@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -34,12 +36,7 @@ final class InstalledVariables {
       InstallationVariable variable, Value left, MessageLog log) {
     Optional<String> literal = VariableLiteral.of(left);
     if (literal.isEmpty()) {
-      log.warning(
-          "installation variable "
-              + variable.name()
-              + " keeps its value "
-              + variable.value()
-              + ": what the program has left in it cannot be written as a literal");
+      log.warning(text("variableKept", variable.name(), variable.value()));
       return variable;
     }
     return literal.get().equals(variable.value())

@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.box.ControlBox;
@@ -83,11 +85,11 @@ final class ManualControl implements CommandHandler<ManualCommand> {
   }
 
   private Optional<Refusal> refusalOfInput() {
-    return programRefusal("an input asks for freedrive");
+    return programRefusal("inputAsksFreedrive");
   }
 
   private Optional<Refusal> guide(FreeAxes axes, FreedriveFrame frame) {
-    Optional<Refusal> refusal = programRefusal("the arm is guided by hand");
+    Optional<Refusal> refusal = programRefusal("armIsGuided");
     if (refusal.isEmpty()) {
       jogging.giveUp();
       refusal = guiding.hold(axes, frame);
@@ -96,7 +98,7 @@ final class ManualControl implements CommandHandler<ManualCommand> {
   }
 
   private Optional<Refusal> jog(JogMove move, double speedFraction) {
-    Optional<Refusal> refusal = programRefusal("the arm is moved by hand");
+    Optional<Refusal> refusal = programRefusal("armIsJogged");
     return refusal.isPresent() ? refusal : jogging.hold(move, speedFraction);
   }
 
@@ -107,13 +109,13 @@ final class ManualControl implements CommandHandler<ManualCommand> {
   }
 
   private Optional<Refusal> setTool(ToolCentre tool) {
-    Optional<Refusal> refusal = settingRefusal("the TCP is changed");
+    Optional<Refusal> refusal = settingRefusal("tcpIsChanged");
     if (refusal.isEmpty()) {
       Pose p = tool.inFlange();
-      refusal = distanceRefusal("the TCP", p.x(), p.y(), p.z());
+      refusal = distanceRefusal("tcp", p.x(), p.y(), p.z());
     }
     if (refusal.isEmpty() && !Double.isFinite(angleRad(tool.inFlange()))) {
-      refusal = invalid("the rotation of the TCP is " + tool.inFlange() + ", must be finite");
+      refusal = invalid(text("tcpRotation", tool.inFlange()));
     }
     if (refusal.isEmpty()) {
       box.flange().setTool(tool);
@@ -126,18 +128,16 @@ final class ManualControl implements CommandHandler<ManualCommand> {
   }
 
   private Optional<Refusal> declarePayload(double massKg, Vector3 cogM, Optional<Inertia> inertia) {
-    Optional<Refusal> refusal = settingRefusal("the payload is changed");
+    Optional<Refusal> refusal = settingRefusal("payloadIsChanged");
     if (refusal.isEmpty()) {
       refusal = massRefusal(massKg);
     }
     if (refusal.isEmpty()) {
-      refusal = distanceRefusal("the centre of gravity", cogM.x(), cogM.y(), cogM.z());
+      refusal = distanceRefusal("centreOfGravity", cogM.x(), cogM.y(), cogM.z());
     }
     if (refusal.isEmpty()) {
       refusal =
-          inertia
-              .flatMap(Inertia::problem)
-              .flatMap(why -> invalid("the inertia is refused: " + why));
+          inertia.flatMap(Inertia::problem).flatMap(why -> invalid(text("inertiaRefused", why)));
     }
     if (refusal.isEmpty()) {
       Inertia i = inertia.orElse(Inertia.NONE);
@@ -156,13 +156,7 @@ final class ManualControl implements CommandHandler<ManualCommand> {
     double most = MAX_RATED_PAYLOADS * arm.payloadKg();
     return massKg >= 0 && massKg <= most
         ? Optional.empty()
-        : invalid(
-            "the mass is "
-                + text(massKg)
-                + " kg, must be 0 to "
-                + text(most)
-                + " kg on "
-                + arm.displayName());
+        : invalid(text("massRange", number(massKg), number(most), arm.displayName()));
   }
 
   private static Optional<Refusal> distanceRefusal(String what, double x, double y, double z) {
@@ -170,36 +164,33 @@ final class ManualControl implements CommandHandler<ManualCommand> {
     return near
         ? Optional.empty()
         : invalid(
-            what
-                + " is at ["
-                + text(x)
-                + ", "
-                + text(y)
-                + ", "
-                + text(z)
-                + "] m, each must be -"
-                + text(MAX_M)
-                + " to "
-                + text(MAX_M)
-                + " m");
+            text(
+                "placeRange",
+                text(what),
+                number(x),
+                number(y),
+                number(z),
+                number(MAX_M),
+                number(MAX_M)));
   }
 
-  /** Why nothing about the arm can be set up anew now; empty if it can. */
+  /**
+   * Why nothing about the arm can be set up anew now; empty if it can.
+   *
+   * @param what key of the text that says what is to be done
+   */
   Optional<Refusal> settingRefusal(String what) {
     Optional<Refusal> refusal = programRefusal(what);
     return refusal.isEmpty() && box.motion().moving()
-        ? Optional.of(
-            new Refusal(Code.ARM_MOVES, "the arm is moving, must be at rest when " + what))
+        ? Optional.of(new Refusal(Code.ARM_MOVES, text("armMoves", text(what))))
         : refusal;
   }
 
   private Optional<Refusal> programRefusal(String what) {
     return switch (machine.state()) {
       case STOPPED -> Optional.empty();
-      case RUNNING ->
-          programHasArm("program " + machine.programName() + " runs, stop it before " + what);
-      case PAUSED ->
-          programHasArm("program " + machine.programName() + " is paused, stop it before " + what);
+      case RUNNING -> programHasArm(text("programRuns", machine.programName(), text(what)));
+      case PAUSED -> programHasArm(text("programPaused", machine.programName(), text(what)));
     };
   }
 
@@ -211,7 +202,7 @@ final class ManualControl implements CommandHandler<ManualCommand> {
     return Optional.of(new Refusal(Code.INVALID, text));
   }
 
-  private static String text(double number) {
+  private static String number(double number) {
     return Value.of(number).text();
   }
 }

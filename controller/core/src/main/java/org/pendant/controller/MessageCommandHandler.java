@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.MessageCommand;
 import org.pendant.controller.command.CommandHandler;
@@ -54,7 +56,7 @@ final class MessageCommandHandler implements CommandHandler<MessageCommand> {
   private Reply answerPopup(long number) {
     boolean blocked = box.prompts().popups().blocked();
     if (!box.prompts().popups().answer(number)) {
-      return new Reply.Refused(Refusal.Code.UNKNOWN, "popup " + number + " is not open");
+      return new Reply.Refused(Refusal.Code.UNKNOWN, text("popupNotOpen", number));
     }
     if (blocked && !box.prompts().popups().blocked() && box.safety().programRefusal().isEmpty()) {
       machine.resume();

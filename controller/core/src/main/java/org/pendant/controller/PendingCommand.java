@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -15,7 +17,6 @@ import org.pendant.controller.command.Reply;
  */
 public final class PendingCommand {
   static final Reply INTERRUPTED = new Reply.Busy("interrupted");
-  private static final Reply NO_ANSWER = new Reply.Busy("the controller does not answer");
 
   private final Command command;
   private final Consumer<PendingCommand> removal;
@@ -68,7 +69,7 @@ public final class PendingCommand {
     try {
       return reply.get(deadline.afterNs() - spentNs, TimeUnit.NANOSECONDS);
     } catch (TimeoutException e) {
-      return deadline.late() || withdraw() ? NO_ANSWER : awaitEndOfFrame(deadline);
+      return deadline.late() || withdraw() ? noAnswer() : awaitEndOfFrame(deadline);
     } catch (InterruptedException e) {
       return interrupted(deadline);
     } catch (ExecutionException e) {
@@ -81,12 +82,16 @@ public final class PendingCommand {
     try {
       return reply.get(deadline.afterNs(), TimeUnit.NANOSECONDS);
     } catch (TimeoutException e) {
-      return NO_ANSWER;
+      return noAnswer();
     } catch (InterruptedException e) {
       return interrupted(deadline);
     } catch (ExecutionException e) {
       throw new IllegalStateException(e);
     }
+  }
+
+  private static Reply noAnswer() {
+    return new Reply.Busy(text("noAnswer"));
   }
 
   private Reply interrupted(Deadline deadline) {

@@ -1,5 +1,7 @@
 package org.pendant.controller;
 
+import static org.pendant.controller.ControllerTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.command.CommandHandler;
@@ -53,9 +55,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
       case ProgramCommand.ResumeProgram _ -> resume();
       case ProgramCommand.RunSecondary secondary -> runSecondary(secondary);
       case ProgramCommand.AbortMove _ ->
-          machine.abortMove()
-              ? Reply.done()
-              : new Reply.Refused(Code.PROGRAM, "no move is under way");
+          machine.abortMove() ? Reply.done() : new Reply.Refused(Code.PROGRAM, text("noMove"));
     };
   }
 
@@ -65,7 +65,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
       return new Reply.Refused(refusal.get());
     }
     if (machine.state() != ProgramState.STOPPED) {
-      return new Reply.Refused(Code.PROGRAM, "program " + machine.programName() + " runs already");
+      return new Reply.Refused(Code.PROGRAM, text("programRunsAlready", machine.programName()));
     }
     begin(start.program(), start.folder().orElse(folder));
     return Reply.done();
@@ -81,7 +81,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
   /** Why no program from outside may start now; empty if one may. */
   private Optional<Refusal> uploadRefusal() {
     return box.safety().isShutDown()
-        ? Optional.of(new Refusal(Code.SWITCHED_OFF, "the controller has been shut down"))
+        ? Optional.of(new Refusal(Code.SWITCHED_OFF, text("shutDown")))
         : box.safety().uploadRefusal();
   }
 
@@ -105,7 +105,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
 
   private Reply pause() {
     if (machine.state() != ProgramState.RUNNING) {
-      return new Reply.Refused(Code.PROGRAM, "no program is running");
+      return new Reply.Refused(Code.PROGRAM, text("noneRunning"));
     }
     machine.pause();
     return Reply.done();
@@ -113,7 +113,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
 
   private Reply resume() {
     if (machine.state() != ProgramState.PAUSED && !machine.pausing()) {
-      return new Reply.Refused(Code.PROGRAM, "no program is paused");
+      return new Reply.Refused(Code.PROGRAM, text("nonePaused"));
     }
     Optional<Refusal> refusal = box.safety().programRefusal();
     if (refusal.isPresent()) {
@@ -146,7 +146,7 @@ final class ProgramCommandHandler implements CommandHandler<ProgramCommand> {
     box.log()
         .error(
             why.code(),
-            "secondary program " + program.name() + ", line " + why.line() + ": " + why.message(),
+            text("secondaryLine", program.name(), why.line(), why.message()),
             new ScriptPlace(program.source().name(), Debugger.MAIN, program.name(), why.line()));
   }
 }
