@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
@@ -134,7 +136,7 @@ final class AnalogBuiltins {
     int n = call.integer(0, 0, LAST);
     double ratio = call.number(1);
     if (!(ratio >= 0 && ratio <= 1)) {
-      throw call.refuse(1, "must be 0 to 1");
+      throw call.refuse(1, text("zeroToOne"));
     }
     call.host().signals().analog().setOutput(n, ratio);
     return call.answer();
@@ -162,14 +164,14 @@ final class AnalogBuiltins {
 
   private static AnalogDomain standardRange(Call<ControlBox> call, int range) throws ScriptError {
     if (range != 0 && range != 2) {
-      throw call.refuse(1, "must be 0 or 2 for a port of the control box");
+      throw call.refuse(1, text("boxRange"));
     }
     return AnalogDomain.VOLTAGE;
   }
 
   private static AnalogDomain toolRange(Call<ControlBox> call, int range) throws ScriptError {
     if (range < 0 || range > 2) {
-      throw call.refuse(1, "must be 0 to 2 for a port of the tool");
+      throw call.refuse(1, text("toolRange"));
     }
     return range == 2 ? AnalogDomain.CURRENT : AnalogDomain.VOLTAGE;
   }

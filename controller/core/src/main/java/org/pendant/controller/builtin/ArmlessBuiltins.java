@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -48,7 +50,7 @@ public final class ArmlessBuiltins {
     for (Signature each : arms.all()) {
       String name = each.name();
       if (each.receiver().isEmpty() && !OF_CONTROLLER.contains(name)) {
-        absent.put(name, "function " + name + " needs an arm, and the cell's controller has none");
+        absent.put(name, text("needsArm", name));
       }
     }
     return StandardBuiltins.create().without(absent);

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
@@ -180,7 +182,7 @@ final class AssemblyBuiltins {
   private static Outcome open(Call<ControlBox> call, boolean reading) throws ScriptError {
     String name = call.text(0);
     if (!name.matches("[0-9]{1,5}")) {
-      throw call.refuse(0, "must be the number of an assembly instance");
+      throw call.refuse(0, text("assemblyNumber"));
     }
     int bytes = call.integer(1, 1, LARGEST);
     try {
@@ -195,7 +197,7 @@ final class AssemblyBuiltins {
     // a look-ahead must not change anything
     call.program().reachesOutside();
     if (!(call.value(0) instanceof HandleValue handle)) {
-      throw call.wrongKind(0, "an EtherNet/IP handle");
+      throw call.wrongKind(0, text("assemblyHandle"));
     }
     try {
       return call.host().links().assemblies().handle(handle.id());
@@ -222,7 +224,7 @@ final class AssemblyBuiltins {
   private static Outcome defineBit(Call<ControlBox> call) throws ScriptError {
     int width = call.given(4) ? call.integer(4) : 1;
     if (width != 1 && width != 2 && width != 4) {
-      throw call.refuse(4, "must be 1, 2 or 4");
+      throw call.refuse(4, text("bitWidth"));
     }
     int bit = call.integer(2, 0, width * Byte.SIZE - 1);
     return define(call, 3, new AssemblyField.Bit(offset(call), bit));
@@ -255,7 +257,7 @@ final class AssemblyBuiltins {
     if (!(call.value(1) instanceof ListValue list)
         || list.length() == 0
         || list.elementKind() != ValueKind.STRING) {
-      throw call.wrongKind(1, "a string or a list of strings");
+      throw call.wrongKind(1, text("stringOrStrings"));
     }
     List<String> labels = new ArrayList<>(list.length());
     for (int i = 0; i < list.length(); i++) {
@@ -267,7 +269,7 @@ final class AssemblyBuiltins {
   private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     double leastHz = call.number(1);
     if (!(leastHz > 0 && leastHz <= MAX_WATCHDOG_HZ)) {
-      throw call.refuse(1, "must be above 0 and at most 10 Hz");
+      throw call.refuse(1, text("watchdogHz"));
     }
     WatchdogAction action = action(call);
     AssemblyHandle handle = handle(call);

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.script.function.Builtins;
@@ -24,7 +26,7 @@ final class AssertBuiltins {
 
   private static Outcome check(Call<?> call) throws ScriptError {
     if (!call.bool(0)) {
-      throw call.failure("assertion-failed", "condition is False, must be True");
+      throw call.failure("assertion-failed", text("assertion"));
     }
     return call.answer();
   }

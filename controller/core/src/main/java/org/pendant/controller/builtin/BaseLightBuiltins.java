@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.BaseLight;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
@@ -53,11 +55,7 @@ final class BaseLightBuiltins {
     if (call.host().arm().description().series() == Series.UR_SERIES) {
       call.host().arm().setBaseLight(light);
     } else {
-      call.host()
-          .log()
-          .warnOnce(
-              call.host().arm().description().id()
-                  + " has no light in its base, only arms of the UR-Series do");
+      call.host().log().warnOnce(text("noBaseLight", call.host().arm().description().id()));
     }
     return call.answer();
   }

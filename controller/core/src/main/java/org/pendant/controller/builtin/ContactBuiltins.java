@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
@@ -53,7 +55,7 @@ final class ContactBuiltins {
     }
     for (int i = 0; i < 3; i++) {
       if (!Double.isFinite(direction[i])) {
-        throw call.refuse(0, "must be finite");
+        throw call.refuse(0, text("finite"));
       }
     }
     return direction;

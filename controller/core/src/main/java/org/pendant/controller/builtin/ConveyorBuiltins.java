@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.encoder.Encoder;
 import org.pendant.language.signature.Type;
@@ -82,7 +84,7 @@ final class ConveyorBuiltins {
   private static Outcome trackLinear(Call<ControlBox> call) throws ScriptError {
     Pose direction = MotionArguments.pose(call, 0);
     if (direction.x() == 0 && direction.y() == 0 && direction.z() == 0) {
-      throw call.refuse(0, "x, y or z must be another number than 0");
+      throw call.refuse(0, text("directionOfBelt"));
     }
     double ticksPerM = ticks(call, 1);
     Encoder encoder = ready(call, 2);
@@ -102,7 +104,7 @@ final class ConveyorBuiltins {
   private static double ticks(Call<ControlBox> call, int index) throws ScriptError {
     double ticks = call.number(index);
     if (ticks == 0 || !Double.isFinite(ticks)) {
-      throw call.refuse(index, "must be finite and not 0");
+      throw call.refuse(index, text("finiteNotZero"));
     }
     return ticks;
   }
@@ -112,22 +114,16 @@ final class ConveyorBuiltins {
     Encoder encoder = EncoderBuiltins.encoder(call, index);
     ControlBox box = call.host();
     if (box.offsets().conveyor().active()) {
-      throw call.failure(
-          "conveyor-tracked", "a conveyor is being tracked, stop_conveyor_tracking must end that");
+      throw call.failure("conveyor-tracked", text("conveyorTracked"));
     }
     if (box.offsets().path().active()) {
-      throw call.failure(
-          "path-offset", "path offset is enabled, path_offset_disable must end that first");
+      throw call.failure("path-offset", text("pathOffsetEnabled"));
     }
     if (box.motion().guided()) {
-      throw call.failure("freedrive", "the arm is in freedrive, which must be ended first");
+      throw call.failure("freedrive", text("inFreedrive"));
     }
     if (!encoder.enabled()) {
-      box.log()
-          .warning(
-              "conveyor tracking: encoder "
-                  + call.integer(index)
-                  + " is not enabled and counts nothing, the belt stands");
+      box.log().warning(text("beltStands", call.integer(index)));
     }
     return encoder;
   }

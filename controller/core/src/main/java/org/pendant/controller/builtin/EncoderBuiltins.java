@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.encoder.CountRange;
@@ -142,7 +144,7 @@ final class EncoderBuiltins {
     int a = call.integer(2, FIRST_PIN, LAST_PIN) - FIRST_PIN;
     int b = call.integer(3, FIRST_PIN, LAST_PIN) - FIRST_PIN;
     if (type == QUADRATURE && a == b) {
-      throw call.refuse(3, "must be another input than A");
+      throw call.refuse(3, text("otherInputThanA"));
     }
     decode(call.host(), encoder, type, SignalBank.CONFIGURABLE_IN, a, b);
     return call.answer();
@@ -153,12 +155,12 @@ final class EncoderBuiltins {
     int a = call.integer(1, 0, LAST_OLD_PIN);
     boolean quadrature = type == QUADRATURE;
     if (quadrature && !call.given(2)) {
-      throw call.failure("missing-argument", "B is missing, a quadrature signal needs two inputs");
+      throw call.failure("missing-argument", text("quadratureWithoutB"));
     }
     // the manual's example of a decoder on one input leaves B out
     int b = call.given(2) ? call.integer(2, 0, LAST_OLD_PIN) : a;
     if (quadrature && a == b) {
-      throw call.refuse(2, "must be another input than A");
+      throw call.refuse(2, text("otherInputThanA"));
     }
     decode(
         call.host(), call.host().offsets().encoders().get(0), type, SignalBank.STANDARD_IN, a, b);
@@ -188,7 +190,7 @@ final class EncoderBuiltins {
     return switch (call.word(1)) {
       case "" -> call.answer(encoder.filteredCount());
       case "raw" -> call.answerInt(encoder.rawCount());
-      default -> throw call.refuse(1, "must be \"\" or \"raw\"");
+      default -> throw call.refuse(1, text("emptyOrRaw"));
     };
   }
 
@@ -196,11 +198,7 @@ final class EncoderBuiltins {
     Encoder encoder = encoder(call, 0);
     Optional<CountRange> range = encoder.toldRange();
     if (range.isEmpty()) {
-      throw call.failure(
-          "encoder-not-enabled",
-          "encoder "
-              + call.integer(0)
-              + " takes no counts, encoder_enable_set_tick_count must be called before");
+      throw call.failure("encoder-not-enabled", text("encoderTakesNoCounts", call.integer(0)));
     }
     encoder.tell(countIn(call, 1, range.get()));
     return call.answer();
@@ -221,10 +219,10 @@ final class EncoderBuiltins {
       throws ScriptError {
     double count = call.number(index);
     if (count != Math.rint(count)) {
-      throw call.refuse(index, "must be a whole number");
+      throw call.refuse(index, text("whole"));
     }
     if (!(count >= range.lowest() && count <= range.highest())) {
-      throw call.refuse(index, "must be " + range.lowest() + " to " + range.highest());
+      throw call.refuse(index, text("range", range.lowest(), range.highest()));
     }
     return (long) count;
   }
@@ -233,7 +231,7 @@ final class EncoderBuiltins {
     Encoder encoder = encoder(call, 0);
     double difference = call.number(1);
     if (!Double.isFinite(difference)) {
-      throw call.refuse(1, "must be finite");
+      throw call.refuse(1, text("finite"));
     }
     Optional<Double> unwound = encoder.unwound(difference);
     return unwound.isPresent() ? call.answer(unwound.get()) : call.answer();

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
@@ -110,7 +112,7 @@ final class ForceBuiltins {
   private static double within(Call<ControlBox> call, double largest) throws ScriptError {
     double number = call.number(0);
     if (!(number >= 0 && number <= largest)) {
-      throw call.refuse(0, "must be 0 to " + Math.round(largest));
+      throw call.refuse(0, text("zeroTo", Math.round(largest)));
     }
     return number;
   }
@@ -124,13 +126,13 @@ final class ForceBuiltins {
     List<ForceAxis> axes = new ArrayList<>();
     for (int i = 0; i < ForceTask.AXES; i++) {
       if (selection[i] != 0 && selection[i] != 1) {
-        throw call.refuse(1, "each must be 0 (follows the path) or 1 (compliant)");
+        throw call.refuse(1, text("selection"));
       }
       if (!Double.isFinite(wrench[i])) {
-        throw call.refuse(2, "must be finite");
+        throw call.refuse(2, text("finite"));
       }
       if (!(limits[i] >= 0)) {
-        throw call.refuse(4, "none may be negative");
+        throw call.refuse(4, text("noneNegative"));
       }
       boolean compliant = selection[i] == 1;
       // a wrench along another axis has no effect
@@ -150,7 +152,7 @@ final class ForceBuiltins {
   private static Outcome screwDriving(Call<ControlBox> call) throws ScriptError {
     double forceN = call.number(0);
     if (!Double.isFinite(forceN)) {
-      throw call.refuse(0, "must be finite");
+      throw call.refuse(0, text("finite"));
     }
     return start(call, ForceTask.screwDriving(forceN, MotionArguments.positive(call, 1)));
   }
@@ -158,8 +160,7 @@ final class ForceBuiltins {
   private static Outcome start(Call<ControlBox> call, ForceTask task) throws ScriptError {
     ControlBox box = call.host();
     if (box.offsets().path().active()) {
-      throw call.failure(
-          "path-offset", "path offset is enabled, path_offset_disable must end that first");
+      throw call.failure("path-offset", text("pathOffsetEnabled"));
     }
     return Planning.named(
         call,

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.freedrive.FreeAxes;
 import org.pendant.controller.freedrive.FreedriveFrame;
@@ -79,7 +81,7 @@ final class FreedriveBuiltins {
     FreeAxes axes = FreeAxes.ALL;
     for (int i = 0; i < FreeAxes.COUNT; i++) {
       if (numbers[i] != 0 && numbers[i] != 1) {
-        throw call.refuse(0, "each must be 0 (locked) or 1 (free)");
+        throw call.refuse(0, text("freeAxes"));
       }
       axes = axes.with(i, numbers[i] == 1);
     }
@@ -91,12 +93,12 @@ final class FreedriveBuiltins {
       return new FreedriveFrame.Feature(MotionArguments.pose(call, 1));
     }
     if (call.kind(1) != ValueKind.STRING) {
-      throw call.wrongKind(1, "a pose, \"base\" or \"tool\"");
+      throw call.wrongKind(1, text("poseBaseOrTool"));
     }
     return switch (call.word(1)) {
       case "base" -> FreedriveFrame.BASE;
       case "tool" -> FreedriveFrame.TOOL;
-      default -> throw call.refuse(1, "must be a pose, \"base\" or \"tool\"");
+      default -> throw call.refuse(1, text("mustBePoseBaseOrTool"));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.InputAction;
 import org.pendant.controller.io.RegisterKind;
@@ -74,7 +76,7 @@ final class InputActionBuiltins {
     return switch (call.word(1)) {
       case "default" -> InputAction.DEFAULT;
       case "freedrive" -> InputAction.FREEDRIVE;
-      default -> throw call.refuse(1, "must be \"default\" or \"freedrive\"");
+      default -> throw call.refuse(1, text("defaultOrFreedrive"));
     };
   }
 

@@ -85,7 +85,7 @@ final class KinematicsBuiltins {
       case InverseResult.Unreachable none ->
           throw call.failure(
               "no-solution",
-              "the pose " + text(call.pose(0)) + " is out of reach: " + none.cause().text());
+              BuiltinTexts.text("poseOutOfReach", text(call.pose(0)), none.cause().text()));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Arrays;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
@@ -93,7 +95,7 @@ final class ListBuiltins {
       }
       return call.answerInt(bits);
     }
-    throw call.wrongKind(0, "a list of bool");
+    throw call.wrongKind(0, text("listOfBool"));
   }
 
   private static Outcome bitsOfInteger(Call<?> call) throws ScriptError {
@@ -110,7 +112,7 @@ final class ListBuiltins {
       case ListValue list -> call.answerInt(list.length());
       case StringValue text -> call.answerInt(text.length());
       case StructValue struct -> call.answerInt(struct.length());
-      default -> throw call.wrongKind(0, "a list, string or struct");
+      default -> throw call.wrongKind(0, text("listStringOrStruct"));
     };
   }
 
@@ -119,7 +121,7 @@ final class ListBuiltins {
       case ListValue list -> call.answerInt(list.length());
       case StringValue text -> call.answerInt(text.length());
       case MatrixValue matrix -> call.answer(MatrixBuiltins.shape(matrix));
-      default -> throw call.wrongKind(0, "a list, string or matrix");
+      default -> throw call.wrongKind(0, text("listStringOrMatrix"));
     };
   }
 
@@ -142,7 +144,7 @@ final class ListBuiltins {
         call.charge(capacity + OBJECT_NS * (long) length);
         yield call.answer(ObjectList.owning(elements, length, call.value(1).copy()));
       }
-      case NONE, LIST, MATRIX -> throw call.wrongKind(1, "a number, bool, string, pose or struct");
+      case NONE, LIST, MATRIX -> throw call.wrongKind(1, text("kindsOfElements"));
     };
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.script.function.Builtins;
@@ -179,7 +181,7 @@ final class ListMethods {
   private static Outcome pop(Call<?> call) throws ScriptError {
     ListValue list = changed(call, 1);
     if (list.length() == 0) {
-      throw call.failure("index-out-of-range", "the list is empty, must have an element");
+      throw call.failure("index-out-of-range", text("emptyList"));
     }
     // the last element may be part of a copy of the list as well
     Value last = list.get(list.length() - 1).copy();

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.motion.PlanningException;
@@ -18,7 +20,7 @@ final class LoadWait implements Wait {
   private final boolean feeds;
 
   LoadWait(ControlBox box, BackgroundTask<NcPath> reading, boolean feeds) {
-    box.clock().determinism().loseInRealTime("a program waited until a toolpath was read");
+    box.clock().determinism().loseInRealTime(text("waitedForToolpath"));
     this.box = box;
     this.reading = reading;
     this.feeds = feeds;
@@ -41,13 +43,7 @@ final class LoadWait implements Wait {
     int id = box.planning().toolpaths().keep(path, feeds);
     box.clock().determinism().read(path.file(), path.hashCode());
     if (!path.ignored().isEmpty()) {
-      box.log()
-          .info(
-              FUNCTION
-                  + ": "
-                  + path.file()
-                  + " has codes without effect on a robot: "
-                  + String.join(", ", path.ignored()));
+      box.log().info(text("codesWithoutEffect", path.file(), String.join(", ", path.ignored())));
     }
     return id;
   }

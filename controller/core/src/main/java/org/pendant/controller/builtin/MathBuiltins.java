@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
@@ -164,13 +166,13 @@ final class MathBuiltins {
     if (f >= -1 && f <= 1) {
       return f;
     }
-    throw call.refuse(0, "must be -1 to 1");
+    throw call.refuse(0, text("minusOneToOne"));
   }
 
   private static int rounded(Call<ControlBox> call, double whole) throws ScriptError {
     int result = (int) whole;
     if (result != whole) {
-      throw call.refuse(0, "the result must be -2147483648 to 2147483647");
+      throw call.refuse(0, text("resultRange"));
     }
     return result;
   }
@@ -179,13 +181,13 @@ final class MathBuiltins {
     double base = call.number(0);
     double f = call.number(1);
     if (base < 0) {
-      throw call.refuse(0, "must not be negative");
+      throw call.refuse(0, text("notNegative"));
     }
     if (base == 1) {
-      throw call.refuse(0, "must not be 1");
+      throw call.refuse(0, text("notOne"));
     }
     if (f < 0) {
-      throw call.refuse(1, "must not be negative");
+      throw call.refuse(1, text("notNegative"));
     }
     double quotient = Math.log(f) / Math.log(base);
     // the quotient of two rounded logarithms misses whole results by a bit: log(10, 1000)
@@ -197,10 +199,10 @@ final class MathBuiltins {
     double base = call.number(0);
     double exponent = call.number(1);
     if (base < 0 && exponent != Math.rint(exponent)) {
-      throw call.refuse(1, "must be a whole number, since base is negative");
+      throw call.refuse(1, text("wholeForNegativeBase"));
     }
     if (base == 0 && exponent < 0) {
-      throw call.refuse(1, "must not be negative, since base is 0");
+      throw call.refuse(1, text("notNegativeForZeroBase"));
     }
     return call.answer(Math.pow(base, exponent));
   }
@@ -208,7 +210,7 @@ final class MathBuiltins {
   private static Outcome sqrt(Call<ControlBox> call) throws ScriptError {
     double f = call.number(0);
     if (f < 0) {
-      throw call.refuse(0, "must not be negative");
+      throw call.refuse(0, text("notNegative"));
     }
     return call.answer(Math.sqrt(f));
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.models.pose.Poses;
@@ -88,15 +90,13 @@ final class MatrixBuiltins {
     return switch (call.value(0)) {
       case PoseValue pose -> call.answer(Poses.inverse(pose.pose()));
       case MatrixValue matrix -> inverse(call, matrix);
-      default -> throw call.wrongKind(0, "a matrix or a pose");
+      default -> throw call.wrongKind(0, text("matrixOrPose"));
     };
   }
 
   private static Outcome inverse(Call<?> call, MatrixValue matrix) throws ScriptError {
     if (matrix.rows() != matrix.columns()) {
-      throw call.failure(
-          "wrong-length",
-          "m has " + matrix.rows() + " rows and " + matrix.columns() + " columns, must be square");
+      throw call.failure("wrong-length", text("mustBeSquare", matrix.rows(), matrix.columns()));
     }
     return call.answerLater(() -> Operators.beginInverse(matrix));
   }
@@ -109,7 +109,7 @@ final class MatrixBuiltins {
           call.answer(
               MatrixValue.owning(
                   list.length(), 1, call.numbers(0, -1), list.elementKind() == ValueKind.INT));
-      default -> throw call.wrongKind(0, "a matrix or a list of numbers");
+      default -> throw call.wrongKind(0, text("matrixOrNumbers"));
     };
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -37,7 +39,7 @@ final class ModbusArguments {
   static String newName(Call<ControlBox> call, int index) throws ScriptError {
     String name = call.text(index);
     if (name.isEmpty() || name.length() > MAX_NAME) {
-      throw call.refuse(index, "must have 1 to " + MAX_NAME + " characters");
+      throw call.refuse(index, text("characters", MAX_NAME));
     }
     return name;
   }
@@ -56,15 +58,12 @@ final class ModbusArguments {
     ModbusSignal signal = signal(call);
     ModbusKind kind = signal.exchange().kind();
     if (!kind.output() || digital.orElse(kind.digital()) != kind.digital()) {
-      String wanted = digital.map(bits -> bits ? "a digital" : "a register").orElse("an");
+      String refusal =
+          digital
+              .map(bits -> bits ? "wantsDigitalOutput" : "wantsRegisterOutput")
+              .orElse("wantsOutput");
       throw call.failure(
-          "wrong-signal",
-          SocketArguments.quoted(signal.name())
-              + " is a "
-              + kind.words()
-              + ", must be "
-              + wanted
-              + " output");
+          "wrong-signal", text(refusal, SocketArguments.quoted(signal.name()), kind.words()));
     }
     return signal;
   }
@@ -72,7 +71,7 @@ final class ModbusArguments {
   /** The flag of programs that the manual keeps for the controller itself. */
   static void refuseInternalFlag(Call<ControlBox> call, int index) throws ScriptError {
     if (call.bool(index)) {
-      throw call.refuse(index, "must be False");
+      throw call.refuse(index, text("mustBeFalse"));
     }
   }
 
@@ -82,9 +81,9 @@ final class ModbusArguments {
       return List.of(call.integer(index, 0, MAX_REGISTER));
     }
     List<Integer> values = new ArrayList<>();
-    for (double number : numbers(call, index, most, "a list of ints")) {
+    for (double number : numbers(call, index, most)) {
       if (number != (int) number || number < 0 || number > MAX_REGISTER) {
-        throw call.refuse(index, "must have ints of 0 to " + MAX_REGISTER);
+        throw call.refuse(index, text("intsTo", MAX_REGISTER));
       }
       values.add((int) number);
     }
@@ -98,7 +97,7 @@ final class ModbusArguments {
     }
     if (!(call.value(index) instanceof NumberList list)
         || (list.length() > 0 && list.elementKind() != ValueKind.BOOL)) {
-      throw call.wrongKind(index, "a bool or a list of bools");
+      throw call.wrongKind(index, text("boolOrBools"));
     }
     List<Integer> values = new ArrayList<>();
     for (int i = 0; i < list.length(); i++) {
@@ -108,11 +107,10 @@ final class ModbusArguments {
     return values;
   }
 
-  private static double[] numbers(Call<ControlBox> call, int index, int most, String wanted)
-      throws ScriptError {
+  private static double[] numbers(Call<ControlBox> call, int index, int most) throws ScriptError {
     if (!(call.value(index) instanceof NumberList list)
         || (list.length() > 0 && !list.elementKind().isNumber())) {
-      throw call.wrongKind(index, "an int or " + wanted);
+      throw call.wrongKind(index, text("intOrInts"));
     }
     refuseLength(call, index, list.length(), most);
     return call.numbers(index, -1);
@@ -121,7 +119,7 @@ final class ModbusArguments {
   private static void refuseLength(Call<ControlBox> call, int index, int length, int most)
       throws ScriptError {
     if (length < 1 || length > most) {
-      throw call.refuse(index, "must have 1 to " + most + " elements");
+      throw call.refuse(index, text("elements", most));
     }
   }
 }

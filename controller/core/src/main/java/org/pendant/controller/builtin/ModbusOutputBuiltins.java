@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ModbusAddress;
@@ -128,16 +130,16 @@ final class ModbusOutputBuiltins {
     if (signal.exchange().kind() != ModbusKind.DIGITAL_INPUT) {
       throw call.failure(
           "wrong-signal",
-          SocketArguments.quoted(signal.name())
-              + " is a "
-              + signal.exchange().kind().words()
-              + ", must be a digital input");
+          text(
+              "wantsDigitalInput",
+              SocketArguments.quoted(signal.name()),
+              signal.exchange().kind().words()));
     }
     signal.setAction(
         switch (call.word(1)) {
           case "default" -> InputAction.DEFAULT;
           case "freedrive" -> InputAction.FREEDRIVE;
-          default -> throw call.refuse(1, "must be \"default\" or \"freedrive\"");
+          default -> throw call.refuse(1, text("defaultOrFreedrive"));
         });
     return call.answer();
   }
@@ -171,16 +173,16 @@ final class ModbusOutputBuiltins {
   private static byte[] bytes(Call<ControlBox> call, int index) throws ScriptError {
     if (!(call.value(index) instanceof NumberList list)
         || (list.length() > 0 && list.elementKind() != ValueKind.INT)) {
-      throw call.wrongKind(index, "a list of ints");
+      throw call.wrongKind(index, text("listOfInts"));
     }
     if (list.length() > MAX_BYTES) {
-      throw call.refuse(index, "must have at most " + MAX_BYTES + " elements");
+      throw call.refuse(index, text("mostElements", MAX_BYTES));
     }
     byte[] bytes = new byte[list.length()];
     for (int i = 0; i < bytes.length; i++) {
       double number = list.numberAt(i);
       if (number < 0 || number > MAX_BYTE) {
-        throw call.refuse(index, "must have ints of 0 to " + MAX_BYTE);
+        throw call.refuse(index, text("intsTo", MAX_BYTE));
       }
       bytes[i] = (byte) number;
     }
@@ -194,10 +196,7 @@ final class ModbusOutputBuiltins {
     Optional<Integer> port = everyPort ? Optional.empty() : Optional.of(device.port());
     if (!call.host().links().modbus().reconnect(device.host(), port)) {
       throw call.failure(
-          "unknown-device",
-          "connection_id is "
-              + SocketArguments.quoted(call.text(0))
-              + ", must be a device that a signal is at");
+          "unknown-device", text("unknownConnection", SocketArguments.quoted(call.text(0))));
     }
     return call.bool(1)
         ? new ModbusResetWait(call.host().links().modbus(), device.host(), port)

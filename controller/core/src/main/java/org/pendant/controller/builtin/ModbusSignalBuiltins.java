@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
@@ -139,7 +141,7 @@ final class ModbusSignalBuiltins {
     Optional<ModbusKind> kind =
         ModbusKind.of(number).filter(each -> each != ModbusKind.READ_WRITE_REGISTERS);
     if (kind.isEmpty()) {
-      throw call.refuse(3, "must be 0, 1, 2, 3, 15 or 16");
+      throw call.refuse(3, text("functionCode"));
     }
     int count = call.integer(6, 1, ModbusExchange.MOST);
     int address = address(call, 2, count);
@@ -161,7 +163,7 @@ final class ModbusSignalBuiltins {
     int readCount = call.integer(3, 1, ModbusExchange.MOST);
     int writeCount = call.integer(5, 1, ModbusExchange.MOST);
     if (writeCount > MAX_WRITTEN) {
-      throw call.refuse(5, "must be 1 to " + MAX_WRITTEN + ", more do not fit one request");
+      throw call.refuse(5, text("written", MAX_WRITTEN));
     }
     return add(
         call,
@@ -180,7 +182,7 @@ final class ModbusSignalBuiltins {
   private static int address(Call<ControlBox> call, int index, int count) throws ScriptError {
     int address = call.integer(index, 0, MAX_ADDRESS);
     if (address + count - 1 > MAX_ADDRESS) {
-      throw call.refuse(index, "must leave room for " + count + " up to " + MAX_ADDRESS);
+      throw call.refuse(index, text("room", count, MAX_ADDRESS));
     }
     return address;
   }
@@ -210,12 +212,11 @@ final class ModbusSignalBuiltins {
     if (signal.lost(nowS)) {
       throw call.failure(
           "signal-invalid",
-          "signal \""
-              + signal.name()
-              + "\" has not been valid for "
-              + Math.round(signal.invalidS(nowS) * 1000) / 1000.0
-              + " s: "
-              + ModbusErrors.of(signal.reading()));
+          text(
+              "signalInvalid",
+              signal.name(),
+              Math.round(signal.invalidS(nowS) * 1000) / 1000.0,
+              ModbusErrors.of(signal.reading())));
     }
     List<Integer> values = signal.values();
     boolean digital = signal.exchange().kind().digital();
@@ -258,7 +259,7 @@ final class ModbusSignalBuiltins {
     ModbusSignal signal = ModbusArguments.signal(call);
     double timeoutS = call.number(1);
     if (!(timeoutS >= 0 && timeoutS <= MAX_WATCHDOG_S)) {
-      throw call.refuse(1, "must be 0 to " + MAX_WATCHDOG_S);
+      throw call.refuse(1, text("zeroTo", MAX_WATCHDOG_S));
     }
     signal.setWatchdogS(timeoutS);
     return call.answer();

@@ -19,8 +19,9 @@ final class MotionArguments {
   /** Farthest position of a joint, rad: positions stay exact. */
   private static final double MAX_RAD = 10_000;
 
-  private static final List<String> JOINT_NAMES =
-      List.of("base", "shoulder", "elbow", "wrist 1", "wrist 2", "wrist 3");
+  /** Keys of the names of the joints. */
+  private static final List<String> JOINTS =
+      List.of("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3");
 
   private MotionArguments() {}
 
@@ -28,7 +29,7 @@ final class MotionArguments {
   static double positive(Call<ControlBox> call, int index) throws ScriptError {
     double number = call.number(index);
     if (!(number > 0) || Double.isInfinite(number)) {
-      throw call.refuse(index, "must be above 0");
+      throw call.refuse(index, BuiltinTexts.text("positive"));
     }
     return number;
   }
@@ -37,7 +38,7 @@ final class MotionArguments {
   static double notNegative(Call<ControlBox> call, int index) throws ScriptError {
     double number = call.number(index);
     if (!(number >= 0) || Double.isInfinite(number)) {
-      throw call.refuse(index, "must not be negative");
+      throw call.refuse(index, BuiltinTexts.text("notNegative"));
     }
     return number;
   }
@@ -51,10 +52,10 @@ final class MotionArguments {
   static Pose finite(Call<ControlBox> call, int index, Pose pose) throws ScriptError {
     for (int i = 0; i < Pose.SIZE; i++) {
       if (!Double.isFinite(pose.get(i))) {
-        throw call.refuse(index, "must be finite");
+        throw call.refuse(index, BuiltinTexts.text("finite"));
       }
       if (Math.abs(pose.get(i)) > MAX_IN_POSE) {
-        throw call.refuse(index, "its numbers must lie within 1e100");
+        throw call.refuse(index, BuiltinTexts.text("within1e100"));
       }
     }
     return pose;
@@ -63,15 +64,16 @@ final class MotionArguments {
   /**
    * A list of {@code length} numbers, none of them further from 0 than {@code bound}.
    *
-   * @param unit of the numbers, for the message
+   * @param refusal key of the text that refuses others, which is filled with the bound
    */
-  static double[] bounded(Call<ControlBox> call, int index, int length, double bound, String unit)
+  static double[] bounded(
+      Call<ControlBox> call, int index, int length, double bound, String refusal)
       throws ScriptError {
     double[] numbers = call.numbers(index, length);
     for (double number : numbers) {
       if (!(Math.abs(number) <= bound)) {
         String limit = text(bound);
-        throw call.refuse(index, "each must be -" + limit + " to " + limit + " " + unit);
+        throw call.refuse(index, BuiltinTexts.text(refusal, limit, limit));
       }
     }
     return numbers;
@@ -81,7 +83,7 @@ final class MotionArguments {
   static Joints joints(Call<ControlBox> call, int index) throws ScriptError {
     Joints joints = call.joints(index);
     if (!joints.isFinite()) {
-      throw call.refuse(index, "must be finite");
+      throw call.refuse(index, BuiltinTexts.text("finite"));
     }
     return joints;
   }
@@ -91,7 +93,7 @@ final class MotionArguments {
    * the arm stops before.
    */
   static Joints jointGoal(Call<ControlBox> call, int index) throws ScriptError {
-    return Joints.of(bounded(call, index, Joints.COUNT, MAX_RAD, "rad"));
+    return Joints.of(bounded(call, index, Joints.COUNT, MAX_RAD, "eachRad"));
   }
 
   /** Six joint positions, each within the range of its joint. */
@@ -103,18 +105,14 @@ final class MotionArguments {
       if (!limit.contains(joints.get(i))) {
         throw call.failure(
             "joint-out-of-range",
-            name
-                + "["
-                + i
-                + "] ("
-                + JOINT_NAMES.get(i)
-                + ") is "
-                + text(joints.get(i))
-                + " rad, must be "
-                + text(limit.lowestRad())
-                + " to "
-                + text(limit.highestRad())
-                + " rad");
+            BuiltinTexts.text(
+                "jointOutOfRange",
+                name,
+                i,
+                BuiltinTexts.text(JOINTS.get(i)),
+                text(joints.get(i)),
+                text(limit.lowestRad()),
+                text(limit.highestRad())));
       }
     }
     return joints;

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
@@ -168,10 +170,7 @@ final class MotionBuiltins {
       case InverseResult.Unreachable none ->
           throw new PlanningException(
               "no-solution",
-              "the goal "
-                  + KinematicsBuiltins.text(goal)
-                  + " is out of reach: "
-                  + none.cause().text());
+              text("goalOutOfReach", KinematicsBuiltins.text(goal), none.cause().text()));
     };
   }
 
@@ -205,7 +204,7 @@ final class MotionBuiltins {
 
   private static void refuseWhileMoving(Call<ControlBox> call) throws ScriptError {
     if (call.host().motion().moving()) {
-      throw call.failure("robot-in-use", "the arm is moving, must be at rest");
+      throw call.failure("robot-in-use", text("armMoves"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.MotionSettings;
 import org.pendant.language.signature.Type;
@@ -60,12 +62,11 @@ final class MotionSettingBuiltins {
       call.host()
           .log()
           .warning(
-              "motion_version_set: "
-                  + call.host().arm().description().id()
-                  + " has no motion version "
-                  + version
-                  + ", it stays at "
-                  + settings(call).version());
+              text(
+                  "noMotionVersion",
+                  call.host().arm().description().id(),
+                  version,
+                  settings(call).version()));
     }
     return call.answer();
   }
@@ -73,7 +74,7 @@ final class MotionSettingBuiltins {
   private static Outcome setJerkGain(Call<ControlBox> call) throws ScriptError {
     double gain = call.number(0);
     if (!(gain >= MotionSettings.MIN_JERK_GAIN && gain <= 1)) {
-      throw call.refuse(0, "must be 0.01 to 1");
+      throw call.refuse(0, text("jerkGain"));
     }
     settings(call).setJerkGain(gain);
     return call.answer();

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -52,13 +54,7 @@ final class MotionWait implements Wait {
           ? call.answer()
           : new MotionWait(call, function, ticket.get(), true);
     }
-    call.host()
-        .log()
-        .warning(
-            "Overlapping Blends: "
-                + function
-                + " is left out, its blend radius reaches into that of the move before; motion"
-                + " version 2 would make both smaller");
+    call.host().log().warning(text("moveLeftOut", function));
     return call.answer();
   }
 
@@ -93,11 +89,7 @@ final class MotionWait implements Wait {
   private void warnOfStretching() {
     if (!warned && ticket.stretchedS() > 0) {
       warned = true;
-      log.warning(
-          function
-              + ": the arm needs at least "
-              + Value.of(ticket.stretchedS()).text()
-              + " s for this way, more than t; the move takes longer");
+      log.warning(text("moveTakesLonger", function, Value.of(ticket.stretchedS()).text()));
     }
   }
 

@@ -82,6 +82,6 @@ final class MountingBuiltins {
   }
 
   private static double[] acceleration(Call<ControlBox> call) throws ScriptError {
-    return MotionArguments.bounded(call, 0, 3, MAX_M_PER_S2, "m/s\u00b2");
+    return MotionArguments.bounded(call, 0, 3, MAX_M_PER_S2, "eachMPerS2");
   }
 }

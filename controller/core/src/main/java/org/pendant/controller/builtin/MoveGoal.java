@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.world.SceneObject;
@@ -59,10 +61,7 @@ final class MoveGoal {
       case STRUCT -> inFrame(call, index, call.struct(index));
       case STRING ->
           new MoveGoal(box, ReferenceFrame.FIXED, object(call, call.text(index)), Pose.ZERO);
-      case NONE, BOOL, INT, FLOAT, MATRIX, HANDLE ->
-          throw call.wrongKind(
-              index,
-              "6 joint positions, a pose, a struct of pose and frame, or the name of an object");
+      case NONE, BOOL, INT, FLOAT, MATRIX, HANDLE -> throw call.wrongKind(index, text("goals"));
     };
   }
 
@@ -71,7 +70,7 @@ final class MoveGoal {
     if (!struct.names().containsAll(MEMBERS)
         || !(struct.get("pose") instanceof PoseValue pose)
         || !(struct.get("frame") instanceof StringValue name)) {
-      throw call.wrongKind(index, "a struct with a pose named pose and a string named frame");
+      throw call.wrongKind(index, text("poseInFrame"));
     }
     Pose given = MotionArguments.finite(call, index, pose.pose());
     ControlBox box = call.host();
@@ -90,9 +89,7 @@ final class MoveGoal {
         return each.poseInBase();
       }
     }
-    throw call.failure(
-        "unknown-object",
-        "there is no object or frame named " + Value.of(name).text() + " in the world model");
+    throw call.failure("unknown-object", text("noObject", Value.of(name).text()));
   }
 
   /**

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.math.BigInteger;
 import java.util.Locale;
 import java.util.regex.Matcher;
@@ -24,8 +26,6 @@ final class NumberParser {
               + "|(?<word>[a-zA-Z]+)"
               + "|(?<decimal>(?:[0-9]+(?<point>\\.[0-9]*)?|(?<bare>\\.[0-9]+))"
               + "(?:[eE][+-]?[0-9]+)?))");
-
-  private static final String INT = "an int, -2147483648 to 2147483647";
 
   /** Hexadecimal digits of the largest int. */
   private static final int MAX_DIGITS = 8;
@@ -56,7 +56,7 @@ final class NumberParser {
     double number = negative ? -magnitude : magnitude;
     if (point || number != Math.rint(number)) {
       if (Double.isInfinite(number)) {
-        throw outOfRange(call, "a 64-bit float");
+        throw outOfRange(call, "mustFitFloat");
       }
       return Value.of(number);
     }
@@ -68,7 +68,7 @@ final class NumberParser {
     String significant = digits.replaceFirst("^0+(?=.)", "");
     if (significant.length() > MAX_DIGITS) {
       // reading them would take time that grows with their square
-      throw outOfRange(call, INT);
+      throw outOfRange(call, "mustFitInt");
     }
     BigInteger magnitude = new BigInteger(significant, 16);
     return integer(call, (negative ? magnitude.negate() : magnitude).doubleValue());
@@ -85,17 +85,17 @@ final class NumberParser {
 
   private static Value integer(Call<?> call, double number) throws ScriptError {
     if (number != (int) number) {
-      throw outOfRange(call, INT);
+      throw outOfRange(call, "mustFitInt");
     }
     return Value.of((int) number);
   }
 
   private static ScriptError notANumber(Call<?> call) {
-    return call.failure("not-a-number", "str is \"" + shown(call) + "\", must spell a number");
+    return call.failure("not-a-number", text("noNumber", shown(call)));
   }
 
-  private static ScriptError outOfRange(Call<?> call, String type) {
-    return call.failure("value-out-of-range", "str is \"" + shown(call) + "\", must fit " + type);
+  private static ScriptError outOfRange(Call<?> call, String refusal) {
+    return call.failure("value-out-of-range", text(refusal, shown(call)));
   }
 
   private static String shown(Call<?> call) {

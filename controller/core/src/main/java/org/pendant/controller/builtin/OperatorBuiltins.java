@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.message.Answer;
@@ -72,7 +74,7 @@ final class OperatorBuiltins {
   private static Outcome ask(Call<ControlBox> call, Question.Kind kind) throws ScriptError {
     String text = call.text(0);
     if (text.isEmpty()) {
-      throw call.failure("value-out-of-range", "message is empty, must say what to answer");
+      throw call.failure("value-out-of-range", text("emptyQuestion"));
     }
     PromptQueue board = call.host().prompts().questions();
     PendingPrompt pendingPrompt = board.ask(call.host().clock().timeS(), kind, text);

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
@@ -101,7 +103,7 @@ final class OptimoveBuiltins {
   private static double share(Call<ControlBox> call, int index) throws ScriptError {
     double share = call.number(index);
     if (!(share > 0 && share <= 1)) {
-      throw call.refuse(index, "must be above 0, at most 1");
+      throw call.refuse(index, text("aboveZeroToOne"));
     }
     return share;
   }

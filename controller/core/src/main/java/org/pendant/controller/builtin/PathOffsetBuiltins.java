@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
@@ -90,14 +92,13 @@ final class PathOffsetBuiltins {
     ControlBox box = call.host();
     PathOffsetting offset = box.offsets().path();
     if (box.offsets().conveyor().active()) {
-      throw call.failure(
-          "conveyor-tracked", "a conveyor is being tracked, stop_conveyor_tracking must end that");
+      throw call.failure("conveyor-tracked", text("conveyorTracked"));
     }
     if (box.modes().forceMode().active()) {
-      throw call.failure("force-mode", "force mode is active, end_force_mode must end that first");
+      throw call.failure("force-mode", text("forceModeActive"));
     }
     if (box.motion().guided()) {
-      throw call.failure("freedrive", "the arm is in freedrive, which must be ended first");
+      throw call.failure("freedrive", text("inFreedrive"));
     }
     offset.enable();
     return call.answer();
@@ -120,7 +121,7 @@ final class PathOffsetBuiltins {
   private static Outcome setAlpha(Call<ControlBox> call) throws ScriptError {
     double alpha = call.number(0);
     if (!(alpha >= 0 && alpha <= 1)) {
-      throw call.refuse(0, "must be 0 to 1");
+      throw call.refuse(0, text("zeroToOne"));
     }
     call.host().offsets().path().setAlpha(alpha);
     return call.answer();

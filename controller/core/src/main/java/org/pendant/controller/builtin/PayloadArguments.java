@@ -36,38 +36,26 @@ final class PayloadArguments {
     double most = MAX_RATED_PAYLOADS * arm.payloadKg();
     if (!(massKg >= 0 && massKg <= most)) {
       throw call.refuse(
-          index,
-          "must be 0 to "
-              + text(most)
-              + " kg, "
-              + text(MAX_RATED_PAYLOADS)
-              + " times what "
-              + arm.id()
-              + " is made for");
+          index, BuiltinTexts.text("mass", text(most), text(MAX_RATED_PAYLOADS), arm.id()));
     }
     if (massKg > arm.payloadKg()) {
       call.host()
           .log()
           .warnOnce(
-              "the payload is "
-                  + text(massKg)
-                  + " kg, "
-                  + arm.id()
-                  + " is made for "
-                  + text(arm.payloadKg())
-                  + " kg");
+              BuiltinTexts.text(
+                  "payloadAboveRating", text(massKg), arm.id(), text(arm.payloadKg())));
     }
     return massKg;
   }
 
   /** A centre of gravity in the flange frame, m. */
   static double[] cogM(Call<ControlBox> call, int index) throws ScriptError {
-    return MotionArguments.bounded(call, index, 3, MAX_COG_M, "m");
+    return MotionArguments.bounded(call, index, 3, MAX_COG_M, "eachM");
   }
 
   /** An inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] that a body can have, kg m². */
   static double[] inertiaKgM2(Call<ControlBox> call, int index) throws ScriptError {
-    double[] elements = MotionArguments.bounded(call, index, 6, Inertia.MAX_KG_M2, "kg m\u00b2");
+    double[] elements = MotionArguments.bounded(call, index, 6, Inertia.MAX_KG_M2, "eachKgM2");
     Optional<String> problem = Inertia.of(elements).problem();
     if (problem.isPresent()) {
       throw call.refuse(index, problem.get());
@@ -90,7 +78,7 @@ final class PayloadArguments {
     List<Wrench> wrenches = new ArrayList<>();
     if (call.value(index) instanceof MatrixValue rows) {
       if (rows.columns() != 6) {
-        throw call.refuse(index, "must have 6 numbers for each wrench");
+        throw call.refuse(index, BuiltinTexts.text("wrenches"));
       }
       for (int row = 0; row < rows.rows(); row++) {
         wrenches.add(wrench(call, index, rows, row));
@@ -109,7 +97,7 @@ final class PayloadArguments {
     for (int i = 0; i < elements.length; i++) {
       elements[i] = rows.numberAt(row, i);
       if (!Double.isFinite(elements[i])) {
-        throw call.refuse(index, "must be finite");
+        throw call.refuse(index, BuiltinTexts.text("finite"));
       }
     }
     return new Wrench(elements[0], elements[1], elements[2], elements[3], elements[4], elements[5]);
@@ -118,7 +106,7 @@ final class PayloadArguments {
   private static List<Pose> poses(Call<ControlBox> call, int index) throws ScriptError {
     ListValue list = call.list(index);
     if (list.length() > 0 && list.elementKind() != ValueKind.POSE) {
-      throw call.wrongKind(index, "a list of poses");
+      throw call.wrongKind(index, BuiltinTexts.text("poses"));
     }
     List<Pose> poses = new ArrayList<>();
     for (int i = 0; i < list.length(); i++) {

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.PortMap;
@@ -14,10 +16,6 @@ import org.pendant.script.value.ScriptError;
 /** Bits and registers that Modbus clients see as well (manual 18.38, 18.39, 18.70, 18.71). */
 final class PortBuiltins {
   private static final String MODULE = "interfaces";
-  private static final String REGISTERS =
-      "must be a port register: 0 to 11, 16 to 22, 24 to 33, 128 to 255, or one of the robot's"
-          + " state from 256 to 770";
-  private static final String BITS = "must be a port bit: 0 to 47, 128 to 255 or 260 to 265";
 
   /** The manual's upper limit, one beyond what 16 bits hold; it counts as 0. */
   private static final int HIGHEST = 0x10000;
@@ -73,7 +71,7 @@ final class PortBuiltins {
     return call.answer(
         PortMap.bit(address, box.signals().digital().levels(), box.signals().state())
             .or(() -> box.links().published().portBit(address))
-            .orElseThrow(() -> call.refuse(0, BITS))
+            .orElseThrow(() -> call.refuse(0, text("portBits")))
             .booleanValue());
   }
 
@@ -83,7 +81,7 @@ final class PortBuiltins {
     int value =
         PortMap.register(address, box.signals().digital().levels(), box.signals().state())
             .or(() -> box.links().published().portRegister(address))
-            .orElseThrow(() -> call.refuse(0, REGISTERS));
+            .orElseThrow(() -> call.refuse(0, text("portRegisters")));
     return call.answerInt((short) value);
   }
 
@@ -91,10 +89,11 @@ final class PortBuiltins {
     int address = call.integer(0);
     return write(
         call,
-        "bit " + address,
+        "bitIsInput",
+        address,
         PortMap.writeBit(address, call.bool(1))
             .or(() -> call.host().links().published().portBit(address).map(ofRobot -> List.of()))
-            .orElseThrow(() -> call.refuse(0, BITS)));
+            .orElseThrow(() -> call.refuse(0, text("portBits"))));
   }
 
   private static Outcome writeRegister(Call<ControlBox> call) throws ScriptError {
@@ -103,7 +102,8 @@ final class PortBuiltins {
     try {
       return write(
           call,
-          "register " + address,
+          "registerIsInput",
+          address,
           PortMap.writeRegister(address, value)
               .or(
                   () ->
@@ -112,15 +112,16 @@ final class PortBuiltins {
                           .published()
                           .portRegister(address)
                           .map(ofRobot -> List.of()))
-              .orElseThrow(() -> call.refuse(0, REGISTERS)));
+              .orElseThrow(() -> call.refuse(0, text("portRegisters"))));
     } catch (IllegalArgumentException e) {
       throw call.failure("value-out-of-range", e.getMessage());
     }
   }
 
-  private static Outcome write(Call<ControlBox> call, String port, List<SignalWrite> writes) {
+  private static Outcome write(
+      Call<ControlBox> call, String warning, int address, List<SignalWrite> writes) {
     if (writes.isEmpty()) {
-      call.host().log().warnOnce("port " + port + " is an input: a program cannot write it");
+      call.host().log().warnOnce(text(warning, address));
     }
     writes.forEach(call.host().signals()::write);
     return call.answer();

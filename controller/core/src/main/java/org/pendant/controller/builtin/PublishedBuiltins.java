@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Published;
 import org.pendant.language.check.Nearest;
@@ -31,10 +33,7 @@ final class PublishedBuiltins {
   private static Outcome rtdeValue(Call<ControlBox> call) throws ScriptError {
     String key = call.text(0);
     if (key.equals(Published.EXECUTION_TIME)) {
-      call.host()
-          .clock()
-          .determinism()
-          .loseInRealTime("a program asked how long the computer works at a frame");
+      call.host().clock().determinism().loseInRealTime(text("askedComputerTime"));
     }
     Published published = call.host().links().published();
     Value value =
@@ -44,11 +43,10 @@ final class PublishedBuiltins {
                 () ->
                     call.refuse(
                         0,
-                        "must be the name of an RTDE output field"
-                            + new Nearest()
-                                .to(key, published::fieldNames)
-                                .map(name -> ", such as " + name)
-                                .orElse("")));
+                        new Nearest()
+                            .to(key, published::fieldNames)
+                            .map(name -> text("fieldNameSuchAs", name))
+                            .orElseGet(() -> text("fieldName"))));
     return call.answer(value);
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.box.ControlBox;
@@ -41,7 +43,7 @@ final class RpcBuiltins {
 
   private static Outcome factory(Call<ControlBox> call) throws ScriptError {
     if (!call.text(0).equals(XMLRPC)) {
-      throw call.refuse(0, "must be \"" + XMLRPC + "\"");
+      throw call.refuse(0, text("mustBeThat", XMLRPC));
     }
     try {
       int number = call.host().links().outside().openServer(call.text(1));
@@ -79,6 +81,6 @@ final class RpcBuiltins {
     if (call.value(0) instanceof HandleValue handle) {
       return handle;
     }
-    throw call.wrongKind(0, "an RPC handle");
+    throw call.wrongKind(0, text("rpcHandle"));
   }
 }

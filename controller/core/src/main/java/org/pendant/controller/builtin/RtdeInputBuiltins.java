@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.arm.ExternalForceSensor;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.Published;
@@ -67,7 +69,7 @@ final class RtdeInputBuiltins {
   private static Outcome enable(Call<ControlBox> call, double offsetSign) throws ScriptError {
     double massKg = call.number(1);
     if (!(massKg >= 0 && massKg < Double.POSITIVE_INFINITY)) {
-      throw call.refuse(1, "must be finite and not negative");
+      throw call.refuse(1, text("finiteNotNegative"));
     }
     double[] offsetM = finite(call, 2);
     double[] cogM = finite(call, 3);
@@ -98,7 +100,7 @@ final class RtdeInputBuiltins {
     double[] numbers = call.numbers(index, 3);
     for (double number : numbers) {
       if (!Double.isFinite(number)) {
-        throw call.refuse(index, "must be finite");
+        throw call.refuse(index, text("finite"));
       }
     }
     return numbers;
@@ -107,11 +109,11 @@ final class RtdeInputBuiltins {
   private static Outcome setWatchdog(Call<ControlBox> call) throws ScriptError {
     String input = call.text(0);
     if (!call.host().links().published().takesInput(input)) {
-      throw call.refuse(0, "must be an input of RTDE such as input_int_register_0");
+      throw call.refuse(0, text("rtdeInput"));
     }
     double leastHz = call.number(1);
     if (!(leastHz > 0 && leastHz < Double.POSITIVE_INFINITY)) {
-      throw call.refuse(1, "must be finite and above 0");
+      throw call.refuse(1, text("finitePositive"));
     }
     call.host()
         .links()
@@ -125,7 +127,7 @@ final class RtdeInputBuiltins {
       case "ignore" -> WatchdogAction.IGNORE;
       case "pause" -> WatchdogAction.PAUSE;
       case "stop" -> WatchdogAction.STOP;
-      default -> throw call.refuse(2, "must be \"ignore\", \"pause\" or \"stop\"");
+      default -> throw call.refuse(2, text("watchdogAction"));
     };
   }
 }

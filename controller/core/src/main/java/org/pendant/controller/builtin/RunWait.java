@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Locale;
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
@@ -42,7 +44,7 @@ final class RunWait implements Wait {
   private void planAtRest() throws PlanningException {
     MotionControl motion = box.motion();
     if (!motion.moving()) {
-      box.clock().determinism().loseInRealTime("a program waited until a toolpath was planned");
+      box.clock().determinism().loseInRealTime(text("waitedForPlan"));
       planning =
           Optional.of(
               box.planning()
@@ -106,11 +108,10 @@ final class RunWait implements Wait {
     if (apartM > Toolpaths.DIVERGENCE_M) {
       throw new ScriptError(
           "path-divergence",
-          String.format(
-              Locale.ROOT,
-              "the tool is %.1f mm beside its path, must be within %.0f mm",
-              1000 * apartM,
-              1000 * Toolpaths.DIVERGENCE_M));
+          text(
+              "besidePath",
+              String.format(Locale.ROOT, "%.1f", 1000 * apartM),
+              String.format(Locale.ROOT, "%.0f", 1000 * Toolpaths.DIVERGENCE_M)));
     }
     return Optional.empty();
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.OptionalInt;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
@@ -141,7 +143,7 @@ final class SafetyBuiltins {
     boolean enabled = call.bool(0);
     double threshold = call.number(1);
     if (!(threshold >= 0 && threshold <= 1)) {
-      throw call.refuse(1, "must be 0 to 1");
+      throw call.refuse(1, text("zeroToOne"));
     }
     call.host().safety().positionDeviationWarning(enabled, threshold);
     return call.answer();

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.pendant.controller.box.ControlBox;
@@ -117,14 +119,14 @@ final class ServoBuiltins {
   }
 
   private static Outcome speedj(Call<ControlBox> call) throws ScriptError {
-    Joints speed = Joints.of(speeds(call, "rad/s"));
+    Joints speed = Joints.of(speeds(call, "eachRadPerS"));
     double acceleration = MotionArguments.positive(call, 1);
     return MotionWait.continueWith(
         call, "speedj", call.host().modes().servoing().speedJ(speed, acceleration, returnS(call)));
   }
 
   private static Outcome speedl(Call<ControlBox> call) throws ScriptError {
-    double[] twist = speeds(call, "m/s and rad/s");
+    double[] twist = speeds(call, "eachMPerS");
     double acceleration = MotionArguments.positive(call, 1);
     double turning = call.given(3) ? MotionArguments.positive(call, 3) : acceleration;
     Pose tcp = call.host().flange().tool().inFlange();
@@ -134,8 +136,8 @@ final class ServoBuiltins {
         call.host().modes().servoing().speedL(tcp, twist, acceleration, turning, returnS(call)));
   }
 
-  private static double[] speeds(Call<ControlBox> call, String unit) throws ScriptError {
-    return MotionArguments.bounded(call, 0, Joints.COUNT, MAX_SPEED, unit);
+  private static double[] speeds(Call<ControlBox> call, String refusal) throws ScriptError {
+    return MotionArguments.bounded(call, 0, Joints.COUNT, MAX_SPEED, refusal);
   }
 
   private static OptionalDouble returnS(Call<ControlBox> call) throws ScriptError {
@@ -149,8 +151,8 @@ final class ServoBuiltins {
     unused(call, 1);
     unused(call, 2);
     double timeS = MotionArguments.notNegative(call, 3);
-    double lookaheadS = within(call, 4, MIN_LOOKAHEAD_S, MAX_LOOKAHEAD_S, " s");
-    double gain = within(call, 5, MIN_GAIN, MAX_GAIN, "");
+    double lookaheadS = within(call, 4, MIN_LOOKAHEAD_S, MAX_LOOKAHEAD_S, "rangeS");
+    double gain = within(call, 5, MIN_GAIN, MAX_GAIN, "range");
     return MotionWait.continueWith(
         call, "servoj", call.host().modes().servoing().servoJ(goal, timeS, lookaheadS, gain));
   }
@@ -163,11 +165,11 @@ final class ServoBuiltins {
   }
 
   private static double within(
-      Call<ControlBox> call, int index, double least, double most, String unit) throws ScriptError {
+      Call<ControlBox> call, int index, double least, double most, String refusal)
+      throws ScriptError {
     double number = call.number(index);
     if (!(number >= least && number <= most)) {
-      throw call.refuse(
-          index, "must be " + Value.of(least).text() + " to " + Value.of(most).text() + unit);
+      throw call.refuse(index, text(refusal, Value.of(least).text(), Value.of(most).text()));
     }
     return number;
   }
@@ -211,7 +213,7 @@ final class ServoBuiltins {
     Joints share = call.joints(index);
     for (int i = 0; i < Joints.COUNT; i++) {
       if (!(share.get(i) >= 0 && share.get(i) <= 1)) {
-        throw call.refuse(index, "each must be 0 to 1");
+        throw call.refuse(index, text("eachZeroToOne"));
       }
     }
     return share;

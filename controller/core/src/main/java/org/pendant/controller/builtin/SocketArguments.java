@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
@@ -35,7 +37,7 @@ final class SocketArguments {
             .socket(name)
             .filter(each -> each.stage() != ExternalSocket.Stage.CONNECTING);
     if (socket.isEmpty()) {
-      call.host().log().warnOnce(function + ": socket " + quoted(name) + " is not open");
+      call.host().log().warnOnce(text("socketNotOpen", function, quoted(name)));
     }
     return socket;
   }
@@ -47,7 +49,7 @@ final class SocketArguments {
   static long deadline(Call<ControlBox> call, int index) throws ScriptError {
     double timeoutS = call.number(index);
     if (Double.isNaN(timeoutS)) {
-      throw call.refuse(index, "must be a number of seconds");
+      throw call.refuse(index, text("seconds"));
     }
     return timeoutS <= 0 || timeoutS > MAX_S
         ? Long.MAX_VALUE

@@ -116,8 +116,7 @@ final class SocketBuiltins {
     } catch (ScriptError e) {
       throw call.failure(e.code(), e.getMessage());
     }
-    return new SocketOpenWait(
-        call.host(), name, socket, SocketArguments.quoted(host) + ", port " + port, call.frame());
+    return new SocketOpenWait(call.host(), name, socket, host, port, call.frame());
   }
 
   private static Outcome close(Call<ControlBox> call) throws ScriptError {

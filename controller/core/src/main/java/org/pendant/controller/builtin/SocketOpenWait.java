@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
@@ -14,19 +16,22 @@ final class SocketOpenWait implements Wait {
   private final ControlBox box;
   private final String name;
   private final ExternalSocket socket;
-  private final String target;
+  private final String host;
+  private final int port;
   private final long deadline;
 
   /**
    * Waits from frame {@code frame} on.
    *
-   * @param target where to, for messages
+   * @param host where to, for messages, and so the port
    */
-  SocketOpenWait(ControlBox box, String name, ExternalSocket socket, String target, long frame) {
+  SocketOpenWait(
+      ControlBox box, String name, ExternalSocket socket, String host, int port, long frame) {
     this.box = box;
     this.name = name;
     this.socket = socket;
-    this.target = target;
+    this.host = host;
+    this.port = port;
     deadline = frame + FrameTime.framesFor(MAX_S);
   }
 
@@ -39,13 +44,12 @@ final class SocketOpenWait implements Wait {
           Optional.of(
               Value.of(box.links().outside().socket(name).filter(socket::equals).isPresent()));
       case FAILED -> failed(socket.failure());
-      case CONNECTING ->
-          frame < deadline ? Optional.empty() : failed("no answer within " + MAX_S + " seconds");
+      case CONNECTING -> frame < deadline ? Optional.empty() : failed(text("noAnswer", MAX_S));
     };
   }
 
   private Optional<Value> failed(String why) {
-    box.log().warnOnce("socket_open: " + target + ": " + why);
+    box.log().warnOnce(text("openFailed", SocketArguments.quoted(host), port, why));
     cancel();
     return Optional.of(Value.of(false));
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.external.ExternalSocket;
@@ -162,7 +164,7 @@ final class SocketReadBuiltins {
       mark = mark.replace("\\n", "\n").replace("\\r", "\r").replace("\\t", "\t");
     }
     if (mark.length() > SocketRead.LONGEST) {
-      throw call.refuse(index, "must have at most " + SocketRead.LONGEST + " characters");
+      throw call.refuse(index, text("mostCharacters", SocketRead.LONGEST));
     }
     return mark;
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
@@ -126,7 +128,7 @@ final class StringBuiltins {
   private static Outcome at(Call<?> call) throws ScriptError {
     String src = call.text(0);
     if (src.isEmpty()) {
-      throw call.failure("index-out-of-range", "src is empty, must have a byte at index");
+      throw call.failure("index-out-of-range", text("emptySource"));
     }
     int index = inBounds(call, 1, src.length() - 1);
     return call.answer(src.substring(index, index + 1));
@@ -155,8 +157,7 @@ final class StringBuiltins {
       throw new ScriptError(
           "index-out-of-range",
           call.refuse(
-                  argument,
-                  last == Integer.MAX_VALUE ? "must not be negative" : "must be 0 to " + last)
+                  argument, last == Integer.MAX_VALUE ? text("notNegative") : text("zeroTo", last))
               .getMessage());
     }
     return index;
@@ -183,8 +184,7 @@ final class StringBuiltins {
           case NONE, MATRIX, STRUCT, HANDLE -> false;
         };
     if (!allowed) {
-      throw call.wrongKind(
-          argument, "a string, bool, number, pose or a list of bools, numbers or poses");
+      throw call.wrongKind(argument, text("convertible"));
     }
     return ValueText.start(value, MAX_CONVERTED);
   }
@@ -193,10 +193,9 @@ final class StringBuiltins {
     if (text.length() > MAX_LENGTH) {
       throw call.failure(
           "string-too-long",
-          "the result has "
-              + (text.length() > MAX_CONVERTED ? "more than " + MAX_CONVERTED : text.length())
-              + " characters, must have at most "
-              + MAX_LENGTH);
+          text.length() > MAX_CONVERTED
+              ? text("resultMuchTooLong", MAX_CONVERTED, MAX_LENGTH)
+              : text("resultTooLong", text.length(), MAX_LENGTH));
     }
     return call.answer(text);
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -79,7 +81,7 @@ final class TimeBuiltins {
         Instant now = call.host().clock().systemTime();
         yield call.answer(struct(now.getEpochSecond(), now.getNano()));
       }
-      default -> throw call.refuse(0, "must be 0 or 2");
+      default -> throw call.refuse(0, text("clock"));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.io.SignalWrite;
 import org.pendant.controller.io.ToolConnector;
@@ -61,7 +63,7 @@ final class ToolIoBuiltins {
   private static Outcome setVoltage(Call<ControlBox> call) throws ScriptError {
     int volts = call.integer(0);
     if (!ToolConnector.isVoltage(volts)) {
-      throw call.refuse(0, "must be 0, 12 or 24");
+      throw call.refuse(0, text("voltages"));
     }
     return write(call, new SignalWrite.ToolVoltage(volts));
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.box.ToolSerialInterface;
 import org.pendant.controller.external.ToolCommunication;
@@ -47,7 +49,7 @@ final class ToolSerialBuiltins {
     boolean enabled = call.bool(0);
     int baudRate = call.integer(1);
     if (!ToolCommunication.BAUD_RATES.contains(baudRate)) {
-      throw call.refuse(1, "must be one of " + ToolCommunication.rates());
+      throw call.refuse(1, text("oneOf", ToolCommunication.rates()));
     }
     return new ToolCommunication(
         enabled,
@@ -61,8 +63,7 @@ final class ToolSerialBuiltins {
   private static float idleChars(Call<ControlBox> call, int index, float least) throws ScriptError {
     double chars = call.number(index);
     if (!(chars >= least && chars <= ToolCommunication.MAX_IDLE_CHARS)) {
-      throw call.refuse(
-          index, "must be " + (int) least + " to " + (int) ToolCommunication.MAX_IDLE_CHARS);
+      throw call.refuse(index, text("range", (int) least, (int) ToolCommunication.MAX_IDLE_CHARS));
     }
     return (float) chars;
   }

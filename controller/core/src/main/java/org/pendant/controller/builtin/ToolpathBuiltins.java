@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.box.ControlBox;
@@ -163,7 +165,7 @@ final class ToolpathBuiltins {
   private static Outcome setSpeedFactor(Call<ControlBox> call) throws ScriptError {
     double factor = call.number(0);
     if (!(factor >= 0 && factor <= 1)) {
-      throw call.refuse(0, "must be 0 to 1");
+      throw call.refuse(0, text("zeroToOne"));
     }
     toolpaths(call).setSpeedFactor(factor);
     return call.answer();
@@ -194,9 +196,7 @@ final class ToolpathBuiltins {
     Optional<Boolean> feeds = toolpaths.feeds(file);
     if (feeds.isEmpty()) {
       String known =
-          toolpaths.loaded() == 0
-              ? "no path is loaded"
-              : "must be 0 to " + (toolpaths.loaded() - 1);
+          toolpaths.loaded() == 0 ? text("noPath") : text("zeroTo", toolpaths.loaded() - 1);
       throw call.refuse(0, known);
     }
     double a = MotionArguments.positive(call, 1);
@@ -204,13 +204,7 @@ final class ToolpathBuiltins {
         feeds.get() ? MotionArguments.notNegative(call, 2) : MotionArguments.positive(call, 2);
     double r = MotionArguments.notNegative(call, 3);
     if (toolpaths.queuedOtherwise(file, a, v)) {
-      call.host()
-          .log()
-          .warnOnce(
-              "mc_add_path: path_id "
-                  + file
-                  + " was added with another a or v before; the manual wants mc_load_path to be"
-                  + " called again for that");
+      call.host().log().warnOnce(text("pathAddedOtherwise", file));
     }
     return Planning.named(call, () -> call.answerInt(toolpaths.addPath(file, a, v, r)));
   }
@@ -242,8 +236,7 @@ final class ToolpathBuiltins {
             return call.answer();
           }
           if (box.motion().owned()) {
-            throw new ScriptError(
-                "robot-in-use", "another thread controls the robot, only one can at a time");
+            throw new ScriptError("robot-in-use", text("robotInUse"));
           }
           return new RunWait(box, last.getAsInt());
         });

@@ -1,5 +1,7 @@
 package org.pendant.controller.builtin;
 
+import static org.pendant.controller.builtin.BuiltinTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.models.pose.Pose;
@@ -79,12 +81,12 @@ final class VectorBuiltins {
   private static Outcome norm(Call<?> call) throws ScriptError {
     return switch (call.value(0)) {
       case IntValue i when i.value() == Integer.MIN_VALUE ->
-          throw call.refuse(0, "its magnitude does not fit an int");
+          throw call.refuse(0, text("magnitude"));
       case IntValue i -> call.answerInt(Math.abs(i.value()));
       case FloatValue f -> call.answer(Math.abs(f.value()));
       case PoseValue pose -> call.answer(length(pose.pose()));
       case NumberList list when list.elementKind().isNumber() -> call.answer(length(list));
-      default -> throw call.wrongKind(0, "a number, a pose or a list of numbers");
+      default -> throw call.wrongKind(0, text("numberPoseOrNumbers"));
     };
   }
 
@@ -95,7 +97,7 @@ final class VectorBuiltins {
       squares += component * component;
     }
     if (squares == 0) {
-      throw call.refuse(0, "must have an element that is not 0");
+      throw call.refuse(0, text("notAllZero"));
     }
     double length = Math.sqrt(squares);
     for (int i = 0; i < v.length; i++) {
