@@ -22,7 +22,7 @@ final class TextBundles {
 
   /** The file of the English texts of each package that has some. */
   static List<Path> english() throws IOException {
-    try (Stream<Path> files = Files.find(ROOT, 6, (file, attributes) -> isEnglish(file))) {
+    try (Stream<Path> files = Files.find(ROOT, 7, (file, attributes) -> isEnglish(file))) {
       return files.sorted().toList();
     }
   }
