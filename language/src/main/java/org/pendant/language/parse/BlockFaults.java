@@ -1,5 +1,6 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
 import static org.pendant.language.parse.UrScriptParser.*;
 
 import java.util.ArrayList;
@@ -21,19 +22,19 @@ final class BlockFaults {
   /** A block whose {@code end} is missing, and the token in front of which it is noticed. */
   record Unclosed(ScriptToken opener, ScriptToken before) {}
 
-  /** An {@code end} that closes nothing, and why. */
-  record Stray(ScriptToken end, String reason) {}
+  /** An {@code end} that closes nothing, and what is said about it. */
+  record Stray(ScriptToken end, String message) {}
 
   void unclosed(ScriptToken opener, ScriptToken before) {
     unclosed.add(new Unclosed(opener, before));
   }
 
   void strayEnd(ScriptToken end) {
-    strayEnds.add(new Stray(end, "every block before it has its `end` already"));
+    strayEnd(end, text("strayEnd"));
   }
 
-  void strayEnd(ScriptToken end, String reason) {
-    strayEnds.add(new Stray(end, reason));
+  void strayEnd(ScriptToken end, String message) {
+    strayEnds.add(new Stray(end, message));
   }
 
   void strayElse(ScriptToken word) {
@@ -68,33 +69,24 @@ final class BlockFaults {
           "missing-end",
           opener.range(),
           source.text().length(),
-          "`"
-              + source.text(opener.range())
-              + "` on line "
-              + opener.getLine()
-              + " has no `end`: "
-              + noticed(source, block.before()));
+          noEnd(source, opener, block.before()));
     }
     for (Stray stray : strayEnds) {
-      complaints.add(
-          "stray-end", stray.end().range(), "this `end` closes nothing: " + stray.reason());
+      complaints.add("stray-end", stray.end().range(), stray.message());
     }
     for (ScriptToken word : strayElses) {
-      complaints.add(
-          "stray-else", word.range(), "`" + source.text(word.range()) + "` belongs to no `if`");
+      complaints.add("stray-else", word.range(), text("strayElse", source.text(word.range())));
     }
   }
 
-  private static String noticed(Source source, ScriptToken before) {
+  private static String noEnd(Source source, ScriptToken opener, ScriptToken before) {
+    String word = source.text(opener.range());
+    int line = opener.getLine();
     return switch (before.getType()) {
-      case Token.EOF -> "the text ends inside its block";
+      case Token.EOF -> text("noEndBeforeTextEnds", word, line);
       case END, ELSE, ELIF ->
-          "the `"
-              + source.text(before.range())
-              + "` on line "
-              + before.getLine()
-              + " belongs to an outer block";
-      default -> "by its indentation line " + before.getLine() + " is outside of its block";
+          text("noEndBeforeOuterBlock", word, line, source.text(before.range()), before.getLine());
+      default -> text("noEndByIndentation", word, line, before.getLine());
     };
   }
 

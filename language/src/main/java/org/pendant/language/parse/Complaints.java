@@ -1,5 +1,7 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -97,14 +99,7 @@ final class Complaints {
 
   /** The text nests more deeply than the passes over it can follow. */
   void tooDeep(TokenPass.TooDeep found) {
-    add(
-        "nested-too-deeply",
-        found.token().range(),
-        "nested too deeply: more than "
-            + found.limit()
-            + " "
-            + found.what()
-            + " inside each other");
+    add("nested-too-deeply", found.token().range(), text(found.key(), found.limit()));
   }
 
   /** Whether there are so many that looking for more is of no use. */
@@ -126,7 +121,7 @@ final class Complaints {
           Diagnostic.error(
               "too-many-errors",
               new SourceRange(last.end(), last.end()),
-              "more than " + LIMIT + " syntax errors: the rest is not shown",
+              text("tooManyErrors", LIMIT),
               ""));
     }
     return ordered;

@@ -1,5 +1,6 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
 import static org.pendant.language.parse.UrScriptParser.*;
 
 import java.util.List;
@@ -268,14 +269,13 @@ final class EndSearch {
     } else {
       ScriptToken opener = open.block().word();
       Optional<ScriptToken> own = behind.innermost().map(Block::word);
+      String word = opener.getText();
+      int line = opener.getLine();
       faults.strayEnd(
           end,
-          "the `"
-              + opener.getText()
-              + "` on line "
-              + opener.getLine()
-              + own.map(its -> " has its `end` on line " + its.getLine())
-                  .orElse(" continues after it"));
+          own.isPresent()
+              ? text("strayEndBlockEnded", word, line, own.get().getLine())
+              : text("strayEndBlockContinues", word, line));
     }
     return faults;
   }

@@ -20,18 +20,16 @@ final class ErrorMessages {
 
   /** {@code found} does not continue the statement that began with {@code start}. */
   String unexpected(ScriptToken found, ScriptToken start) {
-    return hint(found)
-        .or(() -> openBracket(found, start))
-        .orElseGet(() -> "unexpected " + shown(found) + ": " + expected(found, start));
+    return hint(found).or(() -> openBracket(found, start)).orElseGet(() -> expected(found, start));
   }
 
   /** {@code found} breaks the condition that began with {@code start}. */
   String inCondition(ScriptToken found, ScriptToken start) {
     if (found.is(ASSIGN)) {
-      return "`=` assigns and cannot stand in a condition: compare with `==`";
+      return ParseTexts.text("assignInCondition");
     }
     if (found == start && found.is(COLON)) {
-      return "the condition is missing in front of `:`";
+      return ParseTexts.text("conditionMissing");
     }
     return unexpected(found, start);
   }
@@ -39,29 +37,24 @@ final class ErrorMessages {
   /** {@code found} breaks the head of a definition, after its first word. */
   String inHead(ScriptToken found, ScriptToken start) {
     if (found == start) {
-      return "unexpected " + shown(found) + ": expected the name of the definition";
+      return ParseTexts.text("expectedDefinitionName", shown(found));
     }
     ScriptToken previous = previous(found);
     if (previous == start) {
-      return "missing `()`: a definition names its parameters, `" + text(start) + "():`";
+      return ParseTexts.text("parameterListMissing", text(start));
     }
     return openBracket(found, start)
-        .orElseGet(() -> "unexpected " + shown(found) + ": expected a parameter name");
+        .orElseGet(() -> ParseTexts.text("expectedParameterName", shown(found)));
   }
 
   /** {@code found} stands after a complete head, on the same line, where its colon should be. */
   String behindHead(ScriptToken found) {
     if (found.is(ASSIGN)) {
-      return "`=` assigns and cannot stand in a condition: compare with `==`";
+      return ParseTexts.text("assignInCondition");
     }
     return hint(found)
         .orElseGet(
-            () ->
-                "unexpected "
-                    + shown(found)
-                    + " behind "
-                    + shown(previous(found))
-                    + ": expected an operator or `:`");
+            () -> ParseTexts.text("expectedOperatorOrColon", shown(found), shown(previous(found))));
   }
 
   String missingColon(ScriptToken found) {
@@ -70,14 +63,15 @@ final class ErrorMessages {
       at--;
     }
     ScriptToken word = tokens.get(Math.max(0, at));
-    String line = found.getLine() == word.getLine() ? "" : " on line " + word.getLine();
-    return "missing `:` behind the head of `" + text(word) + "`" + line + ": found " + shown(found);
+    return found.getLine() == word.getLine()
+        ? ParseTexts.text("colonMissing", text(word), shown(found))
+        : ParseTexts.text("colonMissingOnLine", text(word), word.getLine(), shown(found));
   }
 
   /** {@code found} stands where a statement should begin. */
   String betweenStatements(ScriptToken found) {
     if (TokenKinds.closesBracket(found.getType())) {
-      return shown(found) + " closes nothing: no bracket is open here";
+      return ParseTexts.text("strayBracket", shown(found));
     }
     return hint(found).orElseGet(() -> notAStatement(found));
   }
@@ -87,38 +81,33 @@ final class ErrorMessages {
     boolean sameLine = previous != found && !found.firstOnLine();
     switch (found.getType()) {
       case EQUAL -> {
-        return "`==` compares: assign with `=`";
+        return ParseTexts.text("equalAsStatement");
       }
       case ASSIGN -> {
         return previous.firstOnLine()
-            ? "unexpected `=`: the line before is not finished, so `"
-                + text(previous)
-                + "` was taken as part of it"
-            : "unexpected `=`: a statement assigns once";
+            ? ParseTexts.text("assignAfterUnfinishedLine", text(previous))
+            : ParseTexts.text("assignTwice");
       }
       case PLUS, MINUS -> {
         ScriptToken next = tokens.get(Math.min(found.getTokenIndex() + 1, tokens.size() - 1));
         if (sameLine && next.is(found.getType()) && previous.is(NAME)) {
           String sign = text(found);
           String name = text(previous);
-          return String.format(
-              "`%s%s%s` does not exist: write `%s = %s %s 1`", name, sign, sign, name, name, sign);
+          return ParseTexts.text(
+              "doesNotExistWrite", name + sign + sign, name + " = " + name + " " + sign + " 1");
         }
       }
       case LINE_PLUS, LINE_MINUS, LINE_LPAREN, LINE_LBRACK -> {
-        return "a line cannot begin with "
-            + shown(found)
-            + ": to continue the line before, end that one with an operator or a comma";
+        return ParseTexts.text("lineBeginsWithOperator", shown(found));
       }
       case LPAREN -> {
-        return "unexpected `(`: only a function or a method can be called";
+        return ParseTexts.text("callOfNoFunction");
       }
       default -> {}
     }
-    return "unexpected "
-        + shown(found)
-        + (sameLine ? " behind " + shown(previous) : "")
-        + ": expected a statement";
+    return sameLine
+        ? ParseTexts.text("expectedStatementBehind", shown(found), shown(previous))
+        : ParseTexts.text("expectedStatement", shown(found));
   }
 
   /** Tokens that are wrong wherever they stand. */
@@ -132,24 +121,21 @@ final class ErrorMessages {
       return Optional.of(Wording.behindNumber(source, previous.range()));
     }
     if (found.is(STRING) && previous.is(STRING)) {
-      return Optional.of("two strings in a row: join them with `+`");
+      return Optional.of(ParseTexts.text("stringsInARow"));
     }
     if (!found.is(STRANGE)) {
       return Optional.empty();
     }
     return Optional.of(
         switch (text(found).charAt(0)) {
-          case '$' -> "a `$` label stands on a line of its own";
-          case '\'' -> "`'` begins no string: strings stand in double quotes";
-          case '{', '}' ->
-              shown(found) + " has no meaning: blocks open with `:` and close with `end`";
+          case '$' -> ParseTexts.text("labelNotAlone");
+          case '\'' -> ParseTexts.text("apostropheNoString");
+          case '{', '}' -> ParseTexts.text("bracesNoBlock", shown(found));
           case '\\' ->
               previousStringEndsInBackslash(found)
-                  ? "strings have no escapes: `\\` is an ordinary byte and a quote cannot be"
-                      + " written in a string"
-                  : "`\\` does not continue a line: a line may break in brackets or behind an"
-                      + " operator";
-          default -> shown(found) + " has no meaning outside strings and comments";
+                  ? ParseTexts.text("noEscapes")
+                  : ParseTexts.text("noLineContinuation");
+          default -> ParseTexts.text("strangeCharacter", shown(found));
         });
   }
 
@@ -190,52 +176,48 @@ final class ErrorMessages {
     ScriptToken bracket = open.peek();
     boolean round = bracket.is(LPAREN) || bracket.is(LINE_LPAREN);
     String close = round ? "`)`" : "`]`";
-    String place =
-        "`"
-            + text(bracket)
-            + "` at "
-            + bracket.getLine()
-            + ":"
-            + source.column(bracket.startOffset());
+    String place = bracket.getLine() + ":" + source.column(bracket.startOffset());
     boolean afterValue = TokenKinds.endsOperand(previous(found).getType());
     if (TokenKinds.closesBracket(found.getType()) && afterValue) {
-      return Optional.of("unexpected " + shown(found) + ": " + place + " closes with " + close);
+      return Optional.of(
+          ParseTexts.text("wrongClosingBracket", shown(found), text(bracket), place, close));
     }
     if (found.firstOnLine()
         || found.is(Token.EOF)
         || found.is(COLON)
         || TokenKinds.beginsStatementForSure(found.getType())) {
-      return Optional.of(place + " is not closed: found " + shown(found) + ", expected " + close);
+      return Optional.of(
+          ParseTexts.text("bracketNotClosed", text(bracket), place, shown(found), close));
     }
     if (found.is(ASSIGN) && round) {
-      return Optional.of("unexpected `=`: compare with `==`");
+      return Optional.of(ParseTexts.text("assignInBrackets"));
     }
     return Optional.of(
-        "unexpected "
-            + shown(found)
-            + (afterValue
-                ? ": expected an operator, `,` or " + close + " for " + place
-                : ": expected a value"));
+        afterValue
+            ? ParseTexts.text(
+                "expectedOperatorOrBracket", shown(found), close, text(bracket), place)
+            : ParseTexts.text("expectedValue", shown(found)));
   }
 
   private String expected(ScriptToken found, ScriptToken start) {
+    String shown = shown(found);
     ScriptToken previous = previous(found);
     if (start.is(GLOBAL) || start.is(LOCAL)) {
       if (previous == start) {
-        return "expected a variable name behind `" + text(start) + "`";
+        return ParseTexts.text("expectedVariableName", shown, text(start));
       }
       if (found.getTokenIndex() == start.getTokenIndex() + 2) {
-        return "expected `=` and a value behind `" + text(start) + " " + text(previous) + "`";
+        return ParseTexts.text("expectedAssignment", shown, text(start), text(previous));
       }
     }
     return switch (previous.getType()) {
-      case RUN -> "expected the name of a thread, `run name()`";
-      case DOT -> "expected the name of a member or a method";
+      case RUN -> ParseTexts.text("expectedThreadName", shown);
+      case DOT -> ParseTexts.text("expectedMemberName", shown);
       case NAME ->
           tokens.get(Math.max(0, previous.getTokenIndex() - 1)).is(RUN)
-              ? "expected `()`, as in `run " + text(previous) + "()`"
-              : "expected an operator or a new statement";
-      default -> "expected a value behind " + shown(previous);
+              ? ParseTexts.text("expectedRunParentheses", shown, text(previous))
+              : ParseTexts.text("expectedOperatorOrStatement", shown);
+      default -> ParseTexts.text("expectedValueBehind", shown, shown(previous));
     };
   }
 
@@ -253,7 +235,9 @@ final class ErrorMessages {
       // Mended in: what really stands there is the next token.
       return shown(tokens.get(token.getTokenIndex() + 1));
     }
-    return token.is(Token.EOF) ? "the end of the text" : "`" + Wording.shortened(text(token)) + "`";
+    return token.is(Token.EOF)
+        ? ParseTexts.text("endOfText")
+        : "`" + Wording.shortened(text(token)) + "`";
   }
 
   private String text(ScriptToken token) {

@@ -1,5 +1,6 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
 import static org.pendant.language.parse.UrScriptParser.*;
 
 import java.util.ArrayList;
@@ -88,9 +89,7 @@ final class ExpressionBuilder {
     complaints.addAboutMeaning(
         "argument-name",
         first.range(),
-        "`"
-            + Wording.shortened(source.text(first.range()))
-            + "` is not a name: an argument is a value or `name=value`; compare with `==`");
+        text("argumentNameIsNone", Wording.shortened(source.text(first.range()))));
     return new Argument(Optional.empty(), value, range);
   }
 
@@ -254,7 +253,7 @@ final class ExpressionBuilder {
     complaints.addAboutMeaning(
         "pose-elements",
         range((TerminalNode) parts.getFirst()).to(range(suffix)),
-        "pose with " + count + " elements: a pose has six, `p[x, y, z, rx, ry, rz]`");
+        text("poseElements", count));
     return true;
   }
 
@@ -283,10 +282,7 @@ final class ExpressionBuilder {
     }
     List<Expression> indices = elements(context.children);
     if (indices.isEmpty() || indices.size() > 2) {
-      complaints.addAboutMeaning(
-          "index-count",
-          range(context),
-          indices.size() + " indices: a list takes one, a matrix two");
+      complaints.addAboutMeaning("index-count", range(context), text("indexCount", indices.size()));
     }
     return new Index(receiver, indices, range);
   }
@@ -329,12 +325,7 @@ final class ExpressionBuilder {
     complaints.note(where);
     if (!tooDeep) {
       tooDeep = true;
-      complaints.addAboutMeaning(
-          "nested-too-deeply",
-          where,
-          "nested too deeply: this expression has more than "
-              + MAX_DEPTH
-              + " levels; compute parts of it in variables first");
+      complaints.addAboutMeaning("nested-too-deeply", where, text("expressionTooDeep", MAX_DEPTH));
     }
     return false;
   }

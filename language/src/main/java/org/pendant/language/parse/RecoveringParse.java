@@ -1,5 +1,7 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.antlr.v4.runtime.TokenSource;
@@ -39,11 +41,7 @@ final class RecoveringParse {
     }
     // What else seems wrong is mostly a mark too, and another text when they are filled in.
     complaints.add(
-        "template",
-        mark.get(),
-        "this is a template: `"
-            + Wording.shortened(source.text(mark.get()))
-            + "` and marks like it are to be filled in before it is a program");
+        "template", mark.get(), text("template", Wording.shortened(source.text(mark.get()))));
     complaints.note(new SourceRange(0, source.text().length()));
     return new RecoveringParse(source, new Complaints(source), Optional.empty())
         .read(broken, tokenSource);

@@ -1,5 +1,7 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.antlr.v4.runtime.BailErrorStrategy;
@@ -106,8 +108,7 @@ public final class ScriptParser {
     int bytes = source.text().length();
     if (bytes > MAX_BYTES) {
       complaints.refuse(
-          "source-too-large",
-          source.name() + " has " + bytes + " bytes: a script may have " + MAX_BYTES + " at most");
+          "source-too-large", text("sourceTooLarge", source.name(), bytes, MAX_BYTES));
       return List.of();
     }
     List<ScriptToken> tokens = pass.read();

@@ -1,5 +1,6 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
 import static org.pendant.language.parse.UrScriptParser.*;
 
 import java.util.ArrayList;
@@ -102,9 +103,7 @@ final class StatementBuilder {
         complaints.addAboutMeaning(
             "assignment-target",
             target.range(),
-            "`"
-                + Wording.shortened(source.text(target.range()))
-                + "` cannot be assigned to: expected a variable, a member or an element");
+            text("notAssignable", Wording.shortened(source.text(target.range()))));
         yield Optional.empty();
       }
     };
@@ -181,9 +180,7 @@ final class StatementBuilder {
       complaints.addAboutMeaning(
           "thread-parameters",
           parameters.getFirst().range(),
-          "thread `"
-              + source.text(nameRange)
-              + "` declares parameters: a thread takes none, hand values over in global variables");
+          text("threadParameters", source.text(nameRange)));
     }
     int headEnd = Math.max(range.start(), context.COLON().getSymbol().getStopIndex() + 1);
     return new Statement.Definition(

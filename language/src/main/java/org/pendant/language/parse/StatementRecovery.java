@@ -1,5 +1,7 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
+
 import java.util.Optional;
 import org.antlr.v4.runtime.ANTLRErrorStrategy;
 import org.antlr.v4.runtime.InputMismatchException;
@@ -53,7 +55,7 @@ final class StatementRecovery implements ANTLRErrorStrategy {
       return colon(recognizer, found);
     }
     if (expected.contains(UrScriptParser.END)) {
-      complain(recognizer, "missing-end", found, "missing `end` before this");
+      complain(recognizer, "missing-end", found, text("endMissingBefore"));
       return ScriptToken.missing(UrScriptParser.END, found);
     }
     throw new InputMismatchException(recognizer);

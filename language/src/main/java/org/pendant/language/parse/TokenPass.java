@@ -34,7 +34,7 @@ final class TokenPass {
   private Optional<TokenTable> table = Optional.empty();
 
   /** The token at which a limit was passed, and what there was too much of. */
-  record TooDeep(ScriptToken token, String what, int limit) {}
+  record TooDeep(ScriptToken token, String key, int limit) {}
 
   /**
    * Of a source.
@@ -208,7 +208,7 @@ final class TokenPass {
           token.setType(type == LPAREN ? LINE_LPAREN : LINE_LBRACK);
         }
         brackets++;
-        limit(token, brackets, "brackets", MAX_BRACKETS);
+        limit(token, brackets, "bracketsTooDeep", MAX_BRACKETS);
       }
       case RPAREN, RBRACK -> brackets = Math.max(0, brackets - 1);
       case PLUS, MINUS -> {
@@ -219,7 +219,7 @@ final class TokenPass {
       case DEF, SEC, THREAD, IF, WHILE -> {
         brackets = 0;
         blocks++;
-        limit(token, blocks, "blocks", MAX_BLOCKS);
+        limit(token, blocks, "blocksTooDeep", MAX_BLOCKS);
       }
       case END -> {
         brackets = 0;
@@ -228,12 +228,12 @@ final class TokenPass {
       default -> {}
     }
     prefixes = TokenKinds.isPrefix(token.getType()) ? prefixes + 1 : 0;
-    limit(token, prefixes, "prefix operators", MAX_PREFIXES);
+    limit(token, prefixes, "prefixesTooDeep", MAX_PREFIXES);
   }
 
-  private void limit(ScriptToken token, int count, String what, int limit) {
+  private void limit(ScriptToken token, int count, String key, int limit) {
     if (count > limit) {
-      tooDeep = Optional.of(new TooDeep(token, what, limit));
+      tooDeep = Optional.of(new TooDeep(token, key, limit));
     }
   }
 }

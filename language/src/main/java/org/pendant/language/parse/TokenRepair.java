@@ -69,11 +69,11 @@ final class TokenRepair {
     ScriptToken token = tokens.get(at);
     switch (token.getType()) {
       case SEMICOLON -> {
-        complain("semicolon", token, "`;` is not needed: statements end by themselves, remove it");
+        complain("semicolon", token, ParseTexts.text("semicolon"));
         return at + 1;
       }
       case SLASH_COMMENT -> {
-        complain("comment", token, "`//` does not begin a comment: write `#`");
+        complain("comment", token, ParseTexts.text("slashComment"));
         return at + 1;
       }
       case SINGLE_QUOTED ->
@@ -81,15 +81,9 @@ final class TokenRepair {
               token,
               STRING,
               "single-quotes",
-              "single quotes: a string stands in double quotes, `\""
-                  + Wording.shortened(inner(token))
-                  + "\"`");
+              ParseTexts.text("singleQuotes", Wording.shortened(inner(token))));
       case OPEN_STRING -> {
-        replace(
-            token,
-            STRING,
-            "unclosed-string",
-            "the string is not closed: `\"` is missing before the end of the line");
+        replace(token, STRING, "unclosed-string", ParseTexts.text("unclosedString"));
         closeLine(token, tokens.get(at + 1));
         return at + 1;
       }
@@ -100,26 +94,23 @@ final class TokenRepair {
             token,
             ASSIGN,
             "arithmetic-assign",
-            "`"
-                + sign
-                + "` does not exist: write `"
-                + target
-                + " = "
-                + target
-                + " "
-                + sign.charAt(0)
-                + " ...`");
+            ParseTexts.text(
+                "doesNotExistWrite",
+                sign,
+                target + " = " + target + " " + sign.charAt(0) + " ..."));
       }
-      case COLON_ASSIGN ->
-          replace(token, ASSIGN, "colon-assign", "`:=` does not exist: assign with `=`");
-      case DOUBLE_AMPERSAND -> replace(token, AND, "and-sign", "`&&` does not exist: write `and`");
-      case DOUBLE_BAR -> replace(token, OR, "or-sign", "`||` does not exist: write `or`");
-      case ANGLES -> replace(token, NOT_EQUAL, "unequal-sign", "`<>` does not exist: write `!=`");
+      case COLON_ASSIGN -> replace(token, ASSIGN, "colon-assign", ParseTexts.text("colonAssign"));
+      case DOUBLE_AMPERSAND ->
+          replace(token, AND, "and-sign", ParseTexts.text("doesNotExistWrite", "&&", "and"));
+      case DOUBLE_BAR ->
+          replace(token, OR, "or-sign", ParseTexts.text("doesNotExistWrite", "||", "or"));
+      case ANGLES ->
+          replace(
+              token, NOT_EQUAL, "unequal-sign", ParseTexts.text("doesNotExistWrite", "<>", "!="));
       case ELSE -> {
         ScriptToken next = tokens.get(at + 1);
         if (next.is(IF) && !next.firstOnLine()) {
-          replace(
-              token, ELIF, "else-if", "`else if` is written `elif`: it shares the `end` of its if");
+          replace(token, ELIF, "else-if", ParseTexts.text("elseIf"));
           mended.add(token);
           return at + 2;
         }
@@ -142,7 +133,7 @@ final class TokenRepair {
     String word = text(token);
     boolean alone = at + 1 < tokens.size() && endsLine(at);
     if (alone && END_WORDS.contains(word)) {
-      replace(token, END, "end-word", "`" + word + "` does not exist: a block closes with `end`");
+      replace(token, END, "end-word", ParseTexts.text("endWord", word));
       mended.add(token);
       return at + 1;
     }
@@ -152,19 +143,11 @@ final class TokenRepair {
     }
     String lower = word.toLowerCase(Locale.ROOT);
     if (ELIF_WORDS.contains(lower)) {
-      replace(token, ELIF, "else-if", "`" + word + "` does not exist: write `elif`");
+      replace(token, ELIF, "else-if", ParseTexts.text("doesNotExistWrite", word, "elif"));
     } else if (BLOCK_WORDS.containsKey(lower)) {
-      replace(
-          token,
-          BLOCK_WORDS.get(lower),
-          "word-case",
-          "`" + word + "`: reserved words are in lower case, `" + lower + "`");
+      replace(token, BLOCK_WORDS.get(lower), "word-case", ParseTexts.text("wordCase", word, lower));
     } else if (FUNCTION_WORDS.contains(lower) && tokens.get(at + 1).is(NAME)) {
-      replace(
-          token,
-          DEF,
-          "function-word",
-          "`" + word + "` does not exist: a function opens with `def`");
+      replace(token, DEF, "function-word", ParseTexts.text("functionWord", word));
     } else {
       return foreignBlock(at, colon);
     }
@@ -177,17 +160,16 @@ final class TokenRepair {
     ScriptToken token = tokens.get(at);
     String word = text(token);
     String lower = word.toLowerCase(Locale.ROOT);
-    String advice =
-        switch (lower) {
-          case "for", "foreach", "repeat" -> "count in a variable and loop with `while`";
-          case "switch", "match", "select", "case", "default" -> "write `if`, `elif` and `else`";
-          case "try", "except", "catch", "finally" -> "errors cannot be caught";
-          default -> "a block opens with `if`, `while`, `def`, `sec` or `thread`";
-        };
+    String shown = Wording.shortened(word);
     complain(
         "unknown-block",
         token,
-        "there is no `" + Wording.shortened(word) + " ...:` in URScript: " + advice);
+        switch (lower) {
+          case "for", "foreach", "repeat" -> ParseTexts.text("noForLoop", shown);
+          case "switch", "match", "select", "case", "default" -> ParseTexts.text("noSwitch", shown);
+          case "try", "except", "catch", "finally" -> ParseTexts.text("noCatch", shown);
+          default -> ParseTexts.text("unknownBlock", shown);
+        });
     if (!INNER_WORDS.contains(lower)) {
       token.setType(WHILE);
       mended.add(token);

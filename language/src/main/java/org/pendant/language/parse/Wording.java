@@ -1,5 +1,7 @@
 package org.pendant.language.parse;
 
+import static org.pendant.language.parse.ParseTexts.text;
+
 import org.pendant.language.source.Source;
 import org.pendant.language.source.SourceRange;
 import org.pendant.language.syntax.Expression;
@@ -30,22 +32,15 @@ final class Wording {
 
   /** Why {@code expression} is no statement. */
   static String noEffect(Source source, Expression expression) {
-    String shown = "`" + shortened(source.text(expression.range())) + "`";
+    String shown = shortened(source.text(expression.range()));
     if (followsDigit(source, expression.range())) {
       return behindNumber(source, expression.range());
     }
-    String expected =
-        switch (expression) {
-          case Expression.PoseLiteral _ ->
-              "a variable that it is assigned to, or a call that takes it";
-          case Expression.Index _ -> shown.substring(0, shown.length() - 1) + " = ...`";
-          default ->
-              shown.substring(0, shown.length() - 1)
-                  + " = ...` or a call, "
-                  + shown.substring(0, shown.length() - 1)
-                  + "(...)`";
-        };
-    return shown + " does nothing on its own: expected " + expected;
+    return switch (expression) {
+      case Expression.PoseLiteral _ -> text("poseAlone", shown);
+      case Expression.Index _ -> text("elementAlone", shown, shown);
+      default -> text("expressionAlone", shown, shown, shown);
+    };
   }
 
   /** What is wrong with a name that stands at the end of a number without a blank between. */
@@ -53,10 +48,7 @@ final class Wording {
     String text = source.text();
     String found = source.text(letters);
     if (!found.equalsIgnoreCase("e")) {
-      return "letters `"
-          + shortened(found)
-          + "` directly behind a number: a name cannot begin with a digit and there are no"
-          + " hexadecimal numbers";
+      return text("lettersBehindNumber", shortened(found));
     }
     int start = letters.start();
     while (start > 0
@@ -65,9 +57,7 @@ final class Wording {
     }
     int end = letters.end();
     boolean signed = end < text.length() && (text.charAt(end) == '-' || text.charAt(end) == '+');
-    return "the number `"
-        + shortened(text.substring(start, signed ? end + 1 : end))
-        + "` is not finished: its exponent has no digits";
+    return text("exponentMissing", shortened(text.substring(start, signed ? end + 1 : end)));
   }
 
   /** Whether a digit stands directly before {@code range}. */
