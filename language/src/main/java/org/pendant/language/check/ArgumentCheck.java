@@ -1,8 +1,11 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.pendant.language.signature.Parameter;
 import org.pendant.language.source.SourceRange;
@@ -65,26 +68,18 @@ final class ArgumentCheck {
       expressions.check(argument.value());
       if (argument.name().isEmpty()) {
         run.findings()
-            .error(
-                "struct-arguments",
-                argument.range(),
-                "struct: an argument has no name, expected member=value");
+            .error("struct-arguments", argument.range(), text("structArgumentWithoutName"));
       } else if (!members.add(argument.name().get())) {
         duplicate("struct", argument.name().get(), argument.range());
       }
     }
     if (arguments.isEmpty()) {
-      run.findings()
-          .error("struct-arguments", nameRange, "struct: no members, expected at least one");
+      run.findings().error("struct-arguments", nameRange, text("structWithoutMembers"));
     }
   }
 
   void positionalAfterNamed(Argument argument) {
-    run.findings()
-        .error(
-            "positional-after-named",
-            argument.range(),
-            "an argument without a name follows one with a name; expected name=value");
+    run.findings().error("positional-after-named", argument.range(), text("positionalAfterNamed"));
   }
 
   private int position(FunctionHead head, String name, SourceRange range) {
@@ -92,16 +87,14 @@ final class ArgumentCheck {
     if (position != null) {
       return position;
     }
+    Optional<String> near = run.nearest(name, head.positions()::keySet);
     run.findings()
         .error(
             "unknown-argument",
             range,
-            head.name()
-                + " has no parameter "
-                + name
-                + run.suggestion(name, head.positions()::keySet)
-                + "; expected "
-                + head.text());
+            near.isPresent()
+                ? text("noParameterDidYouMean", head.name(), name, near.get(), head.text())
+                : text("noParameter", head.name(), name, head.text()));
     return -1;
   }
 
@@ -117,13 +110,12 @@ final class ArgumentCheck {
           .error(
               "type-mismatch",
               argument.range(),
-              head.name()
-                  + ": "
-                  + parameter.name()
-                  + " is "
-                  + kind.text()
-                  + ", expected "
-                  + parameter.type().text());
+              text(
+                  "argumentType",
+                  head.name(),
+                  parameter.name(),
+                  kind.text(),
+                  parameter.type().text()));
     }
     boolean off = argument.value() instanceof BoolLiteral(boolean value, _) && !value;
     if (parameter.name().equals(BLOCKING) && !off) {
@@ -132,17 +124,13 @@ final class ArgumentCheck {
   }
 
   private void duplicate(String function, String name, SourceRange range) {
-    run.findings()
-        .error(
-            "duplicate-argument", range, function + ": " + name + " is given twice, expected once");
+    run.findings().error("duplicate-argument", range, text("argumentGivenTwice", function, name));
   }
 
   private void tooMany(FunctionHead head, int found, SourceRange range) {
     run.findings()
         .error(
-            "too-many-arguments",
-            range,
-            head.name() + " has " + found + " arguments, expected " + head.text());
+            "too-many-arguments", range, text("tooManyArguments", head.name(), found, head.text()));
   }
 
   private void reportMissing(FunctionHead head, boolean[] given, SourceRange nameRange) {
@@ -156,11 +144,7 @@ final class ArgumentCheck {
       run.failsWhenItRuns(
           "missing-argument",
           nameRange,
-          head.name()
-              + " is called without "
-              + String.join(", ", missing)
-              + "; expected "
-              + head.text());
+          text("calledWithout", head.name(), String.join(", ", missing), head.text()));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -55,13 +57,23 @@ final class CallGraph {
     }
 
     /** Notes something that no secondary program may do. */
-    void refuseInSecondary(SourceRange range, String what) {
-      refusals.add(new Refusal(range, what));
+    void refuseInSecondary(SourceRange range, String key) {
+      refuseInSecondary(range, key, "");
+    }
+
+    /** Notes a call that no secondary program may do. */
+    void refuseInSecondary(SourceRange range, String key, String function) {
+      refusals.add(new Refusal(range, key, function));
     }
   }
 
-  /** Something that no secondary program may do. */
-  record Refusal(SourceRange range, String what) {}
+  /**
+   * Something that no secondary program may do.
+   *
+   * @param key of the text that says so, which is read where it is said
+   * @param function what is called; empty if it is no call
+   */
+  record Refusal(SourceRange range, String key, String function) {}
 
   /** A loop without end or wait of its own; what it calls may still wait. */
   record EndlessLoop(SourceRange range, List<Node> callees) {}
@@ -86,10 +98,7 @@ final class CallGraph {
     spreadWaits();
     for (EndlessLoop loop : loops) {
       if (loop.callees().stream().noneMatch(callee -> callee.waits)) {
-        findings.warning(
-            "endless-loop",
-            loop.range(),
-            "this loop never ends and never waits; expected a sync(), a sleep or a move in it");
+        findings.warning("endless-loop", loop.range(), text("endlessLoop"));
       }
     }
   }
@@ -104,9 +113,7 @@ final class CallGraph {
       Node node = open.remove();
       for (Refusal refusal : node.refusals) {
         findings.error(
-            "physical-time",
-            refusal.range(),
-            refusal.what() + " in the secondary program " + name + ", which must end at once");
+            "physical-time", refusal.range(), text(refusal.key(), name, refusal.function()));
       }
       for (Node callee : node.callees) {
         if (reached.add(callee)) {

@@ -1,5 +1,7 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -33,8 +35,8 @@ final class CheckRun {
   private final Map<String, Optional<Builtin>> builtins = new HashMap<>();
   private final IdentityHashMap<Definition, FunctionHead> heads = new IdentityHashMap<>();
   private final Set<String> deprecated = new HashSet<>();
-  private final Map<String, String> functionOffers = new HashMap<>();
-  private final Map<String, String> variableOffers = new HashMap<>();
+  private final Map<String, Optional<String>> functionOffers = new HashMap<>();
+  private final Map<String, Optional<String>> variableOffers = new HashMap<>();
   private final Optional<KnownBodies> known;
   private boolean entersInterpreterMode;
   private int special;
@@ -147,9 +149,9 @@ final class CheckRun {
         findings.error(
             "interpreter-mode",
             range,
-            INTERPRETER_MODE
-                + (interpreted ? " is called by an interpreted line" : " is called by a thread")
-                + "; expected a call by the program's main thread");
+            interpreted
+                ? text("calledByInterpretedLine", INTERPRETER_MODE)
+                : text("calledByThread", INTERPRETER_MODE));
       }
     }
   }
@@ -183,17 +185,14 @@ final class CheckRun {
     special++;
     if (deprecated.add(signature.name())) {
       findings.warning(
-          "deprecated",
-          range,
-          written + " is deprecated; use " + signature.deprecated() + arguments);
+          "deprecated", range, text("deprecated", written, signature.deprecated() + arguments));
     }
   }
 
   void unknownFunction(String name, SourceRange range, FunctionScope scope) {
     special++;
     if (scope.binds(name) || scope.globals().contains(name)) {
-      findings.nameNotFound(
-          "unknown-function", name, range, name + " is a variable; expected a function to call");
+      findings.nameNotFound("unknown-function", name, range, text("variableIsCalled", name));
       return;
     }
     Optional<String> absence = catalogue.absence(name);
@@ -201,12 +200,13 @@ final class CheckRun {
       findings.nameNotFound(MissingNames.FUNCTION, name, range, absence.get());
       return;
     }
-    String message = "function " + name + " is not defined" + here();
+    String message =
+        library ? text("functionNotInLibrary", name) : text("functionNotDefined", name);
     missing(
         MissingNames.FUNCTION,
         name,
         range,
-        message + functionOffers.computeIfAbsent(name, _ -> offer(nearestFunction(name, scope))));
+        offering(message, functionOffers.computeIfAbsent(name, _ -> nearestFunction(name, scope))));
   }
 
   /** In a library a name that it lacks may be one of the program that takes it in. */
@@ -218,20 +218,18 @@ final class CheckRun {
     }
   }
 
-  private String here() {
-    return library ? " in this library" : "";
-  }
-
   void unknownVariable(String name, SourceRange range, FunctionScope scope) {
     special++;
-    String message = "variable " + name + " is never assigned" + here();
-    if (scope.function(name).isPresent() || builtin(name).isPresent()) {
-      message += "; the function " + name + " needs parentheses";
-    } else {
-      message +=
-          variableOffers.computeIfAbsent(name, _ -> suggestion(name, () -> variables(scope)));
-    }
-    failsWhenItRuns(MissingNames.VARIABLE, range, message);
+    String message =
+        library ? text("variableNotInLibrary", name) : text("variableNeverAssigned", name);
+    failsWhenItRuns(
+        MissingNames.VARIABLE,
+        range,
+        scope.function(name).isPresent() || builtin(name).isPresent()
+            ? text("needsParentheses", message, name)
+            : offering(
+                message,
+                variableOffers.computeIfAbsent(name, _ -> nearest(name, () -> variables(scope)))));
   }
 
   private List<String> functions(FunctionScope scope) {
@@ -259,14 +257,15 @@ final class CheckRun {
         .map(found -> scope.function(found).isPresent() ? found : catalogue.current(found));
   }
 
-  /** The end of a message that offers the name probably meant. */
-  String suggestion(String name, Supplier<? extends Collection<String>> candidates) {
+  /** The name probably meant, if there is one. */
+  Optional<String> nearest(String name, Supplier<? extends Collection<String>> candidates) {
     special++;
-    return offer(nearest.to(name, candidates));
+    return nearest.to(name, candidates);
   }
 
-  private static String offer(Optional<String> found) {
-    return found.map(each -> "; did you mean " + each + "?").orElse("");
+  /** A message that offers the name probably meant. */
+  static String offering(String message, Optional<String> near) {
+    return near.map(each -> text("didYouMean", message, each)).orElse(message);
   }
 
   private static boolean insideThread(FunctionScope scope) {

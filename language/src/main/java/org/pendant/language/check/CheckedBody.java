@@ -27,6 +27,7 @@ record CheckedBody(
 
   static Loop loop(EndlessLoop loop) {
     return new Loop(
-        new Refusal(loop.range(), ""), loop.callees().stream().map(CallGraph.Node::name).toList());
+        new Refusal(loop.range(), "", ""),
+        loop.callees().stream().map(CallGraph.Node::name).toList());
   }
 }

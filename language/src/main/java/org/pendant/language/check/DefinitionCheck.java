@@ -1,5 +1,7 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.HashSet;
 import java.util.Set;
 import org.pendant.language.source.SourceRange;
@@ -33,13 +35,9 @@ final class DefinitionCheck {
   void head(Definition definition, FunctionState state, Set<String> defined) {
     String name = definition.name();
     if (!defined.add(name)) {
-      error("duplicate-definition", definition.nameRange(), name + " is defined twice here");
+      error("duplicate-definition", definition.nameRange(), text("definedTwice", name));
     } else if (run.builtin(name).isPresent()) {
-      run.findings()
-          .warning(
-              "hides-builtin",
-              definition.nameRange(),
-              name + " is also a built-in function, which this definition hides");
+      run.findings().warning("hides-builtin", definition.nameRange(), text("hidesBuiltIn", name));
     }
     ExpressionCheck defaults = new ExpressionCheck(run, state);
     Set<String> names = new HashSet<>();
@@ -48,7 +46,7 @@ final class DefinitionCheck {
         error(
             "duplicate-parameter",
             parameter.range(),
-            name + " has two parameters " + parameter.name());
+            text("parameterTwice", name, parameter.name()));
       }
       parameter.defaultValue().ifPresent(defaults::check);
       state.flow().assigned(state.scope().resolve(parameter.name(), parameter.range().start()));

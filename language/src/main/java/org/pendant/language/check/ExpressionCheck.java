@@ -1,5 +1,7 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -47,7 +49,7 @@ final class ExpressionCheck {
   void condition(Expression condition) {
     StaticType kind = check(condition);
     if (!kind.condition()) {
-      mismatch(condition.range(), "the condition is " + kind.text() + ", expected a bool");
+      mismatch(condition.range(), text("conditionType", kind.text()));
     }
   }
 
@@ -55,7 +57,7 @@ final class ExpressionCheck {
   void handle(Expression handle) {
     StaticType kind = check(handle);
     if (kind.certain() && kind != StaticType.NUMBER) {
-      mismatch(handle.range(), "the operand is " + kind.text() + ", expected a thread handle");
+      mismatch(handle.range(), text("operandNoThread", kind.text()));
     }
   }
 
@@ -88,8 +90,7 @@ final class ExpressionCheck {
       return kind;
     }
     if (certainlyUnassigned(binding)) {
-      run.unassigned(
-          name.range(), "variable " + name.name() + " is read before anything assigns it");
+      run.unassigned(name.range(), text("readBeforeAssigned", name.name()));
       state.flow().assigned(binding);
     }
     return run.survey().kind(scope, binding);
@@ -112,7 +113,7 @@ final class ExpressionCheck {
     for (Expression element : pose.elements()) {
       StaticType kind = check(element);
       if (isNoNumber(kind)) {
-        mismatch(element.range(), "a pose element is " + kind.text() + ", expected a number");
+        mismatch(element.range(), text("poseElementType", kind.text()));
       }
     }
     return StaticType.POSE;
@@ -121,9 +122,7 @@ final class ExpressionCheck {
   private StaticType unary(Expression.Unary unary) {
     StaticType operand = check(unary.operand());
     if (OperatorTypes.fails(unary.operator(), operand)) {
-      mismatch(
-          unary.range(),
-          "operator " + unary.operator().text() + " does not take " + operand.text());
+      mismatch(unary.range(), text("operatorOperand", unary.operator().text(), operand.text()));
     }
     return OperatorTypes.result(unary.operator(), operand);
   }
@@ -134,12 +133,7 @@ final class ExpressionCheck {
     if (OperatorTypes.fails(binary.operator(), left, right)) {
       mismatch(
           binary.range(),
-          "operator "
-              + binary.operator().text()
-              + " does not take "
-              + left.text()
-              + " and "
-              + right.text());
+          text("operatorOperands", binary.operator().text(), left.text(), right.text()));
     }
     return OperatorTypes.result(binary.operator(), left, right);
   }
@@ -148,19 +142,17 @@ final class ExpressionCheck {
     StaticType receiver = check(index.receiver());
     List<StaticType> indices = all(index.indices());
     if (receiver == StaticType.NUMBER || receiver == StaticType.BOOL) {
-      mismatch(index.receiver().range(), receiver.text() + " has no elements, expected a list");
+      mismatch(index.receiver().range(), text("noElements", receiver.text()));
     }
     for (int i = 0; i < indices.size(); i++) {
       if (isNoNumber(indices.get(i))) {
-        mismatch(
-            index.indices().get(i).range(),
-            "the index is " + indices.get(i).text() + ", expected a number");
+        mismatch(index.indices().get(i).range(), text("indexType", indices.get(i).text()));
       }
     }
     boolean flat =
         receiver == StaticType.LIST || receiver == StaticType.POSE || receiver == StaticType.STRUCT;
     if (flat && indices.size() > 1) {
-      mismatch(index.range(), receiver.text() + " takes one index, found " + indices.size());
+      mismatch(index.range(), text("oneIndex", receiver.text(), indices.size()));
     }
     return Inference.index(receiver, indices.size());
   }
@@ -173,7 +165,7 @@ final class ExpressionCheck {
               .error(
                   "unknown-member",
                   member.nameRange(),
-                  receiver.text() + " has no member " + member.member() + "; expected a struct");
+                  text("noMembers", receiver.text(), member.member()));
       case ANY, NUMBER, STRUCT -> {}
     }
     return StaticType.ANY;
@@ -215,8 +207,8 @@ final class ExpressionCheck {
     String name = definition.name();
     String message =
         definition.kind() == DefinitionKind.THREAD
-            ? name + " is a thread; expected run " + name + "()"
-            : name + " is a secondary program; expected a function";
+            ? text("threadIsCalled", name, name)
+            : text("secondaryIsCalled", name);
     run.findings().error("not-a-function", call.nameRange(), message);
   }
 
@@ -237,14 +229,12 @@ final class ExpressionCheck {
     Optional<Signature> signature = run.catalogue().method(receiver.receiver(), call.method());
     if (signature.isEmpty()) {
       checkValues(call.arguments());
+      String message = text("noMethod", receiver.text(), call.method());
       run.findings()
           .error(
               "unknown-method",
               call.nameRange(),
-              receiver.text()
-                  + " has no method "
-                  + call.method()
-                  + run.suggestion(call.method(), () -> methods(receiver)));
+              CheckRun.offering(message, run.nearest(call.method(), () -> methods(receiver))));
       return StaticType.ANY;
     }
     arguments.check(FunctionHead.of(signature.get()), call.arguments(), call.nameRange());
@@ -262,19 +252,18 @@ final class ExpressionCheck {
   private StaticType start(Expression.Run start) {
     checkValues(start.arguments());
     String name = start.thread();
-    state.node().refuseInSecondary(start.range(), "run starts a thread");
+    state.node().refuseInSecondary(start.range(), "runInSecondary");
     Optional<Definition> defined = state.scope().function(name);
     if (defined.isEmpty() && run.builtin(name).isEmpty()) {
       run.unknownFunction(name, start.nameRange(), state.scope());
     } else if (defined.filter(d -> d.kind() == DefinitionKind.THREAD).isEmpty()) {
-      run.findings()
-          .error("not-a-thread", start.nameRange(), name + " is a function; expected a thread");
+      run.findings().error("not-a-thread", start.nameRange(), text("functionIsRun", name));
     } else if (!start.arguments().isEmpty()) {
       run.findings()
           .error(
               "thread-arguments",
               start.arguments().getFirst().range(),
-              "thread " + name + " is given arguments; expected run " + name + "()");
+              text("threadArguments", name, name));
     }
     return StaticType.NUMBER;
   }
@@ -288,10 +277,10 @@ final class ExpressionCheck {
   private void noteTime(Signature signature, SourceRange range) {
     if (signature.physicalTime()) {
       state.waits();
-      state.node().refuseInSecondary(range, signature.name() + " takes robot time");
+      state.node().refuseInSecondary(range, "timeInSecondary", signature.name());
     } else if (!signature.allowedInSecondary()) {
       state.waits();
-      state.node().refuseInSecondary(range, signature.name() + " may have to wait");
+      state.node().refuseInSecondary(range, "waitInSecondary", signature.name());
     }
   }
 

@@ -69,7 +69,9 @@ final class KnownBodies {
     }
     body.callees().forEach(name -> node.calls(called(name, state, run)));
     body.refusals()
-        .forEach(each -> node.refuseInSecondary(moved(each.range(), shift), each.what()));
+        .forEach(
+            each ->
+                node.refuseInSecondary(moved(each.range(), shift), each.key(), each.function()));
     for (CheckedBody.Loop loop : body.loops()) {
       run.graph()
           .endlessLoop(

@@ -1,5 +1,7 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -66,11 +68,11 @@ public final class MissingNames {
             .map(each -> Integer.toString(source.line(each.range().start())))
             .collect(Collectors.joining(", "));
     String message =
-        first.message()
-            + " (and in "
-            + (others.size() == 1 ? "another place: line " : others.size() + " more places: lines ")
-            + lines
-            + (others.size() > SHOWN ? ", ...)" : ")");
+        switch (others.size()) {
+          case 1 -> text("andOneMore", first.message(), lines);
+          case 2, SHOWN -> text("andMore", first.message(), others.size(), lines);
+          default -> text("andMany", first.message(), others.size(), lines);
+        };
     return new Diagnostic(first.code(), first.severity(), first.range(), message, first.wireText());
   }
 }

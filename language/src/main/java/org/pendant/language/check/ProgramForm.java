@@ -1,5 +1,7 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -81,8 +83,7 @@ public record ProgramForm(
       }
       if (callsLastFunction(script.statements(), others, entry.get())) {
         String name = entry.get().name();
-        String message =
-            name + "() is called after its end, but a file's last function runs by itself";
+        String message = text("trailingCall", name);
         return program(
             entry.get(),
             definitions,
@@ -97,11 +98,7 @@ public record ProgramForm(
     List<Diagnostic> problems = new ArrayList<>(warnings);
     for (ParameterDeclaration parameter : entry.parameters()) {
       if (parameter.defaultValue().isEmpty()) {
-        String message =
-            entry.name()
-                + " is the program, so nothing gives its parameter "
-                + parameter.name()
-                + " a value; expected no parameters";
+        String message = text("programParameter", entry.name(), parameter.name());
         problems.add(Diagnostic.error("entry-parameters", parameter.range(), message, ""));
       }
     }
@@ -117,7 +114,7 @@ public record ProgramForm(
     List<Diagnostic> problems = List.of();
     if (empty) {
       SourceRange start = new SourceRange(0, 0);
-      String message = script.source().name() + " holds no program; expected def name(): ... end";
+      String message = text("emptyProgram", script.source().name());
       problems = List.of(Diagnostic.error("empty-program", start, message, ""));
     }
     return statements(Kind.FRAGMENT, script, problems);

@@ -1,5 +1,7 @@
 package org.pendant.language.check;
 
+import static org.pendant.language.check.CheckTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -40,7 +42,7 @@ final class StatementCheck {
       boolean runs = !(statement instanceof Definition || statement instanceof Statement.Label);
       if (left && runs && !reported) {
         reported = true;
-        run.findings().warning("unreachable", statement.range(), "nothing leads to this statement");
+        run.findings().warning("unreachable", statement.range(), text("unreachable"));
       }
       check(statement);
       left |=
@@ -75,21 +77,19 @@ final class StatementCheck {
       case Statement.Join join -> {
         expressions.handle(join.handle());
         state.waits();
-        state.node().refuseInSecondary(join.range(), "join waits for a thread");
+        state.node().refuseInSecondary(join.range(), "joinInSecondary");
       }
       case Statement.Kill kill -> expressions.handle(kill.handle());
       case Definition definition -> {
         if (definition.kind() == Statement.DefinitionKind.THREAD) {
-          state.node().refuseInSecondary(definition.nameRange(), "a thread is defined");
+          state.node().refuseInSecondary(definition.nameRange(), "threadInSecondary");
         }
         if (definition.kind() == Statement.DefinitionKind.SECONDARY) {
           run.findings()
               .error(
                   "nested-secondary",
                   definition.headRange(),
-                  "secondary program "
-                      + definition.name()
-                      + " stands among other statements; expected a text of its own");
+                  text("nestedSecondary", definition.name()));
         }
         definitions.check(definition, state.scope().nested(definition), defined);
       }
@@ -99,21 +99,15 @@ final class StatementCheck {
 
   /** A name as a statement: a variable's does nothing, any other is a mistake. */
   private void alone(Name name) {
-    String message = "`" + name.name() + "` does nothing on its own";
     if (state.scope().knows(name.name())) {
-      run.findings().warning("no-effect", name.range(), message);
+      run.findings().warning("no-effect", name.range(), text("noEffect", name.name()));
     } else {
       run.findings()
           .nameNotFound(
               "no-effect",
               name.name(),
               name.range(),
-              message
-                  + ": expected `"
-                  + name.name()
-                  + " = ...` or a call, `"
-                  + name.name()
-                  + "(...)`");
+              text("nameAlone", name.name(), name.name(), name.name()));
     }
   }
 
@@ -129,21 +123,14 @@ final class StatementCheck {
       StaticType element = expressions.check(assign.target());
       if (element == StaticType.NUMBER && ExpressionCheck.isNoNumber(kind)) {
         run.findings()
-            .error(
-                "type-mismatch",
-                assign.value().range(),
-                "the element is a number, " + kind.text() + " cannot replace it");
+            .error("type-mismatch", assign.value().range(), text("elementType", kind.text()));
       }
       return;
     }
     if (run.interpreted()
         && assign.qualifier() == Qualifier.GLOBAL
         && !state.scope().globals().contains(name.name())) {
-      run.findings()
-          .error(
-              "interpreter-global",
-              assign.range(),
-              "global " + name.name() + " is new; interpreter mode cannot declare globals");
+      run.findings().error("interpreter-global", assign.range(), text("newGlobal", name.name()));
       return;
     }
     Binding binding = state.scope().target(assign);
@@ -156,7 +143,7 @@ final class StatementCheck {
           .error(
               "type-change",
               assign.range(),
-              name.name() + " holds " + before.text() + ", " + kind.text() + " cannot replace it");
+              text("typeChange", name.name(), before.text(), kind.text()));
     }
     state.flow().holds(binding, kind);
     state.flow().assigned(binding);
@@ -194,9 +181,7 @@ final class StatementCheck {
 
   private void insideLoop(String word, SourceRange range) {
     if (!state.insideLoop()) {
-      run.findings()
-          .error(
-              "outside-loop", range, word + " stands outside a loop; expected a while around it");
+      run.findings().error("outside-loop", range, text("outsideLoop", word));
     }
   }
 

@@ -7,25 +7,25 @@ import org.pendant.language.signature.Type;
  * does not.
  */
 enum StaticType {
-  ANY("a value"),
-  BOOL("a bool"),
+  ANY("aValue"),
+  BOOL("aBool"),
   /** An int, a float or a thread handle. */
-  NUMBER("a number"),
-  STRING("a string"),
-  POSE("a pose"),
-  LIST("a list"),
-  MATRIX("a matrix"),
-  STRUCT("a struct");
+  NUMBER("aNumber"),
+  STRING("aString"),
+  POSE("aPose"),
+  LIST("aList"),
+  MATRIX("aMatrix"),
+  STRUCT("aStruct");
 
-  private final String text;
+  private final String key;
 
-  StaticType(String text) {
-    this.text = text;
+  StaticType(String key) {
+    this.key = key;
   }
 
   /** With its article, for messages. */
   String text() {
-    return text;
+    return CheckTexts.text(key);
   }
 
   boolean certain() {

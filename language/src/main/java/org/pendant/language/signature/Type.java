@@ -14,24 +14,24 @@ public enum Type {
   POSE("pose"),
   LIST("list"),
   /** A list of six numbers, one a joint. */
-  JOINTS("list of 6 numbers"),
+  JOINTS("joints"),
   /** A pose, or six joint positions. */
-  POSE_OR_JOINTS("pose or list of 6 numbers"),
+  POSE_OR_JOINTS("poseOrJoints"),
   MATRIX("matrix"),
   STRUCT("struct"),
   /** A connection to a server of remote procedures; only the server knows its methods. */
-  RPC_HANDLE("rpc handle"),
+  RPC_HANDLE("rpcHandle"),
   /** A way to data that are exchanged by EtherNet/IP. */
-  EIP_HANDLE("eip handle");
+  EIP_HANDLE("eipHandle");
 
-  private final String text;
+  private final String key;
 
-  Type(String text) {
-    this.text = text;
+  Type(String key) {
+    this.key = key;
   }
 
   /** The name for messages and documentation. */
   public String text() {
-    return text;
+    return SignatureTexts.text(key);
   }
 }
