@@ -17,6 +17,7 @@ final class SmallCatalogue implements Catalogue {
   SmallCatalogue() {
     function("sleep", Type.NONE, true, needs("t", Type.NUMBER));
     function("sync", Type.NONE, true);
+    waiting("socket_open");
     function(
         "movej",
         Type.NONE,
@@ -94,6 +95,23 @@ final class SmallCatalogue implements Catalogue {
 
   private void function(String name, Type result, boolean physicalTime, Parameter... parameters) {
     add(Optional.empty(), name, result, physicalTime, "", List.of(parameters));
+  }
+
+  /** A function that may have to wait for others, beside robot time. */
+  private void waiting(String name) {
+    signatures.add(
+        new Signature(
+            "core",
+            Optional.empty(),
+            name,
+            List.of(),
+            Type.BOOL,
+            Unit.NONE,
+            "",
+            false,
+            false,
+            "",
+            name));
   }
 
   private void method(Type receiver, String name, Type result, Parameter... parameters) {

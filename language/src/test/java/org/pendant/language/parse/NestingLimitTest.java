@@ -63,6 +63,22 @@ class NestingLimitTest {
     assertEquals("too-many-errors", result.diagnostics().getLast().code());
   }
 
+  @Test
+  void saysOfWhatThereIsTooMuch() {
+    assertTooDeep(
+        "nested too deeply: more than 200 brackets inside each other", "x = " + "(".repeat(1000));
+    assertTooDeep(
+        "nested too deeply: more than 100 blocks inside each other", "if a:\n".repeat(1000));
+    assertTooDeep(
+        "nested too deeply: more than 100 prefix operators inside each other",
+        "x = " + "not ".repeat(10_000) + "a");
+  }
+
+  private static void assertTooDeep(String message, String text) {
+    ParseResult result = ScriptParser.parseProgram(Source.of("deep", text));
+    assertEquals(message, result.diagnostics().getFirst().message());
+  }
+
   private static void assertTooDeep(String text) {
     ParseResult result = ScriptParser.parseProgram(Source.of("deep", text));
     assertEquals("nested-too-deeply", result.diagnostics().getFirst().code());

@@ -156,12 +156,49 @@ class SyntaxErrorTest {
         "if a: f()              ~ missing-end       ~ `if` on line 1 has no `end`",
         "f()()                  ~ syntax-error      ~ only a function",
         "x = 1 +                ~ syntax-error      ~ expected a value",
+        "x = 1 +                ~ syntax-error      ~ unexpected the end of the text: expected a"
+            + " value behind `+`",
+        "x = f(1 2)             ~ syntax-error      ~ expected an operator, `,` or `)` for `(` at"
+            + " 1:6",
+        "x = f(, 2)             ~ syntax-error      ~ unexpected `,`: expected a value",
+        "global = 1             ~ syntax-error      ~ expected a variable name behind `global`",
+        "run 1                  ~ syntax-error      ~ expected the name of a thread, `run name()`",
+        "x = a. + 1             ~ syntax-error      ~ expected the name of a member or a method",
+        "if : end               ~ syntax-error      ~ the condition is missing in front of `:`",
+        "if a b: end            ~ missing-colon     ~ found `b`",
+        "x = 1 = 2              ~ syntax-error      ~ a statement assigns once",
+        "x = 1 ,                ~ syntax-error      ~ unexpected `,` behind `1`: expected a"
+            + " statement",
+        ", x                    ~ syntax-error      ~ unexpected `,`: expected a statement",
+        "switch x: end          ~ unknown-block     ~ write `if`, `elif` and `else`",
+        "try x: end             ~ unknown-block     ~ errors cannot be caught",
+        "x = \\ 1               ~ syntax-error      ~ does not continue a line",
       })
   void explainsTypicalMistakes(String line, String code, String part) {
     Diagnostic error = only(Source.of("s", line));
     assertEquals(code, error.code());
     assertTrue(error.message().contains(part), error.message());
     assertTrue(error.wireText().startsWith("syntax_error_on_line:1:"), error.wireText());
+  }
+
+  @Test
+  void namesTheLineOfAHeadThatLacksItsColon() {
+    assertEquals(
+        "missing `:` behind the head of `while`: found `a`",
+        only(Source.of("s", "while True a = 1 end")).message());
+    assertEquals(
+        "missing `:` behind the head of `while` on line 1: found `a`",
+        only(Source.of("s", "while True\n a = 1\nend")).message());
+  }
+
+  @Test
+  void saysToWhichBlockAnEndMayBelong() {
+    assertEquals(
+        "this `end` closes nothing: every block before it has its `end` already",
+        only(Source.of("s", "x = 1\nend\n")).message());
+    assertEquals(
+        "this `end` closes nothing: the `def` on line 1 has its `end` on line 5",
+        only(Source.of("s", "def f():\n  x = 1\n  end\n  y = 2\nend\n")).message());
   }
 
   @Test
