@@ -280,6 +280,7 @@ public final class BreakpointsView implements View {
   @Override
   public void refresh(ControllerState state) {
     debug.refresh(state);
+    debug.lookAtHits();
   }
 
   /** Keeps the row that is edited in sight. */

@@ -27,6 +27,9 @@ public final class DebugPresenter {
    */
   private static final long LINGER_FRAMES = 100;
 
+  /** How often breakpoints are asked for their hits while these are in sight. */
+  private static final long HITS_PERIOD_MS = 500;
+
   private final Workbench workbench;
   private final Supplier<String> controller;
   private final Programs programs;
@@ -44,6 +47,7 @@ public final class DebugPresenter {
   private long stopNumber;
   private long heldFrame;
   private boolean lingering;
+  private long hitsAskedMs = System.nanoTime() / 1_000_000 - HITS_PERIOD_MS;
 
   /** The controller whose snapshots came last. */
   private String shown;
@@ -192,6 +196,15 @@ public final class DebugPresenter {
   /** Whether a program runs and is not paused. */
   boolean runsFree() {
     return program != ProgramState.STOPPED && !held();
+  }
+
+  /** Has the hits of breakpoints looked at, now and then: those that stop nothing count as well. */
+  void lookAtHits() {
+    long nowMs = System.nanoTime() / 1_000_000;
+    if (nowMs - hitsAskedMs >= HITS_PERIOD_MS && !breakpoints.all().isEmpty()) {
+      hitsAskedMs = nowMs;
+      breakpoints.reload();
+    }
   }
 
   /** Has the threads of a program that runs looked at, now and then. */

@@ -44,6 +44,16 @@ final class OpenBreakpointsTest {
   }
 
   @Test
+  void theHitsOfALogpointAreCountedThoughItStopsNothing() {
+    fixture.breakAt(4);
+    openBreakpoints.change(Breakpoint.at(4).logging("i is {i}"));
+    fixture.run();
+    assertFalse(debug.held());
+    debug.lookAtHits();
+    assertEquals(5, openBreakpoints.state(openBreakpoints.all().getFirst()).orElseThrow().hits());
+  }
+
+  @Test
   void aDisabledBreakpointStopsNothing() {
     fixture.breakAt(4);
     openBreakpoints.change(Breakpoint.at(4).disabled());
