@@ -22,6 +22,7 @@ import org.pendant.desktop.editor.text.Insertion;
 import org.pendant.desktop.editor.text.RichText;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.kit.background.WorkQueue;
+import org.pendant.kit.layout.FloatingPanel;
 import org.pendant.kit.theme.Palette;
 import org.pendant.language.service.Completion;
 import org.pendant.language.source.ByteText;

@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.pendant.kit.layout.FloatingPanel;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 

@@ -25,6 +25,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.action.FuzzyMatch;
+import org.pendant.kit.layout.FloatingPanel;
 import org.pendant.kit.theme.Palette;
 
 /**

@@ -9,6 +9,7 @@ import javax.swing.JLabel;
 import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.RichText;
+import org.pendant.kit.layout.FloatingPanel;
 import org.pendant.language.service.SignatureHelp;
 
 /**

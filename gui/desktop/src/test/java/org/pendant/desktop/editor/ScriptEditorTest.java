@@ -38,6 +38,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.kit.layout.FloatingPanel;
 import org.pendant.kit.theme.PreviewLook;
 
 @Tag("slow")

@@ -1,4 +1,4 @@
-package org.pendant.desktop.editor;
+package org.pendant.kit.layout;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -15,10 +15,10 @@ import javax.swing.UIManager;
 import org.pendant.kit.theme.Palette;
 
 /**
- * Floating panel: something small that floats over the window beside a place in a text: part of the
- * window, so it takes no focus unless asked to and hides nothing else than what lies under it.
+ * Floating panel: something small that floats over the window beside a place: part of the window,
+ * so it takes no focus unless asked to and hides nothing else than what lies under it.
  */
-final class FloatingPanel {
+public final class FloatingPanel {
   private static final int GAP = 4;
 
   private final JComponent owner;
@@ -28,12 +28,13 @@ final class FloatingPanel {
   private LookAndFeel look = UIManager.getLookAndFeel();
 
   /** One over the window of {@code owner}. */
-  FloatingPanel(JComponent owner, JComponent content) {
+  public FloatingPanel(JComponent owner, JComponent content) {
     this.owner = owner;
     frame.add(content);
   }
 
-  boolean visible() {
+  /** Whether it is shown. */
+  public boolean visible() {
     return frame.getParent() != null;
   }
 
@@ -43,7 +44,7 @@ final class FloatingPanel {
    * @param place what it belongs to, in the owner's coordinates; it stays uncovered if it can
    * @param above whether it belongs over the place
    */
-  void show(Rectangle place, boolean above) {
+  public void show(Rectangle place, boolean above) {
     JRootPane root = SwingUtilities.getRootPane(owner);
     if (root == null) {
       return;
@@ -79,7 +80,8 @@ final class FloatingPanel {
     }
   }
 
-  void hide() {
+  /** Takes it away. */
+  public void hide() {
     if (frame.getParent() instanceof JComponent layers) {
       Rectangle bounds = frame.getBounds();
       layers.remove(frame);
