@@ -3,6 +3,7 @@ package org.pendant.desktop.installation;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -11,6 +12,8 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.InstallationCheck;
 import org.pendant.controller.installation.InstallationParts;
 import org.pendant.controller.installation.InstallationProblem;
+import org.pendant.controller.safety.FittedSafety;
+import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.desktop.session.ActiveInstallation;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.kit.form.Measures;
@@ -83,6 +86,13 @@ final class Editing {
     return arm.get();
   }
 
+  /** What holds where an installation is set up, as the arm can have it. */
+  SafetyConfiguration safety(Installation of) {
+    return of.safety()
+        .map(each -> FittedSafety.of(each, arm()).configuration())
+        .orElseGet(() -> SafetyConfiguration.standard(arm()));
+  }
+
   /** What would be set up after a change. */
   Installation with(Consumer<InstallationParts> change) {
     return now().with(change);
@@ -134,6 +144,20 @@ final class Editing {
 
   boolean canRedo() {
     return !undone.isEmpty();
+  }
+
+  /** What {@link #undo} changes of the safety configuration, a line each: the arm loses power. */
+  List<String> undoneSafety() {
+    return safetyChanges(done);
+  }
+
+  /** As {@link #undoneSafety}, of {@link #redo}. */
+  List<String> redoneSafety() {
+    return safetyChanges(undone);
+  }
+
+  private List<String> safetyChanges(Deque<Installation> to) {
+    return to.isEmpty() ? List.of() : SafetyChanges.of(safety(now()), safety(to.peek()), measures);
   }
 
   void undo() {

@@ -29,6 +29,7 @@ final class InstallationBar {
   private final JButton redo = new JButton(text("redo"));
   private final Remark waiting = new Remark("installation-waiting", Palette::warning);
   private final JButton stop = new JButton(text("stopProgram"));
+  private final SafetyQuestion question;
   private final JPanel panel =
       new JPanel(new MigLayout("insets 8 12 4 12, gap 8 4, hidemode 3", "[grow, fill][]"));
 
@@ -50,9 +51,9 @@ final class InstallationBar {
       row.add(button);
     }
     TitledCard.named(undo, "installation-undo", text("undoTheLastChangeCtrlZ"));
-    undo.addActionListener(event -> editing.undo());
+    undo.addActionListener(event -> undo());
     TitledCard.named(redo, "installation-redo", text("makeItAgainCtrlY"));
-    redo.addActionListener(event -> editing.redo());
+    redo.addActionListener(event -> redo());
     TitledCard.named(stop, "installation-stop", text("stopTheProgramSoThatThe"));
     stop.addActionListener(
         event -> {
@@ -65,6 +66,25 @@ final class InstallationBar {
     panel.add(waiting, Remark.LAYOUT);
     stop.setVisible(false);
     panel.add(stop);
+    question = new SafetyQuestion(row, "installation-safety");
+  }
+
+  /** Undoes the last change; asks first if that changes the safety configuration. */
+  void undo() {
+    turn(editing.undoneSafety(), text("undoAndPowerOff"), editing::undo, undo);
+  }
+
+  /** Makes the last change that was undone again; asks as {@link #undo} does. */
+  void redo() {
+    turn(editing.redoneSafety(), text("redoAndPowerOff"), editing::redo, redo);
+  }
+
+  private void turn(List<String> changes, String words, Runnable turn, JButton from) {
+    if (changes.isEmpty()) {
+      turn.run();
+    } else {
+      question.ask(changes, words, turn, from);
+    }
   }
 
   JComponent component() {
@@ -87,6 +107,8 @@ final class InstallationBar {
     save.setEnabled(modified || active.document().file().isEmpty());
     undo.setEnabled(editing.canUndo());
     redo.setEnabled(editing.canRedo());
+    // what was asked is not what would change now
+    question.close();
   }
 
   void refresh(ControllerState state) {

@@ -152,9 +152,9 @@ public final class InstallationView implements View {
     content.getAccessibleContext().setAccessibleName(title());
     content.add(bar.component(), BorderLayout.NORTH);
     content.add(middle, BorderLayout.CENTER);
-    key("control Z", editing::undo);
-    key("control Y", editing::redo);
-    key("control shift Z", editing::redo);
+    key("control Z", bar::undo);
+    key("control Y", bar::redo);
+    key("control shift Z", bar::redo);
   }
 
   /** The page, made when people first look at it. */
@@ -205,6 +205,12 @@ public final class InstallationView implements View {
             });
   }
 
+  /** It may have to ask, so people have to see it. */
+  private void turn(Runnable undoOrRedo) {
+    workbench.show(id());
+    undoOrRedo.run();
+  }
+
   private void addActions() {
     workbench
         .actions()
@@ -214,7 +220,7 @@ public final class InstallationView implements View {
                 text("undoInTheInstallation"),
                 "",
                 editing::canUndo,
-                editing::undo));
+                () -> turn(bar::undo)));
     workbench
         .actions()
         .add(
@@ -223,7 +229,7 @@ public final class InstallationView implements View {
                 text("redoInTheInstallation"),
                 "",
                 editing::canRedo,
-                editing::redo));
+                () -> turn(bar::redo)));
     for (PageName each : PageName.values()) {
       workbench
           .actions()

@@ -25,13 +25,10 @@ final class SafetyBar {
       new JPanel(new MigLayout("insets 0, gap 8 6, wrap, hidemode 3", "[grow, fill]"));
   private final JLabel checksum = new JLabel();
   private final Remark state;
-  private final Remark summary;
   private final JButton unlock = new JButton(text("unlock"));
   private final JButton apply = new JButton(text("apply"));
   private final JButton discard = new JButton(text("discard"));
-  private final JButton really = new JButton(text("applyAndPowerOff"));
-  private final JButton back = new JButton(text("back"));
-  private boolean asking;
+  private final SafetyQuestion question;
 
   /**
    * A bar.
@@ -43,7 +40,6 @@ final class SafetyBar {
     state =
         new Remark(page + "-lock-state", Palette::quiet)
             .withRoomFor(List.of(LOCKED, UNLOCKED, CHANGED));
-    summary = new Remark(page + "-changes", Palette::warning);
     TitledCard.named(unlock, page + "-unlock", text("changeTheSafetyConfiguration"));
     unlock.addActionListener(
         event -> {
@@ -51,60 +47,49 @@ final class SafetyBar {
           discard.requestFocusInWindow();
         });
     TitledCard.named(apply, page + "-apply", text("showWhatChangesThenApplyIt"));
-    apply.addActionListener(event -> ask(true));
+    apply.addActionListener(event -> ask());
     TitledCard.named(discard, page + "-discard", text("forgetTheChangesAndLock"));
     discard.addActionListener(
         event -> {
           draft.discard();
           unlock.requestFocusInWindow();
         });
-    TitledCard.named(really, page + "-apply-really", text("applyTheChangesTheArmIs"));
-    really.addActionListener(
-        event -> {
-          asking = false;
-          draft.apply();
-          unlock.requestFocusInWindow();
-        });
-    TitledCard.named(back, page + "-apply-back", text("doNotApplyThemYet"));
-    back.addActionListener(event -> ask(false));
-    TitledCard.compact(unlock, apply, discard, really, back);
+    TitledCard.compact(unlock, apply, discard);
     JPanel row = new JPanel(new WrappingRow(PartsForm.BETWEEN));
     row.setOpaque(false);
-    List.of(unlock, apply, discard, really, back).forEach(row::add);
+    List.of(unlock, apply, discard).forEach(row::add);
     row.add(checksum);
     checksum.setName(page + "-checksum");
     checksum.setToolTipText(text("ofTheSettingsAsShownEqual"));
     panel.setOpaque(false);
     panel.add(row, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
     panel.add(state, Remark.LAYOUT);
-    panel.add(summary, Remark.LAYOUT);
-    draft.addListener(
-        () -> {
-          asking = asking && draft.changed();
-          show();
-        });
+    question = new SafetyQuestion(row, page + "-apply");
+    draft.addListener(this::show);
   }
 
   JComponent component() {
     return panel;
   }
 
-  private void ask(boolean on) {
-    asking = on;
-    show();
-    (on ? back : apply).requestFocusInWindow();
+  private void ask() {
+    question.ask(draft.changes(), text("applyAndPowerOff"), this::apply, apply);
+  }
+
+  private void apply() {
+    draft.apply();
+    unlock.requestFocusInWindow();
   }
 
   void show() {
     boolean unlocked = draft.unlocked();
     unlock.setVisible(!unlocked);
-    apply.setVisible(unlocked && !asking);
+    apply.setVisible(unlocked);
     apply.setEnabled(draft.changed());
-    discard.setVisible(unlocked && !asking);
-    really.setVisible(unlocked && asking);
-    back.setVisible(unlocked && asking);
+    discard.setVisible(unlocked);
+    // what was asked is not what would change now
+    question.close();
     checksum.setText(text("checksum", draft.checksum()));
     state.say(!unlocked ? LOCKED : draft.changed() ? CHANGED : UNLOCKED);
-    summary.say(asking ? String.join("\n", draft.changes()) : "");
   }
 }

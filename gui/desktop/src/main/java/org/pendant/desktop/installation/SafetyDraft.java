@@ -3,7 +3,6 @@ package org.pendant.desktop.installation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.controller.safety.FittedSafety;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.kit.form.Measures;
@@ -29,11 +28,7 @@ final class SafetyDraft {
 
   /** What holds, as the installation says and the arm can have it. */
   SafetyConfiguration applied() {
-    return editing
-        .now()
-        .safety()
-        .map(each -> FittedSafety.of(each, editing.arm()).configuration())
-        .orElseGet(() -> SafetyConfiguration.standard(editing.arm()));
+    return editing.safety(editing.now());
   }
 
   /** What is shown: what holds, with the changes that are not applied yet. */

@@ -11,6 +11,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.Point;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,6 +21,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JList;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
@@ -93,7 +95,8 @@ final class InstallationViewTest {
   }
 
   private static <C extends JComponent> C find(InstallationView view, String name, Class<C> kind) {
-    return all(view.component()).stream()
+    // questions float over the view
+    return all(SwingUtilities.getRootPane(view.component()).getLayeredPane()).stream()
         .filter(each -> name.equals(each.getName()))
         .findFirst()
         .map(kind::cast)
@@ -202,6 +205,87 @@ final class InstallationViewTest {
           press(view, "planes-apply");
           press(view, "planes-apply-really");
           assertEquals(1, active.current().safety().orElseThrow().planes().size());
+        });
+  }
+
+  private static void applyOnePlane(InstallationView view) {
+    choose(view, "planes");
+    press(view, "planes-unlock");
+    press(view, "plane-add-plane");
+    press(view, "planes-apply");
+    press(view, "planes-apply-really");
+  }
+
+  private static boolean asks(InstallationView view) {
+    return all(SwingUtilities.getRootPane(view.component()).getLayeredPane()).stream()
+        .anyMatch(each -> "installation-safety-really".equals(each.getName()));
+  }
+
+  @Test
+  void undoOfWhatSafetyKnowsAsksAsApplyingItDoes() throws Exception {
+    show(
+        view -> {
+          applyOnePlane(view);
+          Installation applied = active.current();
+          press(view, "installation-undo");
+          assertEquals("Plane Plane_1: removed", changes(view));
+          assertEquals("Undo and power off", words(view));
+          assertEquals(applied, active.current());
+          press(view, "installation-safety-back");
+          assertFalse(asks(view));
+          assertEquals(applied, active.current());
+          press(view, "installation-undo");
+          press(view, "installation-safety-really");
+          assertEquals(Installation.NONE, active.current());
+          assertFalse(asks(view));
+          press(view, "installation-redo");
+          assertEquals("Redo and power off", words(view));
+          press(view, "installation-safety-really");
+          assertEquals(applied, active.current());
+        });
+  }
+
+  private static String changes(InstallationView view) {
+    return find(view, "installation-safety-changes", JTextArea.class).getText();
+  }
+
+  private static String words(InstallationView view) {
+    return find(view, "installation-safety-really", AbstractButton.class).getText();
+  }
+
+  @Test
+  void undoOfAnythingElseDoesNotAsk() throws Exception {
+    show(
+        view -> {
+          active.set(Installation.NONE.with(parts -> parts.homeRad = parts.homeRad.with(0, 1)));
+          press(view, "installation-undo");
+          assertFalse(asks(view));
+          assertEquals(Installation.NONE, active.current());
+        });
+  }
+
+  @Test
+  void nothingOfAPageMovesWhenItAsksWhetherToApply() throws Exception {
+    show(
+        view -> {
+          choose(view, "planes");
+          press(view, "planes-unlock");
+          press(view, "plane-add-plane");
+          view.component().validate();
+          JComponent add = find(view, "plane-add-plane", JComponent.class);
+          Point before = add.getLocationOnScreen();
+          press(view, "planes-apply");
+          view.component().validate();
+          assertEquals(before, add.getLocationOnScreen());
+        });
+  }
+
+  @Test
+  void afterApplyingTheKeysAreInTheBar() throws Exception {
+    show(
+        view -> {
+          applyOnePlane(view);
+          assertEquals("planes-unlock", keysGoTo(view));
         });
   }
 
