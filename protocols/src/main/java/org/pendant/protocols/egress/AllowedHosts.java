@@ -1,5 +1,7 @@
 package org.pendant.protocols.egress;
 
+import static org.pendant.protocols.egress.EgressTexts.text;
+
 import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.List;
@@ -90,10 +92,7 @@ public final class AllowedHosts {
   }
 
   private static IllegalArgumentException wrong(String text) {
-    return new IllegalArgumentException(
-        "\""
-            + text
-            + "\" is no host, must be a name, an address or a network such as 192.168.0.0/24");
+    return new IllegalArgumentException(text("noHost", text));
   }
 
   /**

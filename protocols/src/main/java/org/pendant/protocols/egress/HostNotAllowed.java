@@ -1,5 +1,7 @@
 package org.pendant.protocols.egress;
 
+import static org.pendant.protocols.egress.EgressTexts.text;
+
 import java.net.ConnectException;
 
 /** Host refusal: a script asked for a connection that the user does not allow. */
@@ -7,6 +9,6 @@ public final class HostNotAllowed extends ConnectException {
   private static final long serialVersionUID = 1L;
 
   HostNotAllowed() {
-    super("not among the allowed hosts");
+    super(text("notAmongTheAllowedHosts"));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.egress;
 
+import static org.pendant.protocols.egress.EgressTexts.text;
+
 import java.io.IOException;
 import java.net.ConnectException;
 import java.net.InetAddress;
@@ -65,7 +67,7 @@ public record HostPolicy(AllowedHosts allowed, Names names, Traced traced) {
     if (addresses.isEmpty()) {
       throw new HostNotAllowed();
     }
-    IOException failure = new ConnectException("no address");
+    IOException failure = new ConnectException(text("noAddress"));
     for (InetAddress address : addresses) {
       TracedSocket socket = new TracedSocket(traced);
       try {
@@ -74,9 +76,9 @@ public record HostPolicy(AllowedHosts allowed, Names names, Traced traced) {
         socket.opened();
         return socket;
       } catch (SocketTimeoutException e) {
-        failure = new SocketTimeoutException("no answer within " + timeoutMs / 1000.0 + " s");
+        failure = new SocketTimeoutException(text("noAnswerWithin", timeoutMs / 1000.0));
       } catch (ConnectException e) {
-        failure = new ConnectException("connection refused");
+        failure = new ConnectException(text("connectionRefused"));
       } catch (IOException e) {
         failure = e;
       }
@@ -94,7 +96,7 @@ public record HostPolicy(AllowedHosts allowed, Names names, Traced traced) {
     }
     if (host.isBlank()) {
       // for Java that would be this computer
-      throw new UnknownHostException("no such host");
+      throw new UnknownHostException(text("noSuchHost"));
     }
     if (!allowed.mayAskFor(host)) {
       throw new HostNotAllowed();
@@ -106,9 +108,9 @@ public record HostPolicy(AllowedHosts allowed, Names names, Traced traced) {
       return Arrays.asList(lookup.get());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new IOException("given up", e);
+      throw new IOException(text("givenUp"), e);
     } catch (ExecutionException e) {
-      UnknownHostException unknown = new UnknownHostException("no such host");
+      UnknownHostException unknown = new UnknownHostException(text("noSuchHost"));
       unknown.initCause(e.getCause());
       throw unknown;
     }

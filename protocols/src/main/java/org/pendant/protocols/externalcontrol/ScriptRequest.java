@@ -1,5 +1,7 @@
 package org.pendant.protocols.externalcontrol;
 
+import static org.pendant.protocols.externalcontrol.ExternalControlTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -14,7 +16,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.project.program.ControlScript;
-import org.pendant.project.program.ExternalControl;
 import org.pendant.protocols.egress.HostNotAllowed;
 import org.pendant.protocols.egress.HostPolicy;
 
@@ -90,17 +91,16 @@ public final class ScriptRequest {
       }
       throw new IllegalStateException("asking " + host.text() + " has failed", e.getCause());
     } catch (TimeoutException e) {
-      throw none(
-          host.text() + " has not sent all of its script within " + seconds(patience.longestMs()));
+      throw none(text("notAllSentWithin", host.text(), seconds(patience.longestMs())));
     } catch (CancellationException e) {
-      throw none("stopped while " + host.text() + " was asked for the script");
+      throw none(text("stoppedWhileAsked", host.text()));
     } finally {
       cancel();
     }
   }
 
   private static NoScript none(String why) {
-    return new NoScript(ExternalControl.TYPE + ": " + why);
+    return new NoScript(text("externalControl", why));
   }
 
   private static String seconds(int ms) {
@@ -112,11 +112,11 @@ public final class ScriptRequest {
       socket.getOutputStream().write(LINE);
       String text = new String(read(socket), StandardCharsets.UTF_8);
       if (text.isBlank()) {
-        throw none(host.text() + " has sent an empty script");
+        throw none(text("emptyScript", host.text()));
       }
       return ControlScript.of(host, text);
     } catch (IOException e) {
-      throw none("the connection to " + host.text() + " broke off: " + e.getMessage());
+      throw none(text("connectionBrokeOff", host.text(), e.getMessage()));
     }
   }
 
@@ -124,16 +124,11 @@ public final class ScriptRequest {
     try {
       return hostPolicy.connect(host.host(), host.port(), patience.connectMs());
     } catch (HostNotAllowed e) {
-      throw none(host.text() + " is " + e.getMessage());
+      throw none(text("hostNotAllowed", host.text()));
     } catch (UnknownHostException e) {
-      throw none("there is no host " + host.host() + ", which should send the script");
+      throw none(text("noSuchHost", host.host()));
     } catch (IOException e) {
-      throw none(
-          "nobody answers at "
-              + host.text()
-              + " ("
-              + e.getMessage()
-              + "); the driver must be running");
+      throw none(text("nobodyAnswers", host.text(), e.getMessage()));
     }
   }
 
@@ -149,11 +144,7 @@ public final class ScriptRequest {
         count = in.read(chunk);
       } catch (SocketTimeoutException e) {
         if (text.size() == 0) {
-          throw none(
-              host.text()
-                  + " has sent no script within "
-                  + seconds(patience.answerMs())
-                  + "; the driver must be running");
+          throw none(text("nothingSentWithin", host.text(), seconds(patience.answerMs())));
         }
         return text.toByteArray();
       }
@@ -163,7 +154,6 @@ public final class ScriptRequest {
       text.write(chunk, 0, count);
       whole = chunk[count - 1] == '\n';
     }
-    throw none(
-        host.text() + " has sent more than the " + largestBytes + " bytes that there may be");
+    throw none(text("sentTooMuch", host.text(), largestBytes));
   }
 }

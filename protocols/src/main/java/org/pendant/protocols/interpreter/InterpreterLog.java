@@ -1,5 +1,7 @@
 package org.pendant.protocols.interpreter;
 
+import static org.pendant.protocols.interpreter.InterpreterTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.locks.LockSupport;
@@ -43,7 +45,7 @@ final class InterpreterLog implements AutoCloseable {
   }
 
   private void run() {
-    FaultGuard guard = new FaultGuard("the interpreter log", serverContext.log());
+    FaultGuard guard = new FaultGuard(text("theInterpreterLog"), serverContext.log());
     while (!closing) {
       guard.run(this::write);
       LockSupport.park(this);
@@ -54,8 +56,9 @@ final class InterpreterLog implements AutoCloseable {
   private void write() {
     for (InterpreterJournal.Entry each : journal.since(written)) {
       if (each.number() > written + 1) {
-        String missed = each.number() - written - 1 + " events were not written in time";
-        serverContext.log().write(Level.WARNING, "interpreter log: " + missed);
+        serverContext
+            .log()
+            .write(Level.WARNING, text("eventsNotWritten", each.number() - written - 1));
       }
       try {
         files.write(each.event());
@@ -71,7 +74,7 @@ final class InterpreterLog implements AutoCloseable {
   private void complain(IOException trouble) {
     if (!failed) {
       failed = true;
-      serverContext.log().write(Level.WARNING, "interpreter log: " + trouble);
+      serverContext.log().write(Level.WARNING, text("logTrouble", trouble));
     }
   }
 

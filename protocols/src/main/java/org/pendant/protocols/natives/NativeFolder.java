@@ -1,5 +1,7 @@
 package org.pendant.protocols.natives;
 
+import static org.pendant.protocols.natives.NativesTexts.text;
+
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
@@ -96,24 +98,24 @@ public final class NativeFolder {
 
   private static void requireOwn(Path folder) throws IOException {
     if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
-      throw new IOException(folder + " is a link or a file, not a folder");
+      throw new IOException(text("linkOrFile", folder));
     }
     if (!posix(folder)) {
       return; // a user's folders are closed to others there
     }
     if ((mode(folder) & MODE) != OF_THE_USER_ALONE) {
-      throw new IOException(folder + " is open to others");
+      throw new IOException(text("openToOthers", folder));
     }
     UserPrincipal self = self(folder);
     if (!owner(folder).equals(self)) {
-      throw new IOException(folder + " belongs to " + owner(folder).getName());
+      throw new IOException(text("belongsTo", folder, owner(folder).getName()));
     }
     for (Path above = folder.getParent(); above != null; above = above.getParent()) {
       int mode = mode(above);
       boolean superuser = Integer.valueOf(0).equals(Files.getAttribute(above, "unix:uid"));
       if (((mode & WRITABLE_BY_OTHERS) != 0 && (mode & STICKY) == 0)
           || (!superuser && !owner(above).equals(self))) {
-        throw new IOException(above + ", which holds " + folder + ", can be changed by others");
+        throw new IOException(text("aboveCanBeChangedByOthers", above, folder));
       }
     }
   }

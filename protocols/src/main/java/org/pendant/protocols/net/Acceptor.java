@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.io.IOException;
 import java.time.Duration;
 import org.pendant.controller.message.LogEntry.Level;
@@ -70,7 +72,7 @@ final class Acceptor<P> implements Runnable {
     if (failing) {
       failing = false;
       wait = MIN_WAIT;
-      log.write(Level.INFO, name + ": connections are taken again");
+      log.write(Level.INFO, text("connectionsAreTakenAgain", name));
     }
     greet(peer);
   }
@@ -80,7 +82,7 @@ final class Acceptor<P> implements Runnable {
       door.greet(peer);
     } catch (IOException | RuntimeException | OutOfMemoryError e) {
       if (door.open()) {
-        log.write(Level.WARNING, name + ": a connection failed: " + e.getMessage());
+        log.write(Level.WARNING, text("connectionFailed", name, e.getMessage()));
       }
     }
   }
@@ -91,9 +93,7 @@ final class Acceptor<P> implements Runnable {
     }
     if (!failing) {
       failing = true;
-      log.write(
-          Level.WARNING,
-          name + ": no connection can be taken, it is tried again: " + trouble.getMessage());
+      log.write(Level.WARNING, text("noConnectionCanBeTaken", name, trouble.getMessage()));
     }
     waiting.await(wait);
     wait = wait.multipliedBy(2);

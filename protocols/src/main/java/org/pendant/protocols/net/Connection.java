@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -77,7 +79,7 @@ public final class Connection implements Occupant, WireEnd {
       Consumer<Connection> afterwards)
       throws IOException {
     this.port = port;
-    name = port.name() + " client " + peer.getAddress().getHostAddress() + ":" + peer.getPort();
+    name = text("clientAt", port.name(), peer.getAddress().getHostAddress(), peer.getPort());
     this.peer = peer;
     local = (InetSocketAddress) channel.getLocalAddress();
     this.channel = channel;
@@ -172,10 +174,10 @@ public final class Connection implements Occupant, WireEnd {
     Silence silence = silence(nowNs);
     Duration most = ending ? ENDING_NOT_READING : NOT_READING;
     if (silence.kind() == Silence.Kind.NOT_READING && silence.lastsNs() > most.toNanos()) {
-      return Optional.of("it has read nothing for " + most.toSeconds() + " s");
+      return Optional.of(text("hasReadNothing", most.toSeconds()));
     }
     if (ending && nowNs - endingSinceNs > ENDING.toNanos()) {
-      return Optional.of("it has not read the rest within " + ENDING.toSeconds() + " s");
+      return Optional.of(text("hasNotReadTheRest", ENDING.toSeconds()));
     }
     return ending ? Optional.empty() : limits.exceeded(silence);
   }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.pendant.controller.message.LogEntry.Level;
 
@@ -30,7 +32,7 @@ public final class FaultGuard {
       failing.set(false);
     } catch (RuntimeException | Error e) {
       if (!failing.getAndSet(true)) {
-        log.write(Level.ERROR, what + " failed and continues: internal error: " + e);
+        log.write(Level.ERROR, text("failedAndContinues", what, e));
       }
     }
   }

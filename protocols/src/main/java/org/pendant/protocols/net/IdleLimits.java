@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.time.Duration;
 import java.util.Optional;
 
@@ -36,6 +38,6 @@ public record IdleLimits(Optional<Duration> firstWord, Optional<Duration> afterw
         };
     return limit
         .filter(most -> silence.lastsNs() > most.toNanos())
-        .map(most -> "it has said nothing for " + most.toSeconds() + " s");
+        .map(most -> text("hasSaidNothing", most.toSeconds()));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -38,7 +40,7 @@ public final class LineCutter {
       } else if (begun.size() < longest) {
         begun.write(next);
       } else {
-        throw new ProtocolException("a line has more than " + longest + " bytes");
+        throw new ProtocolException(text("lineTooLong", longest));
       }
     }
     return lines;

@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiConsumer;
@@ -54,7 +56,7 @@ public final class PeerLog {
       written = 0;
       long more = leftOut.getAndSet(0);
       if (more > 0) {
-        log.accept(Level.WARNING, more + " more messages about connections were left out");
+        log.accept(Level.WARNING, text("messagesLeftOut", more));
       }
     }
     if (written < PER_SECOND) {

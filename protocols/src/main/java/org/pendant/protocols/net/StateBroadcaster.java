@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
@@ -35,7 +37,7 @@ public final class StateBroadcaster implements AutoCloseable {
    * @param listener must not wait: it delays the other servers
    */
   public void add(Consumer<ControllerState> listener) {
-    listeners.add(new Listener(listener, new FaultGuard("a server", log)));
+    listeners.add(new Listener(listener, new FaultGuard(text("aServer"), log)));
   }
 
   /**

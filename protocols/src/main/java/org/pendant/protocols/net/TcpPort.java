@@ -1,5 +1,7 @@
 package org.pendant.protocols.net;
 
+import static org.pendant.protocols.net.NetTexts.text;
+
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetSocketAddress;
@@ -71,17 +73,16 @@ public final class TcpPort implements AutoCloseable {
     } catch (BindException e) {
       server.close();
       throw new BindException(
-          listening.name()
-              + ": port "
-              + listening.port()
-              + " of "
-              + listening.host().getHostAddress()
-              + " cannot be had: "
-              + e.getMessage());
+          text(
+              "portCannotBeHad",
+              listening.name(),
+              listening.port(),
+              listening.host().getHostAddress(),
+              e.getMessage()));
     }
     TcpPort port = new TcpPort(listening, protocol, log, nanoTime, server);
     port.acceptor.start();
-    port.watch.withPauses("the watch of " + listening.name(), LOOK_NS, port::look);
+    port.watch.withPauses(text("watchOfPort", listening.name()), LOOK_NS, port::look);
     return port;
   }
 
@@ -157,12 +158,10 @@ public final class TcpPort implements AutoCloseable {
     ConnectionSlots.Admission<Connection> admission = slots.admit(connection, nanoTime.getAsLong());
     admission
         .givenUp()
-        .ifPresent(silent -> disconnect(silent, "it was silent, and others want its place"));
+        .ifPresent(silent -> disconnect(silent, text("silentAndOthersWantItsPlace")));
     if (!admission.taken()) {
       connection.close();
-      log.write(
-          Level.WARNING,
-          name + " was refused: " + listening.mostConnections() + " are connected already");
+      log.write(Level.WARNING, text("refusedAsFull", name, listening.mostConnections()));
       return;
     }
     if (!server.isOpen()) {
@@ -170,7 +169,7 @@ public final class TcpPort implements AutoCloseable {
       connection.close();
       return;
     }
-    log.visit(name + " has connected");
+    log.visit(text("hasConnected", name));
     greeted.run();
     tap.ifPresent(each -> each.opened(connection));
     Thread.ofVirtual().name(name + " sending").start(connection::write);
@@ -183,17 +182,17 @@ public final class TcpPort implements AutoCloseable {
       try {
         connection.read(session);
       } catch (ProtocolException e) {
-        log.write(Level.WARNING, connection.name() + " was disconnected: " + e.getMessage());
+        log.write(Level.WARNING, text("wasDisconnected", connection.name(), e.getMessage()));
       } finally {
         connection.receivingEnded();
         session.closed();
       }
     } catch (RuntimeException e) {
-      log.write(Level.ERROR, connection.name() + ": internal error: " + e);
+      log.write(Level.ERROR, text("internalError", connection.name(), e));
       connection.close();
     } finally {
       tap.ifPresent(each -> each.closed(connection));
-      log.visit(connection.name() + " has left");
+      log.visit(text("hasLeft", connection.name()));
     }
   }
 
@@ -206,7 +205,7 @@ public final class TcpPort implements AutoCloseable {
   }
 
   private void disconnect(Connection connection, String why) {
-    log.write(Level.WARNING, connection.name() + " was disconnected: " + why);
+    log.write(Level.WARNING, text("wasDisconnected", connection.name(), why));
     connection.close();
   }
 
@@ -234,7 +233,7 @@ public final class TcpPort implements AutoCloseable {
     acceptor.interrupt();
     try {
       if (!acceptor.join(PATIENCE)) {
-        log.write(Level.WARNING, listening.name() + ": the port is still in use");
+        log.write(Level.WARNING, text("portStillInUse", listening.name()));
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -1,5 +1,7 @@
 package org.pendant.protocols.script;
 
+import static org.pendant.protocols.script.ScriptTexts.text;
+
 import java.nio.ByteBuffer;
 import org.pendant.protocols.wire.Direction;
 import org.pendant.protocols.wire.Dissector;
@@ -69,9 +71,9 @@ public record ScriptDissector(boolean obeyed) implements Dissector {
     long lines = text.lines().count();
     return Reading.of(
             "program",
-            head + " \u2026, " + lines + " lines",
+            text("programOfLines", head, lines),
             () -> Fields.of("lines", lines, "text", text))
-        .doing("sends the program " + head);
+        .doing(text("sendsTheProgram", head));
   }
 
   private static Reading line(String text) {
@@ -80,6 +82,6 @@ public record ScriptDissector(boolean obeyed) implements Dissector {
     }
     boolean command = RawCommand.read(text).isPresent();
     return Reading.of(command ? "command" : "line", text, () -> Fields.of("text", text))
-        .doing(command ? text : "sends the line " + text);
+        .doing(command ? text : text("sendsTheLine", text));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.script;
 
+import static org.pendant.protocols.script.ScriptTexts.text;
+
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -82,15 +84,11 @@ final class ScriptFramer implements AutoCloseable {
     int wanted = Math.min(MAX_BYTES, Math.max(FIRST_BYTES, text.length * 2));
     if (wanted <= text.length) {
       close();
-      throw new ProtocolException(
-          "a script is longer than " + (MAX_BYTES >> 20) + " MB, the most that is taken");
+      throw new ProtocolException(text("scriptTooLong", MAX_BYTES >> 20));
     }
     if (!budget.take(wanted - text.length)) {
       close();
-      throw new ProtocolException(
-          "unfinished scripts of all clients take more than "
-              + (TextBudget.CAPACITY >> 20)
-              + " MB, the most that is kept");
+      throw new ProtocolException(text("unfinishedScriptsTooLong", TextBudget.CAPACITY >> 20));
     }
     text = Arrays.copyOf(text, wanted);
   }

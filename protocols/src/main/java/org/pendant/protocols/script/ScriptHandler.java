@@ -1,5 +1,7 @@
 package org.pendant.protocols.script;
 
+import static org.pendant.protocols.script.ScriptTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -90,7 +92,7 @@ public final class ScriptHandler {
 
   /** A client that may only read has sent an item. */
   void refuse(String client) {
-    log.write(Level.WARNING, client + " sent a script, but connected in local control");
+    log.write(Level.WARNING, text("sentAScriptInLocalControl", client));
     tell(new ScriptTrouble.ReadOnly());
   }
 
@@ -135,8 +137,7 @@ public final class ScriptHandler {
   }
 
   private void notStarted(Program program, String client, String why) {
-    log.write(
-        Level.WARNING, "program " + program.name() + " of " + client + " was not started: " + why);
+    log.write(Level.WARNING, text("programNotStarted", program.name(), client, why));
     tell(new ScriptTrouble.NotStarted(why));
   }
 
@@ -158,17 +159,14 @@ public final class ScriptHandler {
     int start = Math.min(first.range().start(), source.text().length());
     log.write(
         Level.ERROR,
-        "script of "
-            + client
-            + " does not compile: "
-            + source.name()
-            + ":"
-            + source.line(start)
-            + ":"
-            + source.column(start)
-            + ": "
-            + first.message()
-            + (errors.size() > 1 ? " (and " + (errors.size() - 1) + " more errors)" : ""));
+        text(
+            errors.size() > 1 ? "scriptDoesNotCompileAndMore" : "scriptDoesNotCompile",
+            client,
+            source.name(),
+            source.line(start),
+            source.column(start),
+            first.message(),
+            errors.size() - 1));
     tell(notCompiled(source, first));
   }
 
@@ -210,11 +208,7 @@ public final class ScriptHandler {
           submit(new BoxCommand.SetSpeedFraction(client, speed.fraction()), "set speed", client);
       case RawCommand.ChooseArm choice ->
           log.write(
-              Level.INFO,
-              client
-                  + " asks for the "
-                  + (choice.real() ? "real" : "simulated")
-                  + " arm; there is only this one");
+              Level.INFO, text(choice.real() ? "asksForRealArm" : "asksForSimulatedArm", client));
       case RawCommand.AnswerRequest answer -> answer(answer, client);
     }
   }
@@ -224,8 +218,7 @@ public final class ScriptHandler {
         .ifPresent(
             why ->
                 log.write(
-                    Level.WARNING,
-                    name + " of " + client + " was refused: " + ByteText.asBytes(why)));
+                    Level.WARNING, text("commandRefused", name, client, ByteText.asBytes(why))));
   }
 
   private void answer(RawCommand.AnswerRequest answer, String client) {
@@ -244,7 +237,7 @@ public final class ScriptHandler {
           "request_value",
           client);
     } catch (IllegalArgumentException e) {
-      log.write(Level.WARNING, "request_value of " + client + " was refused: " + e.getMessage());
+      log.write(Level.WARNING, text("requestValueRefused", client, e.getMessage()));
     }
   }
 }

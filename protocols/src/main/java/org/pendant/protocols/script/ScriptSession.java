@@ -1,5 +1,7 @@
 package org.pendant.protocols.script;
 
+import static org.pendant.protocols.script.ScriptTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import org.pendant.controller.message.LogEntry.Level;
@@ -52,12 +54,7 @@ final class ScriptSession implements Session {
     client.left().run();
     if (framer.unfinished() > 0) {
       log.write(
-          Level.WARNING,
-          client.name()
-              + " left with an unfinished script of "
-              + framer.unfinished()
-              + " bytes, which is thrown away: a program ends with end in the first column and a"
-              + " line end");
+          Level.WARNING, text("leftWithUnfinishedScript", client.name(), framer.unfinished()));
     }
     framer.close();
   }

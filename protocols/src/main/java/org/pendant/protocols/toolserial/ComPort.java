@@ -1,5 +1,7 @@
 package org.pendant.protocols.toolserial;
 
+import static org.pendant.protocols.toolserial.ToolSerialTexts.text;
+
 import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
 import java.io.IOException;
@@ -30,10 +32,10 @@ final class ComPort implements SerialDevice {
     if (name.startsWith("/")) {
       Path file = Path.of(name);
       if (!Files.exists(file)) {
-        throw new IOException("there is no " + name);
+        throw new IOException(text("notThere", name));
       }
       if (!Files.isReadable(file) || !Files.isWritable(file)) {
-        throw new IOException("no permission to read and write " + name);
+        throw new IOException(text("noPermission", name));
       }
     }
     SerialLibrary.load();
@@ -41,11 +43,11 @@ final class ComPort implements SerialDevice {
       SerialPort port = SerialPort.getCommPort(name);
       port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, READ_MS, 0);
       if (!port.openPort(0)) {
-        throw new IOException(name + " is used by another program, or is no serial device");
+        throw new IOException(text("usedByAnother", name));
       }
       return new ComPort(port);
     } catch (SerialPortInvalidPortException e) {
-      throw new IOException(name + " is no serial device", e);
+      throw new IOException(text("noSerialDevice", name), e);
     }
   }
 

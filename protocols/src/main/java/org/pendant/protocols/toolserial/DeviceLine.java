@@ -1,5 +1,7 @@
 package org.pendant.protocols.toolserial;
 
+import static org.pendant.protocols.toolserial.ToolSerialTexts.text;
+
 import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
@@ -72,10 +74,10 @@ final class DeviceLine {
   void tryAgain() {
     if (gone) {
       close();
-      complain("the serial device is gone; it is looked for every second");
+      complain(text("deviceGone"));
     }
     if (missing() && open()) {
-      log.tell(false, "the serial device is there now");
+      log.tell(false, text("deviceThereNow"));
       told = "";
     }
   }
@@ -96,10 +98,7 @@ final class DeviceLine {
   private void apply(Open opened) {
     opened.hearing().setUp(line);
     if (!opened.device().setUp(line)) {
-      complain(
-          "the serial device cannot do "
-              + line.baudRate()
-              + " baud with this parity and these stop bits; it stays as it is");
+      complain(text("cannotDoBaudRate", line.baudRate()));
     }
   }
 
@@ -129,7 +128,7 @@ final class DeviceLine {
       quietNs = Math.max(busyUntilNs - System.nanoTime(), lastHeardNs(now)) + silenceNs;
     }
     if (!now.device().write(bytes)) {
-      complain("the serial device did not take " + bytes.length + " bytes");
+      complain(text("notTaken", bytes.length));
     }
     busyUntilNs = System.nanoTime() + lengthNs(bytes.length);
   }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.toolserial;
 
+import static org.pendant.protocols.toolserial.ToolSerialTexts.text;
+
 import com.fazecast.jSerialComm.SerialPort;
 import java.io.IOException;
 import org.pendant.protocols.natives.NativeFolder;
@@ -32,7 +34,7 @@ final class SerialLibrary {
       System.setProperty(HOME, folder);
       Class.forName(SerialPort.class.getName());
     } catch (ClassNotFoundException | LinkageError e) {
-      throw new IOException("serial devices cannot be used on this computer: " + e.getMessage(), e);
+      throw new IOException(text("cannotBeUsedHere", e.getMessage()), e);
     } finally {
       restore(TEMPORARY, temporary);
       restore(HOME, home);

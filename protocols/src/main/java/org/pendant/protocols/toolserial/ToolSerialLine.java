@@ -1,5 +1,7 @@
 package org.pendant.protocols.toolserial;
 
+import static org.pendant.protocols.toolserial.ToolSerialTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -145,7 +147,7 @@ public final class ToolSerialLine implements ToolSerialConnector, AutoCloseable 
   }
 
   private void tell(boolean trouble, String text) {
-    news.add(new News(trouble, "tool communication: " + text));
+    news.add(new News(trouble, text("toolCommunication", text)));
   }
 
   private void run() {
@@ -211,7 +213,7 @@ public final class ToolSerialLine implements ToolSerialConnector, AutoCloseable 
     if (!current.enabled()) {
       if (!lossTold) {
         lossTold = true;
-        tell(true, "it is off, so what clients send is lost; set_tool_communication turns it on");
+        tell(true, text("offSoLost"));
       }
       return;
     }
