@@ -1,5 +1,7 @@
 package org.pendant.protocols.device;
 
+import static org.pendant.protocols.device.DeviceTexts.text;
+
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
@@ -65,14 +67,7 @@ public final class DeviceServer implements Server {
     Listening listening = numbers.listening(name, port);
     if (listening.port() > MAX_PORT) {
       throw new IOException(
-          name
-              + " would listen at port "
-              + listening.port()
-              + ", must be at most "
-              + MAX_PORT
-              + ": an offset of "
-              + (MAX_PORT - port)
-              + " leaves room");
+          text("portBeyondLast", name, listening.port(), MAX_PORT, MAX_PORT - port));
     }
     return listening;
   }

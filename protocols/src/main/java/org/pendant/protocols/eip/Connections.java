@@ -1,5 +1,7 @@
 package org.pendant.protocols.eip;
 
+import static org.pendant.protocols.eip.EipTexts.text;
+
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
@@ -54,7 +56,7 @@ final class Connections implements AutoCloseable {
     this.io = io;
     this.log = log;
     timer = new PeriodicTasks(Thread.ofPlatform().daemon().name("EtherNet/IP cyclic data"), log);
-    timer.withPauses("the watch for silent scanners", LOOK_NS, this::look);
+    timer.withPauses(text("watchForSilentScanners"), LOOK_NS, this::look);
   }
 
   /** The number of the port for cyclic data. */
@@ -90,13 +92,12 @@ final class Connections implements AutoCloseable {
       long intervalNs = 1000 * request.toOriginatorUs();
       cyclic.put(connection.id(), connection);
       connection.endProductionBy(
-          timer.atRate("sending to " + connection.owner(), intervalNs, () -> produce(connection)));
+          timer.atRate(
+              text("sendingTo", connection.owner()), intervalNs, () -> produce(connection)));
     } finally {
       lock.unlock();
     }
-    log.write(
-        Level.INFO,
-        connection.owner() + " writes instance " + fromScanner + " and reads " + toScanner);
+    log.write(Level.INFO, text("writesAndReads", connection.owner(), fromScanner, toScanner));
     return connection;
   }
 
@@ -197,7 +198,7 @@ final class Connections implements AutoCloseable {
       lock.unlock();
     }
     if (found.isPresent()) {
-      log.write(Level.INFO, found.get().owner() + " was closed");
+      log.write(Level.INFO, text("wasClosed", found.get().owner()));
       release(found.get());
     }
   }
@@ -287,7 +288,7 @@ final class Connections implements AutoCloseable {
           cyclic.values().stream().filter(each -> each.late(nowNs)).toList();
       for (CyclicConnection each : late) {
         remove(each);
-        log.write(Level.WARNING, each.owner() + " timed out: what it has written stays");
+        log.write(Level.WARNING, text("timedOut", each.owner()));
         assemblyHandler.lost(each.owner());
         releaseInBackground(each);
       }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.eip;
 
+import static org.pendant.protocols.eip.EipTexts.text;
+
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.util.Optional;
@@ -73,7 +75,7 @@ final class CyclicConnection {
 
   /** Under which name it has taken what it writes. */
   String owner() {
-    return "EtherNet/IP scanner " + scanner.getAddress().getHostAddress() + ", connection " + id;
+    return text("scanner", scanner.getAddress().getHostAddress(), id);
   }
 
   /** Whether the scanner says that it runs. */

@@ -1,5 +1,7 @@
 package org.pendant.protocols.eip;
 
+import static org.pendant.protocols.eip.EipTexts.text;
+
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
@@ -45,7 +47,7 @@ final class EipDissector implements Dissector {
               return fields;
             });
     return asked && service.equals(Optional.of(CipRequest.SET_ATTRIBUTE))
-        ? reading.doing("sets an attribute")
+        ? reading.doing(text("setsAnAttribute"))
         : reading;
   }
 

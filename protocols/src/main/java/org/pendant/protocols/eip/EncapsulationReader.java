@@ -1,5 +1,7 @@
 package org.pendant.protocols.eip;
 
+import static org.pendant.protocols.eip.EipTexts.text;
+
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
@@ -27,8 +29,7 @@ final class EncapsulationReader {
     }
     int length = Short.toUnsignedInt(begun.getShort(LENGTH_AT));
     if (length > EncapsulationFrame.MAX_DATA) {
-      throw new ProtocolException(
-          "the length is " + length + ", must be 0 to " + EncapsulationFrame.MAX_DATA);
+      throw new ProtocolException(text("wrongLength", length, EncapsulationFrame.MAX_DATA));
     }
     fill(bytes, EncapsulationFrame.HEADER + length);
     if (begun.position() < EncapsulationFrame.HEADER + length) {

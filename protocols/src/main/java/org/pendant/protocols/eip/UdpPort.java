@@ -1,5 +1,7 @@
 package org.pendant.protocols.eip;
 
+import static org.pendant.protocols.eip.EipTexts.text;
+
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetSocketAddress;
@@ -38,13 +40,12 @@ final class UdpPort implements AutoCloseable {
     } catch (BindException e) {
       channel.close();
       throw new BindException(
-          listening.name()
-              + ": UDP port "
-              + listening.port()
-              + " of "
-              + listening.host().getHostAddress()
-              + " cannot be had: "
-              + e.getMessage());
+          text(
+              "udpPortCannotBeHad",
+              listening.name(),
+              listening.port(),
+              listening.host().getHostAddress(),
+              e.getMessage()));
     }
     return new UdpPort(listening, channel, log);
   }
@@ -66,7 +67,7 @@ final class UdpPort implements AutoCloseable {
           log.write(Level.WARNING, listening.name() + ": " + e.getMessage());
         }
       } catch (RuntimeException e) {
-        log.write(Level.ERROR, listening.name() + ": internal error: " + e);
+        log.write(Level.ERROR, text("internalError", listening.name(), e));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.modbus;
 
+import static org.pendant.protocols.modbus.ModbusTexts.text;
+
 import com.ghgande.j2mod.modbus.Modbus;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -71,36 +73,44 @@ public final class ModbusDissector implements Dissector {
         int count = u16(body);
         yield Reading.of(
             name,
-            name + " " + address + ", count " + count,
+            text("readsFrom", name, address, count),
             () -> Fields.of("address", address, "count", count));
       }
       case Modbus.WRITE_COIL, Modbus.WRITE_SINGLE_REGISTER -> {
         int address = u16(body);
         int raw = u16(body);
         int value = function == Modbus.WRITE_COIL ? (raw == 0 ? 0 : 1) : raw;
-        String what = (function == Modbus.WRITE_COIL ? "coil " : "register ") + address;
+        boolean coil = function == Modbus.WRITE_COIL;
         yield Reading.of(
-                name, what + " = " + value, () -> Fields.of("address", address, "value", value))
-            .doing("sets " + what + " = " + value);
+                name,
+                text(coil ? "coil" : "register", address, value),
+                () -> Fields.of("address", address, "value", value))
+            .doing(text(coil ? "setsCoil" : "setsRegister", address, value));
       }
       case Modbus.WRITE_MULTIPLE_REGISTERS -> {
         int address = u16(body);
         int count = u16(body);
         body.get(); // how many bytes
         List<Integer> values = words(body);
-        String what = "registers " + address + " to " + (address + count - 1);
+        int last = address + count - 1;
         yield Reading.of(
-                name, what + " = " + values, () -> Fields.of("address", address, "values", values))
-            .doing("sets " + what + " = " + values);
+                name,
+                text("registers", address, last, values),
+                () -> Fields.of("address", address, "values", values))
+            .doing(text("setsRegisters", address, last, values));
       }
       case Modbus.WRITE_MULTIPLE_COILS -> {
         int address = u16(body);
         int count = u16(body);
-        String what = "coils " + address + " to " + (address + count - 1);
-        yield Reading.of(name, what, () -> Fields.of("address", address, "count", count))
-            .doing("sets " + what);
+        int last = address + count - 1;
+        yield Reading.of(
+                name,
+                text("coils", address, last),
+                () -> Fields.of("address", address, "count", count))
+            .doing(text("setsCoils", address, last));
       }
-      case Modbus.READ_WRITE_MULTIPLE -> Reading.of(name, name).doing("sets registers");
+      case Modbus.READ_WRITE_MULTIPLE ->
+          Reading.of(name, name).doing(text("setsRegistersOfExchange"));
       default -> Reading.of(name, name);
     };
   }
@@ -109,7 +119,8 @@ public final class ModbusDissector implements Dissector {
     if ((function & EXCEPTION) != 0) {
       int code = Byte.toUnsignedInt(body.get());
       String name = name(function & ~EXCEPTION);
-      return Reading.of(name, "refused, exception " + code, () -> Fields.of("exception", code));
+      return Reading.of(
+          name, text("refusedWithException", code), () -> Fields.of("exception", code));
     }
     String name = name(function);
     return switch (function) {
@@ -118,7 +129,7 @@ public final class ModbusDissector implements Dissector {
           Modbus.READ_WRITE_MULTIPLE -> {
         body.get(); // how many bytes
         List<Integer> values = words(body);
-        yield Reading.of(name, "values " + values, () -> Fields.of("values", values));
+        yield Reading.of(name, text("values", values), () -> Fields.of("values", values));
       }
       case Modbus.READ_COILS, Modbus.READ_INPUT_DISCRETES -> {
         body.get(); // how many bytes
@@ -129,9 +140,9 @@ public final class ModbusDissector implements Dissector {
             bits.append(each >> i & 1);
           }
         }
-        yield Reading.of(name, "bits " + bits, () -> Fields.of("bits", bits.toString()));
+        yield Reading.of(name, text("bits", bits), () -> Fields.of("bits", bits.toString()));
       }
-      default -> Reading.of(name, "done");
+      default -> Reading.of(name, text("done"));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.modbus;
 
+import static org.pendant.protocols.modbus.ModbusTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import org.pendant.protocols.net.ProtocolException;
@@ -32,8 +34,7 @@ final class ModbusFrameReader {
     }
     int rest = begun.getShort(LENGTH_AT) & 0xFFFF;
     if (rest < MIN_REST || rest > MAX_REST) {
-      throw new ProtocolException(
-          "the length is " + rest + ", must be " + MIN_REST + " to " + MAX_REST);
+      throw new ProtocolException(text("wrongLength", rest, MIN_REST, MAX_REST));
     }
     take(bytes, PREFIX + rest);
     if (begun.position() < PREFIX + rest) {

@@ -1,5 +1,7 @@
 package org.pendant.protocols.modbus;
 
+import static org.pendant.protocols.modbus.ModbusTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.Optional;
 import org.pendant.controller.message.LogEntry.Level;
@@ -38,9 +40,7 @@ final class ModbusSession implements Session {
       connection.send(answers.answer(frame));
     } else {
       // the guide for Modbus on TCP has such a frame passed over in silence
-      log.write(
-          Level.WARNING,
-          connection.name() + ": passed over a frame of protocol " + protocol + ", must be 0");
+      log.write(Level.WARNING, text("passedOverFrame", connection.name(), protocol));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.modbusclient;
 
+import static org.pendant.protocols.modbusclient.ModbusClientTexts.text;
+
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -98,7 +100,7 @@ final class Conversation {
       end = Optional.of(e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      end = Optional.of(new IOException("given up", e));
+      end = Optional.of(new IOException(text("givenUp"), e));
     }
     LockSupport.unpark(asking);
   }
@@ -131,7 +133,7 @@ final class Conversation {
       if (nowNs - waiting.sinceNs() >= ANSWER_NS) {
         if (waiting.crowded() && !device.sequential()) {
           device.askOneByOne();
-          throw new SocketTimeoutException("several questions at once");
+          throw new SocketTimeoutException(text("severalQuestionsAtOnce"));
         }
         each.remove();
         waiting.asker().unanswered();
@@ -141,7 +143,7 @@ final class Conversation {
       }
     }
     if (missed > 0 && missed >= Math.min(MAX_MISSED, device.askers().size())) {
-      throw new SocketTimeoutException("no answer");
+      throw new SocketTimeoutException(text("noAnswer"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.modbusclient;
 
+import static org.pendant.protocols.modbusclient.ModbusClientTexts.text;
+
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -39,7 +41,7 @@ final class ResponseFrame {
     int protocol = head.getShort(2) & 0xFFFF;
     int rest = head.getShort(4) & 0xFFFF;
     if (protocol != 0 || rest < MIN_REST || rest > MAX_REST) {
-      throw new ProtocolException("protocol " + protocol + ", length " + rest);
+      throw new ProtocolException(text("wrongFrame", protocol, rest));
     }
     byte[] frame = Arrays.copyOf(prefix, PREFIX + rest);
     in.readFully(frame, PREFIX, rest);

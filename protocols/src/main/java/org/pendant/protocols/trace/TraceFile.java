@@ -1,5 +1,7 @@
 package org.pendant.protocols.trace;
 
+import static org.pendant.protocols.trace.TraceTexts.text;
+
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -65,7 +67,7 @@ public final class TraceFile {
     public void write(byte[] bytes, int from, int count) throws IOException {
       if (count > left) {
         left = 0;
-        throw new IOException("it has " + (MAX_BYTES >> 30) + " GiB, the most that is written");
+        throw new IOException(text("fileFull", MAX_BYTES >> 30));
       }
       left -= count;
       out.write(bytes, from, count);

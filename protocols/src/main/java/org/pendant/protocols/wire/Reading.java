@@ -1,5 +1,7 @@
 package org.pendant.protocols.wire;
 
+import static org.pendant.protocols.wire.WireTexts.text;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -49,7 +51,7 @@ public record Reading(
   public static String names(List<String> names) {
     int most = 6;
     String first = String.join(", ", names.subList(0, Math.min(most, names.size())));
-    return names.size() > most ? first + " and " + (names.size() - most) + " more" : first;
+    return names.size() > most ? text("andMore", first, names.size() - most) : first;
   }
 
   private static String line(String text) {

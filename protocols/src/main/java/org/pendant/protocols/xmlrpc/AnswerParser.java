@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.util.Map;
 import java.util.Optional;
 import org.apache.xmlrpc.XmlRpcException;
@@ -23,7 +25,7 @@ final class AnswerParser extends XmlRpcResponseParser {
       throws SAXException {
     depth++;
     if (depth > SafeXml.DEEPEST) {
-      throw new SAXException("more than " + SafeXml.DEEPEST + " elements within each other");
+      throw new SAXException(text("tooDeep", SafeXml.DEEPEST));
     }
     super.startElement(uri, name, qualified, attributes);
   }
@@ -44,7 +46,7 @@ final class AnswerParser extends XmlRpcResponseParser {
         && members.get("faultString") instanceof String text) {
       fault = Optional.of(new XmlRpcFault(code, text));
     } else {
-      throw new SAXException("a fault without number and text");
+      throw new SAXException(text("aFaultWithoutNumberAndText"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.HashMap;
@@ -63,7 +65,7 @@ final class HttpAnswer {
     do {
       statusLine = readLine();
       if (!statusLine.matches("HTTP/1\\.[01] [0-9]{3}( .*)?")) {
-        throw new IOException("the answer is not HTTP");
+        throw new IOException(text("answerNotHttp"));
       }
       version = statusLine.substring(0, "HTTP/1.1".length());
       status = Integer.parseInt(statusLine.substring(version.length() + 1, version.length() + 4));
@@ -71,7 +73,7 @@ final class HttpAnswer {
       // 100 to 199 only announce the answer
     } while (status < OK);
     if (status != OK) {
-      throw new IOException("HTTP status " + statusLine.substring(version.length() + 1).strip());
+      throw new IOException(text("httpStatus", statusLine.substring(version.length() + 1).strip()));
     }
   }
 
@@ -80,7 +82,7 @@ final class HttpAnswer {
     for (String line = readLine(); !line.isEmpty(); line = readLine()) {
       int colon = line.indexOf(':');
       if (colon < 1 || read.size() == MAX_HEADERS) {
-        throw new IOException("the head of the answer is not HTTP");
+        throw new IOException(text("answerHeadNotHttp"));
       }
       read.put(
           line.substring(0, colon).toLowerCase(Locale.ROOT), line.substring(colon + 1).strip());
@@ -94,7 +96,7 @@ final class HttpAnswer {
         next != '\n';
         next = RpcConnection.orEnd(in.read())) {
       if (line.length() == MAX_LINE) {
-        throw new IOException("a line of the answer has more than " + MAX_LINE + " characters");
+        throw new IOException(text("answerLineTooLong", MAX_LINE));
       }
       line.append((char) next);
     }
@@ -130,7 +132,7 @@ final class HttpAnswer {
       }
       readExactly(count);
       if (!readLine().isEmpty()) {
-        throw new IOException("a chunk of the answer does not end where it should");
+        throw new IOException(text("chunkEndsWrongly"));
       }
     }
   }
@@ -144,12 +146,12 @@ final class HttpAnswer {
 
   private static long number(String text, int radix) throws IOException {
     if (!text.matches("[0-9A-Fa-f]{1,10}")) {
-      throw new IOException("the length of the answer is \"" + text + "\", must be a number");
+      throw new IOException(text("answerLengthNoNumber", text));
     }
     try {
       return Long.parseLong(text, radix);
     } catch (NumberFormatException e) {
-      throw new IOException("the length of the answer is \"" + text + "\", must be a number", e);
+      throw new IOException(text("answerLengthNoNumber", text), e);
     }
   }
 }

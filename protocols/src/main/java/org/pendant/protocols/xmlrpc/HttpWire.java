@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
@@ -40,7 +42,7 @@ final class HttpWire implements Wire {
       line.connect();
       line.send(request);
       if (!line.awaitAnswer()) {
-        throw new IOException("the server closed the connection without an answer");
+        throw new IOException(text("closedWithoutAnswer"));
       }
       return answer();
     } catch (IOException e) {

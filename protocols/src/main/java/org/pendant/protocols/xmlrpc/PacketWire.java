@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -35,7 +37,7 @@ final class PacketWire implements Wire {
     try {
       line.send(packet(call));
       if (!line.awaitAnswer()) {
-        throw new EOFException("the server closed the connection without an answer");
+        throw new EOFException(text("closedWithoutAnswer"));
       }
       return answer();
     } catch (IOException e) {
@@ -72,7 +74,7 @@ final class PacketWire implements Wire {
       int next = RpcConnection.orEnd(line.read());
       if (next != ESCAPE) {
         if (!begun) {
-          throw new IOException("the answer does not begin with a packet");
+          throw new IOException(text("answerBeginsWithoutPacket"));
         }
         content.write(next);
       } else {
@@ -84,7 +86,7 @@ final class PacketWire implements Wire {
           case END -> {
             return content.toByteArray();
           }
-          default -> throw new IOException("the answer is no packet");
+          default -> throw new IOException(text("answerNoPacket"));
         }
       }
       RpcConnection.bound(content.size());

@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
@@ -49,7 +51,7 @@ final class RpcConnection {
   }
 
   private Socket open() throws IOException {
-    return socket.orElseThrow(() -> new EOFException("the connection was closed"));
+    return socket.orElseThrow(() -> new EOFException(text("connectionClosed")));
   }
 
   void send(byte[] bytes) throws IOException {
@@ -61,7 +63,7 @@ final class RpcConnection {
     try {
       return in.read();
     } catch (SocketTimeoutException e) {
-      throw new IOException("the server stopped in the middle of its answer", e);
+      throw new IOException(text("stoppedInAnswer"), e);
     }
   }
 
@@ -89,7 +91,7 @@ final class RpcConnection {
   /** A byte that must not be the end. */
   static int orEnd(int read) throws IOException {
     if (read < 0) {
-      throw new EOFException("the server closed the connection in the middle of its answer");
+      throw new EOFException(text("closedInAnswer"));
     }
     return read;
   }
@@ -97,7 +99,7 @@ final class RpcConnection {
   /** Refuses an answer of more than {@link #MAX_BYTES}. */
   static void bound(long bytes) throws IOException {
     if (bytes > MAX_BYTES) {
-      throw new IOException("the answer has more than " + MAX_BYTES + " bytes");
+      throw new IOException(text("answerTooLong", MAX_BYTES));
     }
   }
 

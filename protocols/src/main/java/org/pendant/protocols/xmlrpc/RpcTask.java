@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
@@ -51,10 +53,10 @@ final class RpcTask implements Pending {
       }
       throw new IllegalStateException("remote procedure call", e.getCause());
     } catch (CancellationException e) {
-      throw new ScriptError("rpc-failed", "given up");
+      throw new ScriptError("rpc-failed", text("givenUp"));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new ScriptError("rpc-failed", "given up");
+      throw new ScriptError("rpc-failed", text("givenUp"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
@@ -29,7 +31,7 @@ final class SafeXml {
       reader.setErrorHandler(new DefaultHandler());
       return reader;
     } catch (ParserConfigurationException | SAXException e) {
-      throw new XmlRpcException("no XML parser: " + e.getMessage(), e);
+      throw new XmlRpcException(text("noXmlParser", e.getMessage()), e);
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.apache.ws.commons.util.NamespaceContextImpl;
@@ -88,7 +90,7 @@ final class StructParser extends RecursiveTypeParserImpl {
 
   private static void expect(boolean right) throws SAXException {
     if (!right) {
-      throw new SAXException("a struct must have members with a name and a value each");
+      throw new SAXException(text("structWithoutMembers"));
     }
   }
 }

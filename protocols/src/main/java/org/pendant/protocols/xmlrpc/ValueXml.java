@@ -44,14 +44,15 @@ final class ValueXml {
       case ListValue list -> array(list);
       case MatrixValue matrix -> array(matrix);
       case StructValue struct -> struct(struct);
-      case NoneValue none -> throw refused("None cannot be sent");
-      case HandleValue handle -> throw refused("an " + handle.type().text() + " cannot be sent");
+      case NoneValue none -> throw refused(XmlRpcTexts.text("noneCannotBeSent"));
+      case HandleValue handle ->
+          throw refused(XmlRpcTexts.text("handleCannotBeSent", handle.type().text()));
     };
   }
 
   private static Double number(double number) throws ScriptError {
     if (!Double.isFinite(number)) {
-      throw refused(number + " cannot be sent, numbers must be finite");
+      throw refused(XmlRpcTexts.text("notFinite", number));
     }
     return number;
   }
@@ -61,7 +62,7 @@ final class ValueXml {
     for (int i = 0; i < text.length(); i++) {
       char next = text.charAt(i);
       if (next < ' ' && next != '\t' && next != '\n' && next != '\r') {
-        throw refused("a text with the byte " + (int) next + " cannot be sent as XML");
+        throw refused(XmlRpcTexts.text("textWithControlByte", (int) next));
       }
     }
     return text;
@@ -115,8 +116,7 @@ final class ValueXml {
       case Object[] elements -> list(elements);
       case Map<?, ?> members -> struct(members);
       default ->
-          throw new ScriptError(
-              "rpc-failed", "the answer is of a type that scripts do not have: " + name(read));
+          throw new ScriptError("rpc-failed", XmlRpcTexts.text("answerOfForeignType", name(read)));
     };
   }
 
@@ -126,7 +126,7 @@ final class ValueXml {
 
   private static Value integer(long number) throws ScriptError {
     if (number != (int) number) {
-      throw new ScriptError("rpc-failed", "the answer " + number + " does not fit an int");
+      throw new ScriptError("rpc-failed", XmlRpcTexts.text("answerDoesNotFitInt", number));
     }
     return Value.of((int) number);
   }

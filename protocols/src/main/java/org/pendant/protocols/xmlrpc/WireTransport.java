@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -63,11 +65,9 @@ final class WireTransport extends XmlRpcStreamTransport {
       reader.parse(new InputSource(in));
     } catch (UnsupportedEncodingException e) {
       // Not as an IOException: of those the caller tells the cause, here a mere name.
-      throw new XmlRpcException(
-          "the answer is in the encoding " + e.getMessage() + ", which is not known: use UTF-8",
-          new SAXException(e));
+      throw new XmlRpcException(text("unknownEncoding", e.getMessage()), new SAXException(e));
     } catch (IOException | SAXException e) {
-      throw new XmlRpcException("the answer is not XML-RPC: " + e.getMessage(), e);
+      throw new XmlRpcException(text("answerNotXmlRpc", e.getMessage()), e);
     }
     return parser.answer();
   }

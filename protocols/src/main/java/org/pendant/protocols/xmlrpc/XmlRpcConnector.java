@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.util.Set;
@@ -83,8 +85,6 @@ public final class XmlRpcConnector implements RpcConnector, AutoCloseable {
   private static ScriptError wrong(String url) {
     return new ScriptError(
         "value-out-of-range",
-        "url is "
-            + (url.length() > 200 ? url.substring(0, 200) + "..." : url)
-            + ", must be http://host:port/path or host:port");
+        text("wrongUrl", url.length() > 200 ? url.substring(0, 200) + "..." : url));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.xmlrpc;
 
+import static org.pendant.protocols.xmlrpc.XmlRpcTexts.text;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -63,7 +65,7 @@ final class XmlRpcLink implements RpcLink {
       try {
         sent.add(ValueXml.toXml(arguments.get(i)));
       } catch (ScriptError e) {
-        throw new ScriptError(e.code(), "argument " + (i + 1) + ": " + e.getMessage());
+        throw new ScriptError(e.code(), text("argument", i + 1, e.getMessage()));
       }
     }
     return begin(() -> ValueXml.fromXml(client.execute(method, sent)));
@@ -84,7 +86,7 @@ final class XmlRpcLink implements RpcLink {
       }
       return work.call();
     } catch (XmlRpcFault e) {
-      throw new ScriptError("rpc-fault", "fault " + e.code + ": " + shortened(e.getMessage()));
+      throw new ScriptError("rpc-fault", text("fault", e.code, shortened(e.getMessage())));
     } catch (XmlRpcException e) {
       throw new ScriptError("rpc-failed", shortened(cause(e)));
     } catch (IOException e) {
