@@ -98,6 +98,12 @@ public final class Connection implements Occupant, WireEnd {
     return name;
   }
 
+  /** What is logged about it: its name, and {@code message}. */
+  public String says(String message) {
+    String host = peer.getAddress().getHostAddress();
+    return text("clientSays", port.name(), host, peer.getPort(), message);
+  }
+
   @Override
   public InetSocketAddress peer() {
     return peer;

@@ -1,5 +1,7 @@
 package org.pendant.protocols.rtde;
 
+import static org.pendant.protocols.rtde.RtdeTexts.text;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -119,22 +121,15 @@ final class InputHandler {
   private List<String> tryToWrite(RtdeRequest.Data data) throws InterruptedException {
     int number = data.recipe();
     if (number < 1 || number > recipes.size()) {
-      return List.of("there is no input recipe " + number);
+      return List.of(text("noInputRecipe", number));
     }
     InputRecipe recipe = recipes.get(number - 1);
     if (data.values().remaining() != recipe.bytes()) {
       return List.of(
-          "the values of input recipe "
-              + number
-              + " take "
-              + data.values().remaining()
-              + " bytes, must be "
-              + recipe.bytes());
+          text("inputValuesOfWrongLength", number, data.values().remaining(), recipe.bytes()));
     }
     InputUpdate update = recipe.decode(data.values());
-    return submit(update)
-        ? update.ignored()
-        : List.of("inputs were not written: the controller does not answer");
+    return submit(update) ? update.ignored() : List.of(text("inputsNotWritten"));
   }
 
   private boolean submit(InputUpdate update) throws InterruptedException {

@@ -1,5 +1,7 @@
 package org.pendant.protocols.rtde;
 
+import static org.pendant.protocols.rtde.RtdeTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.Optional;
@@ -25,8 +27,7 @@ final class PacketCutter {
     }
     int size = Byte.toUnsignedInt(begun[0]) << 8 | Byte.toUnsignedInt(begun[1]);
     if (size < Packet.HEADER_BYTES) {
-      throw new ProtocolException(
-          "the size of a package is " + size + ", must be at least " + Packet.HEADER_BYTES);
+      throw new ProtocolException(text("packageTooShort", size, Packet.HEADER_BYTES));
     }
     if (!take(bytes, size)) {
       return Optional.empty();

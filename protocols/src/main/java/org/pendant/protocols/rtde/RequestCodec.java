@@ -26,37 +26,31 @@ final class RequestCodec {
       case PacketType.PROTOCOL_VERSION ->
           payload.remaining() == Short.BYTES
               ? new RtdeRequest.ProtocolVersion(Short.toUnsignedInt(payload.getShort()))
-              : wrongLength("protocol version", payload, "2");
+              : wrongLength("wrongProtocolVersion", payload);
       case PacketType.CONTROLLER_VERSION ->
-          empty("controller version", payload, new RtdeRequest.ControllerVersion());
+          empty("wrongControllerVersion", payload, new RtdeRequest.ControllerVersion());
       case PacketType.SETUP_OUTPUTS -> outputs(payload, version);
       case PacketType.SETUP_INPUTS -> inputs(payload);
-      case PacketType.START -> empty("start", payload, new RtdeRequest.Start());
-      case PacketType.PAUSE -> empty("pause", payload, new RtdeRequest.Pause());
+      case PacketType.START -> empty("wrongStart", payload, new RtdeRequest.Start());
+      case PacketType.PAUSE -> empty("wrongPause", payload, new RtdeRequest.Pause());
       case PacketType.DATA ->
           payload.hasRemaining()
               ? new RtdeRequest.Data(Byte.toUnsignedInt(payload.get()), payload)
-              : wrongLength("data", payload, "at least 1");
+              : wrongLength("wrongData", payload);
       case PacketType.TEXT_MESSAGE -> version == 1 ? plainText(payload) : text(payload);
       default ->
           new RtdeRequest.Malformed(
-              TextLevel.WARNING, "a package has type " + packet.type() + ", which is not known");
+              TextLevel.WARNING, RtdeTexts.text("unknownType", packet.type()));
     };
   }
 
-  private static RtdeRequest empty(String what, ByteBuffer payload, RtdeRequest request) {
-    return payload.hasRemaining() ? wrongLength(what, payload, "0") : request;
+  private static RtdeRequest empty(String complaint, ByteBuffer payload, RtdeRequest request) {
+    return payload.hasRemaining() ? wrongLength(complaint, payload) : request;
   }
 
-  private static RtdeRequest wrongLength(String what, ByteBuffer payload, String expected) {
+  private static RtdeRequest wrongLength(String complaint, ByteBuffer payload) {
     return new RtdeRequest.Malformed(
-        TextLevel.ERROR,
-        "a package for "
-            + what
-            + " has "
-            + payload.remaining()
-            + " bytes behind its type, must have "
-            + expected);
+        TextLevel.ERROR, RtdeTexts.text(complaint, payload.remaining()));
   }
 
   private static RtdeRequest outputs(ByteBuffer payload, int version) {
@@ -67,7 +61,7 @@ final class RequestCodec {
           names -> new RtdeRequest.SetupOutputs(VERSION_1_HZ, names));
     }
     if (payload.remaining() < Double.BYTES) {
-      return wrongLength("an output recipe", payload, "at least 8");
+      return wrongLength("wrongOutputRecipe", payload);
     }
     double frequencyHz = payload.getDouble();
     return names(
@@ -87,15 +81,11 @@ final class RequestCodec {
   private static RtdeRequest names(int type, ByteBuffer payload, Named request) {
     if (payload.remaining() > MAX_NAMES) {
       return new RtdeRequest.RefusedSetup(
-          type,
-          "the names of a recipe take "
-              + payload.remaining()
-              + " bytes, must be at most "
-              + MAX_NAMES);
+          type, RtdeTexts.text("namesTooLong", payload.remaining(), MAX_NAMES));
     }
     List<String> names = split(StandardCharsets.ISO_8859_1.decode(payload).toString());
     return names.isEmpty()
-        ? new RtdeRequest.Malformed(TextLevel.ERROR, "a recipe names no variable")
+        ? new RtdeRequest.Malformed(TextLevel.ERROR, RtdeTexts.text("recipeWithoutVariable"))
         : request.with(names);
   }
 
@@ -118,8 +108,7 @@ final class RequestCodec {
     int message = skipText(payload, 0);
     int source = skipText(payload, message);
     if (source < 0 || source + 1 != length) {
-      return wrongLength(
-          "a text message", payload, "a text, a source and a level with their lengths");
+      return wrongLength("wrongTextMessage", payload);
     }
     String said = StandardCharsets.ISO_8859_1.decode(payload.slice(1, message - 1)).toString();
     String by =
@@ -141,7 +130,7 @@ final class RequestCodec {
 
   private static RtdeRequest plainText(ByteBuffer payload) {
     if (!payload.hasRemaining()) {
-      return wrongLength("a text message", payload, "at least 1");
+      return wrongLength("wrongPlainTextMessage", payload);
     }
     TextLevel level = TextLevel.of(payload.get());
     return new RtdeRequest.Text(level, StandardCharsets.ISO_8859_1.decode(payload).toString());

@@ -1,5 +1,7 @@
 package org.pendant.protocols.rtde;
 
+import static org.pendant.protocols.rtde.RtdeTexts.text;
+
 import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
@@ -71,7 +73,7 @@ public final class RtdeClient implements Closeable {
     byte[] request = ReplyCodec.packet(PacketType.PROTOCOL_VERSION, Short.BYTES).array();
     request[request.length - 1] = VERSION;
     if (!accepted(ask(PacketType.PROTOCOL_VERSION, request))) {
-      throw new IOException("the controller does not speak version " + VERSION + " of RTDE");
+      throw new IOException(text("versionNotSpoken", VERSION));
     }
   }
 
@@ -84,7 +86,7 @@ public final class RtdeClient implements Closeable {
     byte[] request = ReplyCodec.packet(PacketType.CONTROLLER_VERSION, 0).array();
     ByteBuffer answer = ask(PacketType.CONTROLLER_VERSION, request);
     if (answer.remaining() < VERSION_NUMBERS * Integer.BYTES) {
-      throw new IOException("the controller names no version, its answer is " + hex(answer));
+      throw new IOException(text("noVersionNamed", hex(answer)));
     }
     List<String> numbers = new ArrayList<>();
     for (int i = 0; i < VERSION_NUMBERS; i++) {
@@ -123,8 +125,7 @@ public final class RtdeClient implements Closeable {
     byte[] text = String.join(",", names).getBytes(StandardCharsets.ISO_8859_1);
     int bytes = Packet.HEADER_BYTES + Double.BYTES + text.length;
     if (bytes > Packet.MAX_BYTES) {
-      throw new IOException(
-          "the names of the fields take " + text.length + " bytes, which RTDE cannot ask for");
+      throw new IOException(text("fieldNamesTooLong", text.length));
     }
     byte[] request =
         ReplyCodec.packet(PacketType.SETUP_OUTPUTS, Double.BYTES + text.length)
@@ -133,7 +134,7 @@ public final class RtdeClient implements Closeable {
             .array();
     ByteBuffer answer = ask(PacketType.SETUP_OUTPUTS, request);
     if (!answer.hasRemaining()) {
-      throw new IOException("the answer to the fields is empty");
+      throw new IOException(text("fieldsAnswerEmpty"));
     }
     recipe = Byte.toUnsignedInt(answer.get());
     List<String> types =
@@ -148,7 +149,7 @@ public final class RtdeClient implements Closeable {
       return new Subscription.Unknown(unknown);
     }
     if (types.size() != names.size() || recipe == 0) {
-      throw new IOException("the controller refuses the fields" + reasons());
+      throw new IOException(withReason("refusesFields", "refusesFieldsBecause"));
     }
     List<ReceivedField> fields = new ArrayList<>();
     dataBytes = 1;
@@ -164,8 +165,7 @@ public final class RtdeClient implements Closeable {
     return Arrays.stream(FieldType.values())
         .filter(each -> each.name().equals(type))
         .findFirst()
-        .orElseThrow(
-            () -> new IOException("the type of " + field + " is " + type + ", which is not known"));
+        .orElseThrow(() -> new IOException(text("unknownFieldType", field, type)));
   }
 
   /**
@@ -175,7 +175,7 @@ public final class RtdeClient implements Closeable {
    */
   public void start() throws IOException {
     if (!accepted(ask(PacketType.START, ReplyCodec.packet(PacketType.START, 0).array()))) {
-      throw new IOException("the controller refuses to start" + reasons());
+      throw new IOException(withReason("refusesToStart", "refusesToStartBecause"));
     }
   }
 
@@ -193,11 +193,7 @@ public final class RtdeClient implements Closeable {
       if (packet.isPresent() && packet.get().type() == PacketType.DATA) {
         ByteBuffer data = packet.get().payload();
         if (data.remaining() != dataBytes || Byte.toUnsignedInt(data.get(0)) != recipe) {
-          throw new IOException(
-              "a data package has "
-                  + data.remaining()
-                  + " bytes, must have the number of the recipe and "
-                  + (dataBytes - 1));
+          throw new IOException(text("dataOfWrongLength", data.remaining(), dataBytes - 1));
         }
         data.get();
         return Optional.of(data);
@@ -218,8 +214,7 @@ public final class RtdeClient implements Closeable {
       }
       packet.ifPresent(this::listen);
     }
-    throw new SocketTimeoutException(
-        "there is no answer within " + ANSWER_MS / 1000 + " s, as a controller would give it");
+    throw new SocketTimeoutException(text("noAnswerWithin", ANSWER_MS / 1000));
   }
 
   /**
@@ -229,7 +224,7 @@ public final class RtdeClient implements Closeable {
    */
   void pause() throws IOException {
     if (!accepted(ask(PacketType.PAUSE, ReplyCodec.packet(PacketType.PAUSE, 0).array()))) {
-      throw new IOException("the controller refuses to pause" + reasons());
+      throw new IOException(withReason("refusesToPause", "refusesToPauseBecause"));
     }
   }
 
@@ -244,20 +239,20 @@ public final class RtdeClient implements Closeable {
     byte[] request = ReplyCodec.packet(PacketType.SETUP_INPUTS, text.length).put(text).array();
     ByteBuffer answer = ask(PacketType.SETUP_INPUTS, request);
     if (!answer.hasRemaining()) {
-      throw new IOException("the answer to the inputs is empty");
+      throw new IOException(text("inputsAnswerEmpty"));
     }
     int number = Byte.toUnsignedInt(answer.get());
     String[] types = StandardCharsets.ISO_8859_1.decode(answer).toString().split(",", -1);
     List<FieldType> granted = new ArrayList<>();
     for (int i = 0; i < Math.min(types.length, names.size()); i++) {
       switch (types[i]) {
-        case NOT_FOUND -> throw new IOException("the controller has no input " + names.get(i));
-        case "IN_USE" -> throw new IOException(names.get(i) + " is written by another client");
+        case NOT_FOUND -> throw new IOException(text("noSuchInput", names.get(i)));
+        case "IN_USE" -> throw new IOException(text("inputOfAnotherClient", names.get(i)));
         default -> granted.add(type(names.get(i), types[i]));
       }
     }
     if (granted.size() != names.size() || number == 0) {
-      throw new IOException("the controller refuses the inputs" + reasons());
+      throw new IOException(withReason("refusesInputs", "refusesInputsBecause"));
     }
     return new InputsGranted(number, granted);
   }
@@ -291,14 +286,14 @@ public final class RtdeClient implements Closeable {
       }
       int count = socket.getInputStream().read(buffer);
       if (count < 0) {
-        throw new EOFException("the controller has closed the connection" + reasons());
+        throw new EOFException(withReason("hasClosed", "hasClosedBecause"));
       }
       unread = ByteBuffer.wrap(buffer, 0, count);
       return cutter.next(unread);
     } catch (SocketTimeoutException e) {
       return Optional.empty();
     } catch (ProtocolException e) {
-      throw new IOException("this is no RTDE: " + e.getMessage(), e);
+      throw new IOException(text("notRtde", e.getMessage()), e);
     }
   }
 
@@ -310,8 +305,8 @@ public final class RtdeClient implements Closeable {
     }
   }
 
-  private String reasons() {
-    return said.map(text -> ": " + text).orElse("");
+  private String withReason(String plain, String withReason) {
+    return said.map(reason -> text(withReason, reason)).orElseGet(() -> text(plain));
   }
 
   private static String hex(ByteBuffer bytes) {

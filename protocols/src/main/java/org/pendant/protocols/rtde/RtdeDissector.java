@@ -60,31 +60,32 @@ final class RtdeDissector implements Dissector {
         wantedVersion = wanted.version();
         yield Reading.of(
             "protocol-version",
-            "protocol version " + wanted.version(),
+            RtdeTexts.text("protocolVersion", wanted.version()),
             () -> Fields.of("version", wanted.version()));
       }
       case RtdeRequest.ControllerVersion _ ->
-          Reading.of("controller-version", "asks for the controller's version");
+          Reading.of("controller-version", RtdeTexts.text("asksForControllerVersion"));
       case RtdeRequest.SetupOutputs wanted -> {
         wantedOutputs.add(wanted);
         yield Reading.of(
             "setup-outputs",
-            "wants at " + hertz(wanted.frequencyHz()) + ": " + Reading.names(wanted.names()),
+            RtdeTexts.text(
+                "wantsAtRate", hertz(wanted.frequencyHz()), Reading.names(wanted.names())),
             () -> Fields.of("frequency_hz", wanted.frequencyHz(), NAMES, wanted.names()));
       }
       case RtdeRequest.SetupInputs wanted -> {
         wantedInputs.add(wanted);
         yield Reading.of(
             "setup-inputs",
-            "wants to write " + Reading.names(wanted.names()),
+            RtdeTexts.text("wantsToWrite", Reading.names(wanted.names())),
             () -> Fields.of(NAMES, wanted.names()));
       }
       case RtdeRequest.RefusedSetup refused ->
           Reading.of(
               refused.type() == PacketType.SETUP_OUTPUTS ? "setup-outputs" : "setup-inputs",
               refused.reason());
-      case RtdeRequest.Start _ -> Reading.of("start", "asks for data packages");
-      case RtdeRequest.Pause _ -> Reading.of("pause", "asks for no more data packages");
+      case RtdeRequest.Start _ -> Reading.of("start", RtdeTexts.text("asksForData"));
+      case RtdeRequest.Pause _ -> Reading.of("pause", RtdeTexts.text("asksForNoMoreData"));
       case RtdeRequest.Data data -> inputs(data);
       case RtdeRequest.Text text -> text(text.level(), text.text());
       case RtdeRequest.Malformed wrong -> Reading.of("malformed", wrong.reason());
@@ -93,7 +94,9 @@ final class RtdeDissector implements Dissector {
 
   private Reading text(TextLevel level, String text) {
     return Reading.of(
-        "text", "says: " + text, () -> Fields.of("level", level.number(), "text", text));
+        "text",
+        RtdeTexts.text("says", text),
+        () -> Fields.of("level", level.number(), "text", text));
   }
 
   private static String hertz(double frequencyHz) {
@@ -103,7 +106,7 @@ final class RtdeDissector implements Dissector {
   private Reading inputs(RtdeRequest.Data data) {
     int number = data.recipe();
     if (number < 1 || number > terms.inputs().size()) {
-      return Reading.of("data", "values of input recipe " + number + ", which is not known");
+      return Reading.of("data", RtdeTexts.text("valuesOfUnknownInputRecipe", number));
     }
     Map<String, Object> values = values(terms.inputs().get(number - 1), data.values());
     Map<String, Object> before = written.getOrDefault(number, Map.of());
@@ -118,9 +121,11 @@ final class RtdeDissector implements Dissector {
     Reading reading =
         Reading.of(
             "data",
-            "input recipe " + number + ": " + shown(values),
+            RtdeTexts.text("inputRecipe", number, shown(values)),
             () -> Fields.of(RECIPE, number, "values", values));
-    return changed.isEmpty() ? reading : reading.doing("sets " + Reading.names(changed));
+    return changed.isEmpty()
+        ? reading
+        : reading.doing(RtdeTexts.text("sets", Reading.names(changed)));
   }
 
   private static String shown(Map<String, Object> values) {
@@ -155,29 +160,32 @@ final class RtdeDissector implements Dissector {
       case PacketType.PROTOCOL_VERSION -> {
         boolean accepted = payload.get() != 0;
         terms = accepted ? terms.withVersion(wantedVersion) : terms;
-        yield accepted("protocol-version", "protocol version " + wantedVersion, accepted);
+        yield accepted(
+            "protocol-version", RtdeTexts.text("protocolVersion", wantedVersion), accepted);
       }
       case PacketType.CONTROLLER_VERSION -> {
         List<Integer> parts =
             List.of(payload.getInt(), payload.getInt(), payload.getInt(), payload.getInt());
         String version = String.join(".", parts.stream().map(String::valueOf).toList());
         yield Reading.of(
-            "controller-version", "version " + version, () -> Fields.of("version", version));
+            "controller-version",
+            RtdeTexts.text("version", version),
+            () -> Fields.of("version", version));
       }
       case PacketType.SETUP_OUTPUTS -> outputsAnswer(payload);
       case PacketType.SETUP_INPUTS -> inputsAnswer(payload);
       case PacketType.START -> {
         boolean accepted = payload.get() != 0;
         terms = terms.withSending(accepted);
-        yield accepted("start", "data packages begin", accepted);
+        yield accepted("start", RtdeTexts.text("dataBegins"), accepted);
       }
       case PacketType.PAUSE -> {
         terms = terms.withSending(false);
-        yield accepted("pause", "data packages end", payload.get() != 0);
+        yield accepted("pause", RtdeTexts.text("dataEnds"), payload.get() != 0);
       }
       case PacketType.DATA -> outputs(payload);
       case PacketType.TEXT_MESSAGE -> textAnswer(payload);
-      default -> Reading.of("unknown", "type " + type);
+      default -> Reading.of("unknown", RtdeTexts.text("packageType", type));
     };
   }
 
@@ -200,7 +208,9 @@ final class RtdeDissector implements Dissector {
 
   private static Reading accepted(String type, String what, boolean accepted) {
     return Reading.of(
-        type, accepted ? what : "refused: " + what, () -> Fields.of(ACCEPTED, accepted));
+        type,
+        accepted ? what : RtdeTexts.text("refused", what),
+        () -> Fields.of(ACCEPTED, accepted));
   }
 
   private Reading outputsAnswer(ByteBuffer payload) {
@@ -233,8 +243,8 @@ final class RtdeDissector implements Dissector {
     return Reading.of(
         type,
         recipe == 0
-            ? "refused: " + Reading.names(refused)
-            : "recipe " + recipe + ": " + Reading.names(types),
+            ? RtdeTexts.text("refused", Reading.names(refused))
+            : RtdeTexts.text("recipe", recipe, Reading.names(types)),
         () -> Fields.of(RECIPE, recipe, "types", types));
   }
 
@@ -261,13 +271,13 @@ final class RtdeDissector implements Dissector {
     List<ReceivedField> fields = terms.outputs();
     ByteBuffer values = payload.slice();
     if (fields.isEmpty()) {
-      return Reading.of("data", "values of recipe " + recipe + ", which is not known");
+      return Reading.of("data", RtdeTexts.text("valuesOfUnknownRecipe", recipe));
     }
     ReceivedField first = fields.getFirst();
-    String more = fields.size() > 1 ? ", " + (fields.size() - 1) + " more" : "";
+    String shown = first.name() + " = " + value(first, values.duplicate());
     return Reading.of(
         "data",
-        first.name() + " = " + value(first, values.duplicate()) + more,
+        fields.size() > 1 ? RtdeTexts.text("valueAndMore", shown, fields.size() - 1) : shown,
         () -> Fields.of(RECIPE, recipe, "values", values(fields, values.duplicate())));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.rtde;
 
+import static org.pendant.protocols.rtde.RtdeTexts.text;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -41,7 +43,7 @@ public final class RtdeInputs implements Closeable {
       if (client.subscribe(SELDOM_HZ, SOMETHING) instanceof Subscription.Granted) {
         return new RtdeInputs(client);
       }
-      throw new IOException("the controller does not tell its time");
+      throw new IOException(text("noTimeTold"));
     } catch (IOException e) {
       client.close();
       throw e;
@@ -89,7 +91,7 @@ public final class RtdeInputs implements Closeable {
       case UINT64 -> packet.putLong((long) number);
       case DOUBLE -> packet.putDouble(number);
       case VECTOR3D, VECTOR6D, VECTOR6INT32, VECTOR6UINT32 ->
-          throw new IOException("an input has six numbers, one was given");
+          throw new IOException(text("inputNeedsSixNumbers"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.rtde;
 
+import static org.pendant.protocols.rtde.RtdeTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -97,7 +99,7 @@ final class RtdeSession implements Session {
       case RtdeRequest.Data data ->
           inputs.write(data).ifPresent(reason -> complain(TextLevel.ERROR, reason));
       case RtdeRequest.Text text ->
-          log.write(text.level().logged(), connection.name() + " says: " + text.text());
+          log.write(text.level().logged(), text("clientSaid", connection.name(), text.text()));
       case RtdeRequest.Malformed wrong -> complain(wrong.level(), wrong.reason());
     }
   }
@@ -137,12 +139,7 @@ final class RtdeSession implements Session {
     }
     answerSetup(PacketType.SETUP_OUTPUTS, usable ? OutputRecipe.ID : UNUSABLE, types);
     if (known && !usable) {
-      complain(
-          TextLevel.ERROR,
-          "a data package of the recipe would take "
-              + bytes
-              + " bytes, must be at most "
-              + Packet.MAX_BYTES);
+      complain(TextLevel.ERROR, text("dataOfRecipeTooLong", bytes, Packet.MAX_BYTES));
     }
   }
 
@@ -168,13 +165,7 @@ final class RtdeSession implements Session {
     } else {
       refuseSetup(
           new RtdeRequest.RefusedSetup(
-              type,
-              "the types of a recipe of "
-                  + types.size()
-                  + " variables take "
-                  + answer.length
-                  + " bytes, must be at most "
-                  + Packet.MAX_BYTES));
+              type, text("typesOfRecipeTooLong", types.size(), answer.length, Packet.MAX_BYTES)));
     }
   }
 
@@ -193,9 +184,7 @@ final class RtdeSession implements Session {
     }
     answerSetup(PacketType.SETUP_INPUTS, id, types);
     if (!inputs.hasRoom() && id == UNUSABLE) {
-      tell(
-          TextLevel.ERROR,
-          "a connection has " + InputHandler.MAX_RECIPES + " input recipes, which is the most");
+      tell(TextLevel.ERROR, text("mostInputRecipes", InputHandler.MAX_RECIPES));
     }
   }
 
@@ -212,7 +201,7 @@ final class RtdeSession implements Session {
 
   /** Tells the client, and the log too: many clients pass texts over. */
   private void complain(TextLevel level, String reason) {
-    log.write(Level.WARNING, connection.name() + ": " + reason);
+    log.write(Level.WARNING, connection.says(reason));
     tell(level, reason);
   }
 
