@@ -1,5 +1,7 @@
 package org.pendant.protocols.dashboard;
 
+import static org.pendant.protocols.dashboard.DashboardTexts.text;
+
 import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
@@ -48,7 +50,7 @@ public final class DashboardClient implements Closeable {
       client.socket.setTcpNoDelay(true);
       String said = client.line(CONNECT_MS);
       if (!said.startsWith(GREETING)) {
-        throw new IOException("this is no dashboard, it does not greet as one");
+        throw new IOException(text("doesNotGreet"));
       }
       return client;
     } catch (IOException e) {
@@ -80,21 +82,20 @@ public final class DashboardClient implements Closeable {
       try {
         int count = socket.getInputStream().read(buffer);
         if (count < 0) {
-          throw new EOFException("the dashboard has closed the connection");
+          throw new EOFException(text("hasClosed"));
         }
         unread.addAll(cutter.take(ByteBuffer.wrap(buffer, 0, count)));
       } catch (SocketTimeoutException e) {
         throw late(patienceMs);
       } catch (ProtocolException e) {
-        throw new IOException("this is no dashboard: " + e.getMessage(), e);
+        throw new IOException(text("noDashboard", e.getMessage()), e);
       }
     }
     return unread.poll().strip();
   }
 
   private static SocketTimeoutException late(int patienceMs) {
-    return new SocketTimeoutException(
-        "the dashboard says nothing within " + patienceMs / 1000 + " s");
+    return new SocketTimeoutException(text("saysNothingWithin", patienceMs / 1000));
   }
 
   @Override

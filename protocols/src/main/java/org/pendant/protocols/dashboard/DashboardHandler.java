@@ -1,5 +1,7 @@
 package org.pendant.protocols.dashboard;
 
+import static org.pendant.protocols.dashboard.DashboardTexts.text;
+
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
@@ -113,7 +115,7 @@ final class DashboardHandler {
   /** Whether there is no refusal; one is logged. */
   private boolean done(String what, Reply reply) {
     Optional<String> complaint = reply.complaint();
-    complaint.ifPresent(why -> log.write(Level.WARNING, "dashboard: " + what + ": " + why));
+    complaint.ifPresent(why -> log.write(Level.WARNING, text("commandRefused", what, why)));
     return complaint.isEmpty();
   }
 
@@ -146,7 +148,7 @@ final class DashboardHandler {
   }
 
   private String trouble(LoadTrouble trouble, String name, String broken) {
-    log.write(Level.WARNING, "dashboard: load: " + trouble.getMessage());
+    log.write(Level.WARNING, text("commandRefused", "load", trouble.getMessage()));
     return (trouble.missing() ? "File not found: " : broken) + name;
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.primary;
 
+import static org.pendant.protocols.primary.PrimaryTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -53,8 +55,8 @@ final class PrimaryDissector implements Dissector {
       case ROBOT_STATE -> RobotStateReading.of(body);
       case ROBOT_MESSAGE -> RobotMessageReading.of(body);
       case VARIABLES -> variables(body);
-      case MODBUS_INFO -> Reading.of("modbus-info", "state of Modbus signals");
-      default -> Reading.of("package", "package of type " + type);
+      case MODBUS_INFO -> Reading.of("modbus-info", text("stateOfModbusSignals"));
+      default -> Reading.of("package", text("packageOfType", type));
     };
   }
 
@@ -69,7 +71,7 @@ final class PrimaryDissector implements Dissector {
       }
       return Reading.of(
           "variable-names",
-          texts.isEmpty() ? "no variables" : "variables " + Reading.names(texts),
+          texts.isEmpty() ? text("noVariables") : text("variables", Reading.names(texts)),
           () -> Fields.of("time_us", timeUs, "names", texts));
     }
     Map<String, Object> values = values(first, body);
@@ -77,7 +79,7 @@ final class PrimaryDissector implements Dissector {
     values.forEach((name, value) -> shown.add(name + " = " + value));
     return Reading.of(
         "variable-values",
-        shown.isEmpty() ? "no variable has changed" : Reading.names(shown),
+        shown.isEmpty() ? text("noVariableChanged") : Reading.names(shown),
         () -> Fields.of("time_us", timeUs, "values", values));
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.primary;
 
+import static org.pendant.protocols.primary.PrimaryTexts.text;
+
 import java.io.Closeable;
 import java.io.DataInputStream;
 import java.io.EOFException;
@@ -61,7 +63,7 @@ public final class PrimaryLink implements Closeable {
       link.socket.setTcpNoDelay(true);
       link.socket.setSoTimeout(SILENCE_MS);
       Thread.ofVirtual().name("primary messages").start(link::read);
-      await(link.greeted, "sends nothing within " + SILENCE_MS / 1000 + " s");
+      await(link.greeted, text("itSendsNothing", SILENCE_MS / 1000));
       return link;
     } catch (IOException e) {
       link.close();
@@ -73,12 +75,12 @@ public final class PrimaryLink implements Closeable {
     try {
       done.get(SILENCE_MS, TimeUnit.MILLISECONDS);
     } catch (TimeoutException e) {
-      throw new SocketTimeoutException("it " + late);
+      throw new SocketTimeoutException(late);
     } catch (ExecutionException e) {
       throw e.getCause() instanceof IOException why ? why : new IOException(e.getCause());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new IOException("interrupted", e);
+      throw new IOException(text("interrupted"), e);
     }
   }
 
@@ -92,8 +94,8 @@ public final class PrimaryLink implements Closeable {
       IOException why =
           switch (e) {
             case SocketTimeoutException _ ->
-                new IOException("it sends nothing within " + SILENCE_MS / 1000 + " s", e);
-            case EOFException _ -> new IOException("it has closed the connection", e);
+                new IOException(text("itSendsNothing", SILENCE_MS / 1000), e);
+            case EOFException _ -> new IOException(text("itHasClosed"), e);
             default -> e;
           };
       lost = Optional.of(why);
@@ -104,7 +106,7 @@ public final class PrimaryLink implements Closeable {
   private static ByteBuffer next(DataInputStream in) throws IOException {
     int size = in.readInt();
     if (size < HEADER_BYTES || size > MAX_BYTES) {
-      throw new IOException("this is no primary port: a package has " + size + " bytes");
+      throw new IOException(text("packageOfWrongSize", size));
     }
     byte[] rest = new byte[size - Integer.BYTES];
     in.readFully(rest);
@@ -115,7 +117,7 @@ public final class PrimaryLink implements Closeable {
     int type = packet.get();
     if (!greeted.isDone()) {
       if (type != ROBOT_MESSAGE && type != ROBOT_STATE) {
-        throw new IOException("this is no primary port: its first package has type " + type);
+        throw new IOException(text("firstPackageOfOtherType", type));
       }
       greeted.complete(null);
     }
@@ -124,7 +126,7 @@ public final class PrimaryLink implements Closeable {
       try {
         RobotMessageDecoder.decode(packet.slice()).ifPresent(waiting::offer);
       } catch (RuntimeException e) {
-        throw new IOException("a message of the primary port is cut off", e);
+        throw new IOException(text("messageCutOff"), e);
       }
     }
   }
@@ -182,7 +184,7 @@ public final class PrimaryLink implements Closeable {
                 sent.completeExceptionally(e);
               }
             });
-    await(sent, "takes no program");
+    await(sent, text("itTakesNoProgram"));
   }
 
   @Override

@@ -26,7 +26,7 @@ final class RobotMessageReading {
         int mode = body.position(body.position() + 8).get();
         yield Reading.of(
             "safety-mode",
-            "safety mode " + RobotStateReading.safetyMode(mode),
+            PrimaryTexts.text("safetyMode", RobotStateReading.safetyMode(mode)),
             () -> Fields.of("time_us", timeUs, "safety_mode", mode));
       }
       case RobotMessageCodec.ERROR_CODE -> error(timeUs, body);
@@ -39,7 +39,7 @@ final class RobotMessageReading {
       case RobotMessageCodec.REQUEST_VALUE -> {
         int number = body.getInt();
         body.get(); // what is wanted
-        yield text("request", timeUs, "asks " + number + ": " + Dissector.text(body));
+        yield text("request", timeUs, PrimaryTexts.text("asks", number, Dissector.text(body)));
       }
       case RobotMessageCodec.RUNTIME_EXCEPTION -> {
         int line = body.getInt();
@@ -50,10 +50,13 @@ final class RobotMessageReading {
         int number = body.getInt();
         int length = body.getInt();
         String label = Dissector.text(body.slice(body.position(), length));
-        yield text("label", timeUs, "node " + number + ": " + label);
+        yield text("label", timeUs, PrimaryTexts.text("node", number, label));
       }
       default ->
-          Reading.of("message", "message of type " + type, () -> Fields.of("time_us", timeUs));
+          Reading.of(
+              "message",
+              PrimaryTexts.text("messageOfType", type),
+              () -> Fields.of("time_us", timeUs));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.primary;
 
+import static org.pendant.protocols.primary.PrimaryTexts.text;
+
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -46,14 +48,17 @@ final class RobotStateReading {
    */
   static Reading of(ByteBuffer body) {
     Map<Integer, ByteBuffer> parts = parts(body);
-    List<String> said = new ArrayList<>();
+    return Reading.of("robot-state", summary(parts), () -> fields(parts));
+  }
+
+  private static String summary(Map<Integer, ByteBuffer> parts) {
     ByteBuffer mode = parts.get(ROBOT_MODE_DATA);
-    if (mode != null) {
-      said.add(robotMode(mode.get(MODE_AT)));
-      said.add(mode.get(13) == 0 ? "no program" : mode.get(14) == 0 ? "playing" : "paused");
+    if (mode == null) {
+      return text("parts", parts.size());
     }
-    said.add(parts.size() + " parts");
-    return Reading.of("robot-state", String.join(", ", said), () -> fields(parts));
+    String program =
+        mode.get(13) == 0 ? "withoutProgram" : mode.get(14) == 0 ? "playing" : "paused";
+    return text(program, robotMode(mode.get(MODE_AT)), parts.size());
   }
 
   private static Map<Integer, ByteBuffer> parts(ByteBuffer body) {
@@ -72,7 +77,7 @@ final class RobotStateReading {
         .filter(each -> each.code() == code)
         .findFirst()
         .map(RobotMode::name)
-        .orElse("robot mode " + code);
+        .orElse(text("robotMode", code));
   }
 
   /** The name of a safety mode. */

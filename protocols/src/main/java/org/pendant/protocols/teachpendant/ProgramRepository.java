@@ -1,5 +1,7 @@
 package org.pendant.protocols.teachpendant;
 
+import static org.pendant.protocols.teachpendant.TeachPendantTexts.text;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -62,10 +64,11 @@ final class ProgramRepository {
     if (!name.toLowerCase(Locale.ROOT).endsWith(SCRIPT)) {
       throw new LoadTrouble(
           true,
-          bytes
-              + " cannot be loaded: it must be the name of a .script, "
-              + String.join(" or ", TreeFile.ENDINGS)
-              + " file");
+          text(
+              "programOfOtherKind",
+              bytes,
+              TreeFile.ENDINGS.getFirst(),
+              TreeFile.ENDINGS.getLast()));
     }
     Program program = compiled(Source.of(lastPart(name), read(name, SCRIPT)));
     return loaded(name, Optional.of(program), "", Optional.empty(), Optional.empty());
@@ -130,7 +133,8 @@ final class ProgramRepository {
     if (!problems.isEmpty()) {
       int others = problems.size() - 1;
       throw new LoadTrouble(
-          false, problems.getFirst() + (others > 0 ? " (and " + others + " more)" : ""));
+          false,
+          others > 0 ? text("problemAndMore", problems.getFirst(), others) : problems.getFirst());
     }
     return tree.waitingNodes() > 0
         ? Optional.empty()
@@ -230,12 +234,11 @@ final class ProgramRepository {
                   each ->
                       before.apply(source.line(each.range().start()))
                           + firstLine(DiagnosticFormat.format(source, each)))
-              .orElse("it does not compile");
+              .orElse(text("itDoesNotCompile"));
       throw new LoadTrouble(false, why);
     }
     if (loadResult.program().get().secondary()) {
-      throw new LoadTrouble(
-          false, source.name() + " is a secondary program, which cannot be played");
+      throw new LoadTrouble(false, text("secondaryProgram", source.name()));
     }
     return loadResult.program().get();
   }
@@ -267,10 +270,11 @@ final class ProgramRepository {
     if (ending.isEmpty()) {
       throw new LoadTrouble(
           true,
-          bytes
-              + " cannot be loaded: it must be the name of a "
-              + String.join(" or ", InstallationFile.ENDINGS)
-              + " file");
+          text(
+              "installationOfOtherKind",
+              bytes,
+              InstallationFile.ENDINGS.getFirst(),
+              InstallationFile.ENDINGS.getLast()));
     }
     try {
       return InstallationFile.read(name, read(name, ending.get()), variables(name));

@@ -1,5 +1,7 @@
 package org.pendant.protocols.teachpendant;
 
+import static org.pendant.protocols.teachpendant.TeachPendantTexts.text;
+
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
@@ -43,8 +45,6 @@ public final class RemotePendant {
 
   /** More remarks about an installation are of no use in a log. */
   private static final int MAX_REMARKS = 20;
-
-  private static final String POPUP_TITLE = "Popup";
 
   private final Robot robot;
   private final PendantSetup setup;
@@ -159,8 +159,7 @@ public final class RemotePendant {
       }
     }
     throw new LoadTrouble(
-        true,
-        name + " is not there, with none of the endings " + String.join(", ", ProgramFile.ENDINGS));
+        true, text("notThereWithAnyEnding", name, String.join(", ", ProgramFile.ENDINGS)));
   }
 
   /**
@@ -187,7 +186,7 @@ public final class RemotePendant {
             why ->
                 log(
                     Level.WARNING,
-                    "installation " + ByteText.asBytes(program.installation()) + ": " + why));
+                    text("installationNotSet", ByteText.asBytes(program.installation()), why)));
   }
 
   /**
@@ -208,7 +207,7 @@ public final class RemotePendant {
       installation = programRepository.nameOf(name);
       found.remarks().stream()
           .limit(MAX_REMARKS)
-          .forEach(each -> log(Level.INFO, ByteText.asBytes("installation: " + each)));
+          .forEach(each -> log(Level.INFO, ByteText.asBytes(text("installationRemark", each))));
     } finally {
       changing.unlock();
     }
@@ -226,7 +225,7 @@ public final class RemotePendant {
     try {
       var _ = load(ByteText.asBytes(program));
     } catch (LoadTrouble e) {
-      log(Level.WARNING, "program " + program + " is not loaded at the start: " + e.getMessage());
+      log(Level.WARNING, text("notLoadedAtStart", program, e.getMessage()));
     }
   }
 
@@ -239,9 +238,10 @@ public final class RemotePendant {
     try {
       stopped = false;
       return switch (state().program().state()) {
-        case RUNNING -> refused("program " + state().program().name() + " runs already");
+        case RUNNING -> refused(text("programRunsAlready", state().program().name()));
         case PAUSED -> ask(new ProgramCommand.ResumeProgram());
-        case STOPPED -> loaded.isPresent() ? start(loaded.get()) : refused("no program is loaded");
+        case STOPPED ->
+            loaded.isPresent() ? start(loaded.get()) : refused(text("noProgramIsLoaded"));
       };
     } finally {
       changing.unlock();
@@ -268,7 +268,7 @@ public final class RemotePendant {
     beginning.lock();
     try {
       return stopped
-          ? refused("stopped before it began")
+          ? refused(text("stoppedBeforeItBegan"))
           : ask(new ProgramCommand.StartProgram(program));
     } finally {
       beginning.unlock();
@@ -295,7 +295,7 @@ public final class RemotePendant {
       return refused(e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return new Reply.Busy("interrupted");
+      return new Reply.Busy(text("interrupted"));
     } finally {
       asked = Optional.empty();
     }
@@ -329,7 +329,7 @@ public final class RemotePendant {
       return reply;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return new Reply.Busy("interrupted");
+      return new Reply.Busy(text("interrupted"));
     }
   }
 
@@ -344,7 +344,7 @@ public final class RemotePendant {
     try {
       return running() || loaded.isPresent() || state().program().ending().isPresent()
           ? ask(new ProgramCommand.StopProgram())
-          : refused("no program is loaded or runs");
+          : refused(text("noProgramIsLoadedOrRuns"));
     } finally {
       beginning.unlock();
     }
@@ -365,7 +365,7 @@ public final class RemotePendant {
   public void setOperationalMode(OperationalMode chosen) {
     mode = chosen;
     var _ = ask(new SafetyCommand.SetManualMode(chosen == OperationalMode.MANUAL));
-    log(Level.INFO, "operational mode: " + chosen);
+    log(Level.INFO, text("operationalMode", chosen));
   }
 
   /**
@@ -374,14 +374,14 @@ public final class RemotePendant {
    * @param text bytes, one {@code char} a byte
    */
   public Reply showPopup(String text) {
-    return ask(new MessageCommand.ShowPopup(POPUP_TITLE, text));
+    return ask(new MessageCommand.ShowPopup(text("popupTitle"), text));
   }
 
   /** Closes the newest popup, whatever has shown it; a program that waits for it continues. */
   public Reply closePopup() {
     List<Popup> open = state().openPopups();
     return open.isEmpty()
-        ? new Reply.Refused(Refusal.Code.UNKNOWN, "no popup is open")
+        ? new Reply.Refused(Refusal.Code.UNKNOWN, text("noPopupIsOpen"))
         : ask(new MessageCommand.AnswerPopup(open.getLast().number()));
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.protocols.teachpendant;
 
+import static org.pendant.protocols.teachpendant.TeachPendantTexts.text;
+
 import java.util.concurrent.atomic.AtomicInteger;
 import org.pendant.controller.Robot;
 import org.pendant.controller.installation.StartEdge;
@@ -49,9 +51,9 @@ public final class StartWatch {
       remotePendant
           .play()
           .complaint()
-          .ifPresent(why -> remotePendant.log(Level.WARNING, "start by an input: " + why));
+          .ifPresent(why -> remotePendant.log(Level.WARNING, text("startByInput", why)));
     } catch (RuntimeException e) {
-      remotePendant.log(Level.ERROR, "start by an input: internal error: " + e);
+      remotePendant.log(Level.ERROR, text("startByInputInternalError", e));
     }
   }
 }
