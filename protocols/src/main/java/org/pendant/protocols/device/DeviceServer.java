@@ -1,6 +1,6 @@
 package org.pendant.protocols.device;
 
-import static org.pendant.protocols.device.DeviceTexts.text;
+import static org.pendant.protocols.device.DeviceServerTexts.text;
 
 import java.io.IOException;
 import java.util.List;

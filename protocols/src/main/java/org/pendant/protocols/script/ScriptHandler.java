@@ -1,6 +1,6 @@
 package org.pendant.protocols.script;
 
-import static org.pendant.protocols.script.ScriptTexts.text;
+import static org.pendant.protocols.script.ReceivedScriptTexts.text;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;

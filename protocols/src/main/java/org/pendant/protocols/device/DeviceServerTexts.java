@@ -3,10 +3,10 @@ package org.pendant.protocols.device;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
-final class DeviceTexts {
-  private static final Texts TEXTS = Texts.english(DeviceTexts.class);
+final class DeviceServerTexts {
+  private static final Texts TEXTS = Texts.english(DeviceServerTexts.class);
 
-  private DeviceTexts() {}
+  private DeviceServerTexts() {}
 
   /** The text of a key of {@code texts/protocols.device.properties}, filled with values. */
   static String text(String key, Object... values) {

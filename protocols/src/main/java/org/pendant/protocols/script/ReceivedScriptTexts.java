@@ -3,10 +3,10 @@ package org.pendant.protocols.script;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
-final class ScriptTexts {
-  private static final Texts TEXTS = Texts.english(ScriptTexts.class);
+final class ReceivedScriptTexts {
+  private static final Texts TEXTS = Texts.english(ReceivedScriptTexts.class);
 
-  private ScriptTexts() {}
+  private ReceivedScriptTexts() {}
 
   /** The text of a key of {@code texts/protocols.script.properties}, filled with values. */
   static String text(String key, Object... values) {
