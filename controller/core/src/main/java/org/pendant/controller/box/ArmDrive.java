@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.arm.ArmCommand;
@@ -219,11 +221,7 @@ public final class ArmDrive {
     }
     if (driveTarget.beside() && !motion.moving()) {
       if (setup.offsets().conveyor().active() || setup.offsets().path().active()) {
-        setup
-            .log()
-            .warning(
-                "the arm was pushed aside while it was stopped: conveyor tracking and path offset"
-                    + " have ended");
+        setup.log().warning(text("armPushed"));
       }
       setup.modes().forceMode().continueFrom(() -> motion.adopt(drivenPositionRad()));
       driveTarget.forget();

@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Optional;
@@ -51,7 +53,7 @@ public final class BoxClock {
 
   /** The date and time of day; that of the wall cannot be repeated. */
   public Instant systemTime() {
-    determinism.loseInRealTime("a program asked for the date");
+    determinism.loseInRealTime(text("askedForDate"));
     return wall.isPresent() ? wall.get().instant() : VIRTUAL_START.plusNanos(timeNs());
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
@@ -67,8 +69,7 @@ public record BoxSetup(
    */
   public BoxSetup {
     if (!arm.withinLimits(startRad)) {
-      throw new IllegalArgumentException(
-          "start is " + startRad + ", must be within the joint ranges of " + arm.id());
+      throw new IllegalArgumentException(text("startOutOfRange", startRad, arm.id()));
     }
   }
 

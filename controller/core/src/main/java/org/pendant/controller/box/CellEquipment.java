@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -37,14 +39,12 @@ public record CellEquipment(
     rules = List.copyOf(rules);
     controllers = List.copyOf(controllers);
     if (devices.size() > CellDevices.MAX) {
-      throw new IllegalArgumentException(
-          "cell has " + devices.size() + " devices, must be at most " + CellDevices.MAX);
+      throw new IllegalArgumentException(text("devices", devices.size(), CellDevices.MAX));
     }
     Set<String> names = new HashSet<>();
     for (DeviceSetup device : devices) {
       if (!names.add(device.name())) {
-        throw new IllegalArgumentException(
-            "name is " + Json.quoted(device.name()) + " again, must be another for each device");
+        throw new IllegalArgumentException(text("nameAgain", Json.quoted(device.name())));
       }
     }
   }

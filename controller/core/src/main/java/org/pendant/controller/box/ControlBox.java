@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -117,12 +119,7 @@ public final class ControlBox implements Host {
       lines.add(controllers.get(i), i == 0 ? signals.digital() : new DigitalIo());
     }
     if (controllers.size() > 1) {
-      log.warning(
-          "the scene has the controllers "
-              + String.join(", ", controllers)
-              + ": "
-              + controllers.getFirst()
-              + " works alone here, at the origin; pendant run and pendant serve have all of them");
+      log.warning(text("worksAlone", String.join(", ", controllers), controllers.getFirst()));
     }
     return lines;
   }

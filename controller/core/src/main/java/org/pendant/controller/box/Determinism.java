@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -64,7 +66,7 @@ public final class Determinism {
     if (files.size() < MAX_FILES) {
       files.add(new FileRead(clock.frame(), file, fingerprint));
     } else {
-      taint("programs have read more than " + MAX_FILES + " files");
+      taint(text("filesRead", MAX_FILES));
     }
   }
 

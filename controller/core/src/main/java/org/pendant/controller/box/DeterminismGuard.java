@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.util.List;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.external.ExternalSocket;
@@ -25,12 +27,12 @@ final class DeterminismGuard {
     return new Connectors(
         (host, port) -> {
           ExternalSocket socket = connectors.sockets().open(host, port);
-          determinism.taint("a program connected a socket to " + host + ":" + port);
+          determinism.taint(text("socketConnected", host, port));
           return socket;
         },
         url -> {
           RpcLink link = connectors.rpc().open(url);
-          determinism.taint("a program asked for remote procedures at " + url);
+          determinism.taint(text("rpcAsked", url));
           return link;
         },
         new Modbus(connectors.modbus(), determinism),
@@ -43,7 +45,7 @@ final class DeterminismGuard {
     @Override
     public ModbusPoint add(ModbusExchange exchange) throws ScriptError {
       ModbusPoint point = door.add(exchange);
-      determinism.taint("a Modbus signal was added at " + exchange.device());
+      determinism.taint(text("modbusAdded", exchange.device()));
       return point;
     }
 
@@ -51,7 +53,7 @@ final class DeterminismGuard {
     public Pending send(ModbusAddress device, int unit, int function, byte[] data)
         throws ScriptError {
       Pending answer = door.send(device, unit, function, data);
-      determinism.taint("a program sent a Modbus request to " + device);
+      determinism.taint(text("modbusSent", device));
       return answer;
     }
   }
@@ -75,7 +77,7 @@ final class DeterminismGuard {
         // programs begin like this; nothing happens outside that they would have to wait for
         return () -> true;
       }
-      determinism.taint("a program changed the serial line of the tool");
+      determinism.taint(text("serialLineChanged"));
       return setUp;
     }
 
@@ -83,7 +85,7 @@ final class DeterminismGuard {
     public List<News> takeNews() {
       List<News> news = door.takeNews();
       if (!news.isEmpty()) {
-        determinism.taint("the serial line of the tool told: " + news.getFirst().text());
+        determinism.taint(text("serialLineTold", news.getFirst().text()));
       }
       return news;
     }

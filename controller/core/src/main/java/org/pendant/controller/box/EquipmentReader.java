@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
@@ -54,11 +56,7 @@ public final class EquipmentReader {
       if (setup.gripper().isPresent()
           && layout.script().isPresent()
           && device.owner() == controllers.size() - 1) {
-        throw device
-            .place()
-            .refusal(
-                setup.name()
-                    + " is one of the cell's controller, which has no arm; must be one of an arm");
+        throw device.place().refusal(text("deviceWithoutArm", setup.name()));
       }
       if (setup.holdsParts()) {
         grippers.put(setup.name(), setup.strokeM());

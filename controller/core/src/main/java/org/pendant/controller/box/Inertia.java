@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.util.Arrays;
 import java.util.Optional;
 
@@ -41,15 +43,12 @@ public record Inertia(double ixx, double iyy, double izz, double ixy, double ixz
   /** Why no payload can be declared to have it, such as {@code Ixx must not be negative}. */
   public Optional<String> problem() {
     if (Arrays.stream(elements()).anyMatch(each -> !(Math.abs(each) <= MAX_KG_M2))) {
-      return Optional.of(
-          "each must be -" + (int) MAX_KG_M2 + " to " + (int) MAX_KG_M2 + " kg m\u00b2");
+      return Optional.of(text("eachKgM2", (int) MAX_KG_M2, (int) MAX_KG_M2));
     }
     if (ixx < 0 || iyy < 0 || izz < 0) {
-      return Optional.of("the first three must not be negative");
+      return Optional.of(text("firstThree"));
     }
-    return turnsWithEnergy()
-        ? Optional.empty()
-        : Optional.of("no body has it: Ixy, Ixz and Iyz are too large beside Ixx, Iyy and Izz");
+    return turnsWithEnergy() ? Optional.empty() : Optional.of(text("noBody"));
   }
 
   /**

@@ -1,5 +1,7 @@
 package org.pendant.controller.box;
 
+import static org.pendant.controller.box.BoxTexts.text;
+
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.pendant.controller.world.Scene;
@@ -31,11 +33,7 @@ final class ToolWeightCheck {
   void declared(Payload payload) {
     if (tool.isPresent() && !told.equals(Optional.of(payload)) && wrong(payload, tool.get())) {
       told = Optional.of(payload);
-      warn.accept(
-          "the payload that is declared, "
-              + words(payload)
-              + ", is not that of the tool in the scene, "
-              + words(tool.get()));
+      warn.accept(text("otherPayload", words(payload), words(tool.get())));
     }
   }
 
@@ -51,14 +49,12 @@ final class ToolWeightCheck {
   }
 
   private static String words(Payload payload) {
-    return Range.number(Math.rint(1000 * payload.massKg()) / 1000)
-        + " kg at ["
-        + mm(payload.cogXM())
-        + ", "
-        + mm(payload.cogYM())
-        + ", "
-        + mm(payload.cogZM())
-        + "] mm";
+    return text(
+        "payload",
+        Range.number(Math.rint(1000 * payload.massKg()) / 1000),
+        mm(payload.cogXM()),
+        mm(payload.cogYM()),
+        mm(payload.cogZM()));
   }
 
   private static String mm(double lengthM) {

@@ -37,8 +37,7 @@ public enum AnalogBank {
    */
   void check(int index) {
     if (index < 0 || index >= SIZE) {
-      throw new IllegalArgumentException(
-          text + ": index is " + index + ", must be 0 to " + (SIZE - 1));
+      throw new IllegalArgumentException(SignalTexts.text("index", text, index, SIZE - 1));
     }
   }
 }

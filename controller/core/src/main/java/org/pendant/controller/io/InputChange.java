@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 
@@ -20,15 +22,19 @@ public record InputChange(double timeS, String signal, String value) {
    * @throws IllegalArgumentException if there is no such input, or it does not take the value
    */
   public InputChange {
-    checkTime("time", timeS);
+    checkTime("timeOfChange", timeS);
     SignalText.input(signal, value);
   }
 
-  /** Refuses what is no time since the start of a program. */
+  /**
+   * Refuses what is no time since the start of a program.
+   *
+   * @param what key of the text that refuses it
+   */
   static void checkTime(String what, double timeS) {
     if (!(timeS >= 0 && timeS <= MAX_TIME_S)) {
       throw new IllegalArgumentException(
-          String.format(Locale.ROOT, "%s is %s s, must be 0 to %.0f s", what, timeS, MAX_TIME_S));
+          text(what, timeS, String.format(Locale.ROOT, "%.0f", MAX_TIME_S)));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -54,6 +56,6 @@ public final class InputOwners {
   public Optional<Refusal> refusal(String signal, String writer) {
     return owner(signal)
         .filter(owner -> !owner.equals(writer))
-        .map(owner -> new Refusal(Refusal.Code.IN_USE, signal + " is in use by " + owner));
+        .map(owner -> new Refusal(Refusal.Code.IN_USE, text("inUse", signal, owner)));
   }
 }

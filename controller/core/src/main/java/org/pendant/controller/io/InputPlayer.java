@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -75,7 +77,7 @@ public final class InputPlayer {
       if (refusal.isEmpty()) {
         signals.write(write);
       } else if (refused.add(write.name())) {
-        warn.accept("input waveform: " + refusal.get().text());
+        warn.accept(text("inputWaveform", refusal.get().text()));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -34,8 +36,7 @@ public final class InputWaveforms {
    */
   public InputWaveforms(List<InputChange> changes, OptionalDouble periodS) {
     if (changes.size() > MAX_CHANGES) {
-      throw new IllegalArgumentException(
-          changes.size() + " changes of inputs, must be at most " + MAX_CHANGES);
+      throw new IllegalArgumentException(text("changes", changes.size(), MAX_CHANGES));
     }
     List<InputChange> sorted = new ArrayList<>(changes);
     sorted.sort((a, b) -> Double.compare(a.timeS(), b.timeS()));
@@ -58,16 +59,11 @@ public final class InputWaveforms {
   private void checkPeriod(double period) {
     InputChange.checkTime("period", period);
     if (period < FrameTime.FRAME_S) {
-      throw new IllegalArgumentException(
-          "period is " + period + " s, must be at least " + FrameTime.FRAME_S + " s");
+      throw new IllegalArgumentException(text("shortPeriod", period, FrameTime.FRAME_S));
     }
     if (!changes.isEmpty() && changes.getLast().timeS() >= period) {
       throw new IllegalArgumentException(
-          "change at "
-              + changes.getLast().timeS()
-              + " s, must be before the period of "
-              + period
-              + " s is over");
+          text("changeAfterPeriod", changes.getLast().timeS(), period));
     }
   }
 

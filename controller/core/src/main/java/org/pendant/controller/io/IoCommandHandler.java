@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -61,11 +63,7 @@ public final class IoCommandHandler implements CommandHandler<IoCommand> {
       if (!write.input() && program.isPresent()) {
         return Optional.of(
             new Refusal(
-                Refusal.Code.PROGRAM,
-                write.name()
-                    + " belongs to program "
-                    + program.get()
-                    + ": outputs are set by hand only while none runs"));
+                Refusal.Code.PROGRAM, text("programHasOutputs", write.name(), program.get())));
       }
     }
     writes.forEach(signals::write);

@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.Arrays;
 
 /**
@@ -65,8 +67,7 @@ public final class PortLevels {
    */
   static void check(int address) {
     if (!holds(address)) {
-      throw new IllegalArgumentException(
-          "port: address is " + address + ", must be " + FIRST + " to " + LAST);
+      throw new IllegalArgumentException(text("portAddress", address, FIRST, LAST));
     }
   }
 

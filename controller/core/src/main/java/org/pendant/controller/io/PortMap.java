@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -116,8 +118,7 @@ public final class PortMap {
 
   private static SignalWrite domain(AnalogBank bank, int index, int address, int value) {
     if (value != 0 && value != 1) {
-      throw new IllegalArgumentException(
-          "port register " + address + " is " + value + ", must be 0 (current) or 1 (voltage)");
+      throw new IllegalArgumentException(text("portDomain", address, value));
     }
     return new SignalWrite.Domain(bank, index, AnalogDomain.of(value));
   }

@@ -32,7 +32,7 @@ public enum RegisterKind {
   void check(int address) {
     if (address < 0 || address >= size) {
       throw new IllegalArgumentException(
-          text + " register: address is " + address + ", must be 0 to " + (size - 1));
+          SignalTexts.text("registerAddress", text, address, size - 1));
     }
   }
 }

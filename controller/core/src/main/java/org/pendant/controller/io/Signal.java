@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -40,7 +42,7 @@ public record Signal(SignalBank bank, int index) {
         }
       }
     }
-    throw new IllegalArgumentException("input is '" + name + "', must be one of " + valid(INPUTS));
+    throw new IllegalArgumentException(text("unknownInput", name, valid(INPUTS)));
   }
 
   /**
@@ -58,8 +60,7 @@ public record Signal(SignalBank bank, int index) {
         }
       }
     }
-    throw new IllegalArgumentException(
-        "signal is '" + name + "', must be one of " + valid(SignalBank.values()));
+    throw new IllegalArgumentException(text("unknownSignal", name, valid(SignalBank.values())));
   }
 
   private static String valid(SignalBank... banks) {

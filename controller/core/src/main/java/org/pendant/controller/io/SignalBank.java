@@ -67,8 +67,7 @@ public enum SignalBank {
    */
   void check(int index) {
     if (index < 0 || index >= size) {
-      throw new IllegalArgumentException(
-          text + ": index is " + index + ", must be 0 to " + (size - 1));
+      throw new IllegalArgumentException(SignalTexts.text("index", text, index, size - 1));
     }
   }
 }

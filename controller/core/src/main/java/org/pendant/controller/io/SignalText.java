@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -69,8 +71,7 @@ public final class SignalText {
   private static List<SignalWrite> analog(AnalogBank bank, int index, String text) {
     Matcher amount = AMOUNT.matcher(text);
     if (!amount.matches()) {
-      throw new IllegalArgumentException(
-          bank.name(index) + " is " + text + ", must have a unit, such as 5V or 12mA");
+      throw new IllegalArgumentException(text("analogWithoutUnit", bank.name(index), text));
     }
     double number = number(bank.name(index), amount.group(1));
     AnalogDomain domain = amount.group(2).equals("V") ? AnalogDomain.VOLTAGE : AnalogDomain.CURRENT;
@@ -90,7 +91,7 @@ public final class SignalText {
     return switch (text) {
       case "true", "True", "1" -> true;
       case "false", "False", "0" -> false;
-      default -> throw new IllegalArgumentException("level is " + text + ", must be true or false");
+      default -> throw new IllegalArgumentException(text("level", text));
     };
   }
 
@@ -103,8 +104,7 @@ public final class SignalText {
     } catch (NumberFormatException e) {
       // the message below says what is wrong with it
     }
-    throw new IllegalArgumentException(
-        name + " is " + text + ", must be a whole number from " + low + " to " + high);
+    throw new IllegalArgumentException(text("wholeNumber", name, text, low, high));
   }
 
   private static double number(String name, String text) {
@@ -116,7 +116,7 @@ public final class SignalText {
     } catch (NumberFormatException e) {
       // the message below says what is wrong with it
     }
-    throw new IllegalArgumentException(name + " is " + text + ", must be a number");
+    throw new IllegalArgumentException(text("number", name, text));
   }
 
   private static UnknownSignal unknown(String name) {
@@ -136,6 +136,6 @@ public final class SignalText {
       names.append(kind.size() - 1).append("], ");
     }
     names.append("port_register[128] to [255], port_bit[128] to [255]");
-    return new UnknownSignal("input is '" + name + "', must be one of " + names);
+    return new UnknownSignal(text("unknownInput", name, names));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 /**
  * Change to one signal, asked for from outside of programs. The constructors refuse signals and
  * values that there are not with an {@link IllegalArgumentException}.
@@ -39,17 +41,14 @@ public sealed interface SignalWrite {
       }
       if (!(value >= domain.low() && value <= domain.high())) {
         throw new IllegalArgumentException(
-            bank.name(index)
-                + " is "
-                + value
-                + " "
-                + domain.unit()
-                + ", must be "
-                + domain.low()
-                + " to "
-                + domain.high()
-                + " "
-                + domain.unit());
+            text(
+                "analogRange",
+                bank.name(index),
+                value,
+                domain.unit(),
+                domain.low(),
+                domain.high(),
+                domain.unit()));
       }
     }
 
@@ -75,7 +74,7 @@ public sealed interface SignalWrite {
       AnalogBank.STANDARD_OUT.check(index);
       if (!(ratio >= 0 && ratio <= 1)) {
         throw new IllegalArgumentException(
-            AnalogBank.STANDARD_OUT.name(index) + " is " + ratio + ", must be 0 to 1");
+            text("ratio", AnalogBank.STANDARD_OUT.name(index), ratio));
       }
     }
 

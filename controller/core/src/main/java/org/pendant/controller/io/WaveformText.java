@@ -1,5 +1,7 @@
 package org.pendant.controller.io;
 
+import static org.pendant.controller.io.SignalTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -42,30 +44,30 @@ public final class WaveformText {
       }
       if (!heading) {
         if (!row.replace(" ", "").equals(HEADING)) {
-          throw at(name, number, 1, "line is '" + row + "', the first must be " + HEADING);
+          throw at(name, number, 1, text("heading", row, HEADING));
         }
         heading = true;
         continue;
       }
       String[] cells = line.split(",", -1);
       if (cells.length != 3) {
-        throw at(name, number, 1, "line has " + cells.length + " cells, must have 3: " + HEADING);
+        throw at(name, number, 1, text("cells", cells.length, HEADING));
       }
       double timeS = time(name, number, cells[0]);
       int column = cells[0].length() + 2;
       if (!cells[1].strip().equals(REPEAT)) {
         if (changes.size() == InputWaveforms.MAX_CHANGES) {
-          throw at(name, number, 1, "more than " + InputWaveforms.MAX_CHANGES + " changes");
+          throw at(name, number, 1, text("tooManyChanges", InputWaveforms.MAX_CHANGES));
         }
         changes.add(change(name, number, column, timeS, cells));
       } else if (periodS.isPresent()) {
-        throw at(name, number, column, "a second line says when to repeat");
+        throw at(name, number, column, text("secondRepeat"));
       } else {
         periodS = OptionalDouble.of(timeS);
       }
     }
     if (!heading) {
-      throw at(name, number, 1, "no lines, the first must be " + HEADING);
+      throw at(name, number, 1, text("noLines", HEADING));
     }
     try {
       return new InputWaveforms(changes, periodS);
@@ -77,10 +79,10 @@ public final class WaveformText {
   private static double time(String name, int line, String cell) {
     try {
       double timeS = Double.parseDouble(cell.strip());
-      InputChange.checkTime("time", timeS);
+      InputChange.checkTime("timeOfChange", timeS);
       return timeS;
     } catch (NumberFormatException e) {
-      throw at(name, line, 1, "time is '" + cell.strip() + "', must be a number of seconds");
+      throw at(name, line, 1, text("time", cell.strip()));
     } catch (IllegalArgumentException e) {
       throw at(name, line, 1, e.getMessage());
     }

@@ -1,5 +1,7 @@
 package org.pendant.controller.jog;
 
+import static org.pendant.controller.jog.JogTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.models.arm.JointLimits;
 import org.pendant.models.arm.Joints;
@@ -113,15 +115,14 @@ final class JogPlanner {
         yield found.q();
       }
       case InverseResult.Unreachable none ->
-          throw new PlanningException(
-              "no-solution", "the goal is out of reach: " + none.cause().text());
+          throw new PlanningException("no-solution", text("goalOutOfReach", none.cause().text()));
     };
   }
 
   private static void requireFinite(Pose goal) throws PlanningException {
     for (int i = 0; i < Pose.SIZE; i++) {
       if (!Double.isFinite(goal.get(i))) {
-        throw new PlanningException("no-solution", "the goal is " + goal + ", must be finite");
+        throw new PlanningException("no-solution", text("goalNotFinite", goal));
       }
     }
   }
@@ -130,22 +131,11 @@ final class JogPlanner {
     for (int i = 0; i < Joints.COUNT; i++) {
       double q = goal.get(i);
       if (!(q >= minRad(i) && q <= maxRad(i)) || Double.isInfinite(q)) {
-        throw new PlanningException(
-            "joint-limit",
-            "joint "
-                + i
-                + " would be at "
-                + q
-                + " rad, must be "
-                + minRad(i)
-                + " to "
-                + maxRad(i)
-                + " rad");
+        throw new PlanningException("joint-limit", text("jointRange", i, q, minRad(i), maxRad(i)));
       }
     }
     if (!box.safety().within(goal, box.flange().tool().inFlange())) {
-      throw new PlanningException(
-          "safety-limit", "the goal is beyond a safety plane or tilts the tool too far");
+      throw new PlanningException("safety-limit", text("goalBeyondSafety"));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.jog;
 
+import static org.pendant.controller.jog.JogTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.command.Refusal;
@@ -61,9 +63,7 @@ public final class Jogging {
    */
   public Optional<Refusal> hold(JogMove move, double speedFraction) {
     if (!(speedFraction > 0 && speedFraction <= 1)) {
-      return Optional.of(
-          new Refusal(
-              Code.INVALID, "speed is " + speedFraction + ", must be above 0 and at most 1"));
+      return Optional.of(new Refusal(Code.INVALID, text("speed", speedFraction)));
     }
     if (hold.isPresent() && hold.get().move.equals(move)) {
       hold.get().lastFrame = box.clock().frame() + DEAD_MAN_FRAMES;
@@ -133,7 +133,7 @@ public final class Jogging {
       if (hold.isPresent() && !hold.get().over) {
         end(hold.get(), reason);
       } else {
-        box.log().warning("jogging: " + reason);
+        box.log().warning(text("joggingRefused", reason));
       }
     }
   }
@@ -170,7 +170,7 @@ public final class Jogging {
           .cancel();
     } catch (PlanningException e) {
       // another motion waits for the arm already, which comes to rest on its path
-      box.log().warning("jogging: " + e.getMessage());
+      box.log().warning(text("joggingRefused", e.getMessage()));
     }
   }
 
@@ -183,7 +183,7 @@ public final class Jogging {
 
   private void finish(Hold present) {
     if (present.move instanceof JogMove.TurnJoint turn) {
-      end(present, "joint " + turn.joint() + " is at the end of its range");
+      end(present, text("jointAtEnd", turn.joint()));
     }
     present.over = true;
   }
@@ -192,6 +192,6 @@ public final class Jogging {
     present.over = true;
     present.reason = Optional.of(new Refusal(Code.ARM_RANGE, reason));
     present.ticket.cancel();
-    box.log().warning("jogging: " + reason);
+    box.log().warning(text("joggingRefused", reason));
   }
 }

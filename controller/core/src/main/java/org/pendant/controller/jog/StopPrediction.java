@@ -1,6 +1,7 @@
 package org.pendant.controller.jog;
 
-import java.util.Locale;
+import static org.pendant.controller.jog.JogTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.models.arm.DhLengths;
@@ -55,13 +56,13 @@ final class StopPrediction {
       double step = ahead.get(i) - here.get(i);
       if ((step > 0 && ahead.get(i) > ranges.maxRad(i))
           || (step < 0 && ahead.get(i) < ranges.minRad(i))) {
-        return Optional.of("joint " + i + " is at the end of its range");
+        return Optional.of(text("jointAtEnd", i));
       }
     }
     Pose tcp = box.flange().tool().inFlange();
     return box.safety().within(ahead, tcp) || !box.safety().within(here, tcp)
         ? Optional.empty()
-        : Optional.of("a safety plane, or the tilt that the tool may have, is reached");
+        : Optional.of(text("safetyLimitReached"));
   }
 
   /** Time at the present speed that leads as far as the arm continues when it stops now, s. */
@@ -77,9 +78,11 @@ final class StopPrediction {
       double perS = (each.measure(dh, next) - now) / STEP_S;
       if (now > IN_IT && now + perS * withinS < 0) {
         return Optional.of(
-            "the path leads to the "
-                + each.name().toLowerCase(Locale.ROOT)
-                + " singularity; turning single joints gets past it");
+            switch (each) {
+              case SHOULDER -> text("shoulderSingularity");
+              case ELBOW -> text("elbowSingularity");
+              case WRIST -> text("wristSingularity");
+            });
       }
     }
     return Optional.empty();

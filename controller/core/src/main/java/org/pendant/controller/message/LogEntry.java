@@ -44,8 +44,8 @@ public record LogEntry(
     if (text.length() <= bytes) {
       return text;
     }
-    String note = " ... (cut, " + text.length() + " bytes in all)";
-    return text.substring(0, bytes - note.length()) + note;
+    int noteLength = MessageTexts.text("cut", "", text.length()).length();
+    return MessageTexts.text("cut", text.substring(0, bytes - noteLength), text.length());
   }
 
   /** How bad it is. */

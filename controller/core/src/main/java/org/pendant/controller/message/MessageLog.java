@@ -1,5 +1,7 @@
 package org.pendant.controller.message;
 
+import static org.pendant.controller.message.MessageTexts.text;
+
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.HashSet;
@@ -122,7 +124,7 @@ public final class MessageLog {
   public void internalError(Throwable cause) {
     StringWriter trace = new StringWriter();
     cause.printStackTrace(new PrintWriter(trace));
-    error("internal error: " + trace);
+    error(text("internalError", trace));
   }
 
   /** Warns, unless the same text was a warning of this kind since {@link #programStarted}. */
@@ -148,7 +150,7 @@ public final class MessageLog {
           Level.WARNING,
           Origin.CONTROLLER,
           "",
-          count + (count == 1 ? " more line was" : " more lines were") + " left out in this frame",
+          MessageTexts.text(count == 1 ? "lineLeftOut" : "linesLeftOut", count),
           Optional.empty());
     }
     linesOfFrame = 0;

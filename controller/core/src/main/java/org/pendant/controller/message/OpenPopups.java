@@ -1,5 +1,7 @@
 package org.pendant.controller.message;
 
+import static org.pendant.controller.message.MessageTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -71,13 +73,7 @@ public final class OpenPopups {
     oldest.ifPresent(
         popup -> {
           popups.remove(popup);
-          log.warning(
-              "popup closed unread, as "
-                  + MAX_OPEN
-                  + " are open: "
-                  + popup.title()
-                  + ": "
-                  + popup.text());
+          log.warning(text("popupUnread", MAX_OPEN, popup.title(), popup.text()));
         });
   }
 
@@ -126,7 +122,7 @@ public final class OpenPopups {
   /** What was shown since the last call, answered or not; for the frame's snapshot. */
   public List<Popup> takeNew() {
     if (notShown > 0) {
-      log.warning(notShown + " more popups were not shown in this frame");
+      log.warning(text("popupsNotShown", notShown));
       notShown = 0;
     }
     if (shown.isEmpty()) {

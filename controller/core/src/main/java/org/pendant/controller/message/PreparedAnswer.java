@@ -1,5 +1,7 @@
 package org.pendant.controller.message;
 
+import static org.pendant.controller.message.MessageTexts.text;
+
 import java.util.Optional;
 
 /**
@@ -18,7 +20,7 @@ public record PreparedAnswer(String line) {
    */
   public PreparedAnswer {
     if (!line.contains(SEPARATOR)) {
-      throw new IllegalArgumentException("answer is " + line + ", must be TEXT=VALUE or =VALUE");
+      throw new IllegalArgumentException(text("preparedAnswer", line));
     }
   }
 

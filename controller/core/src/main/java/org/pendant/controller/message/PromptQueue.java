@@ -1,5 +1,7 @@
 package org.pendant.controller.message;
 
+import static org.pendant.controller.message.MessageTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -60,13 +62,13 @@ public final class PromptQueue {
     String text = pendingPrompt.question().text();
     Optional<String> value = answers.next(text);
     if (value.isEmpty()) {
-      pendingPrompt.refuse("nobody is here to answer \"" + text + "\", and no answer is prepared");
+      pendingPrompt.refuse(text("nobodyAnswers", text));
       return;
     }
     try {
       give(pendingPrompt, pendingPrompt.question().kind().read(value.get()));
     } catch (IllegalArgumentException e) {
-      pendingPrompt.refuse("prepared for \"" + text + "\": " + e.getMessage());
+      pendingPrompt.refuse(text("preparedFor", text, e.getMessage()));
     }
   }
 
@@ -83,7 +85,7 @@ public final class PromptQueue {
 
   private void give(PendingPrompt pendingPrompt, Answer answer) {
     pendingPrompt.answer(answer);
-    log.info("\"" + pendingPrompt.question().text() + "\" is answered: " + answer.text());
+    log.info(text("answered", pendingPrompt.question().text(), answer.text()));
   }
 
   /**
@@ -94,14 +96,14 @@ public final class PromptQueue {
   public void cancel(long number) {
     PendingPrompt pendingPrompt = find(number);
     withdraw(pendingPrompt);
-    log.info("\"" + pendingPrompt.question().text() + "\" is cancelled, the program stops");
+    log.info(text("cancelled", pendingPrompt.question().text()));
   }
 
   private PendingPrompt find(long number) {
     return waiting.stream()
         .filter(each -> each.question().number() == number)
         .findFirst()
-        .orElseThrow(() -> new IllegalArgumentException("question " + number + " is not open"));
+        .orElseThrow(() -> new IllegalArgumentException(text("questionNotOpen", number)));
   }
 
   /** Takes a question back: the thread that asked it has ended. */

@@ -16,24 +16,24 @@ public record Question(long number, double timeS, Kind kind, String text) {
 
   /** Which answers a question takes. */
   public enum Kind {
-    BOOLEAN("True or False"),
-    INTEGER("a whole number from -2147483648 to 2147483647"),
-    FLOAT("a number such as -12.5 or 2e-3"),
-    STRING("a text of bytes");
+    BOOLEAN("boolean"),
+    INTEGER("whole"),
+    FLOAT("number"),
+    STRING("bytes");
 
     private static final Pattern WHOLE = Pattern.compile("[+-]?0*\\d{1,10}");
     private static final Pattern DECIMAL =
         Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d{1,4})?");
 
-    private final String expected;
+    private final String key;
 
-    Kind(String expected) {
-      this.expected = expected;
+    Kind(String key) {
+      this.key = key;
     }
 
     /** What an answer must be, in words that follow "must be". */
     public String expected() {
-      return expected;
+      return MessageTexts.text(key);
     }
 
     /**
@@ -99,7 +99,9 @@ public record Question(long number, double timeS, Kind kind, String text) {
 
     private IllegalArgumentException refused(String text) {
       return new IllegalArgumentException(
-          "answer is " + (text.isBlank() ? "empty" : text) + ", must be " + expected);
+          text.isBlank()
+              ? MessageTexts.text("emptyAnswer", expected())
+              : MessageTexts.text("wrongAnswer", text, expected()));
     }
   }
 }
