@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.wire.SignalLine;
 import org.pendant.controller.wire.SignalLines;
@@ -33,7 +35,7 @@ final class BeltDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "belt";
+    return text("belt");
   }
 
   @Override
@@ -43,9 +45,9 @@ final class BeltDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "belt "
-        + setup.object()
-        + (setup.encoder() < 0 ? "" : " that turns encoder " + setup.encoder());
+    return setup.encoder() < 0
+        ? text("beltOf", setup.object())
+        : text("beltWithEncoder", setup.object(), setup.encoder());
   }
 
   @Override

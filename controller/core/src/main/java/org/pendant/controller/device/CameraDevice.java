@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -67,7 +69,7 @@ final class CameraDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "camera";
+    return text("camera");
   }
 
   @Override
@@ -77,10 +79,7 @@ final class CameraDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "camera at 127.0.0.1:"
-        + setup.ports().lines()
-        + " and by XML-RPC at http://localhost:"
-        + setup.ports().procedures();
+    return text("cameraAt", setup.ports().lines(), setup.ports().procedures());
   }
 
   @Override

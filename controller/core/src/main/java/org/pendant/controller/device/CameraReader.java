@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import org.pendant.controller.device.camera.PartCamera;
 import org.pendant.models.json.JsonException;
 
@@ -18,11 +20,7 @@ final class CameraReader {
   DeviceSetup camera(String name, FieldReader fields, PartReader parts) throws JsonException {
     boolean occlusion = fields.flag(OCCLUSION);
     if (occlusion && fields.spot("at").isEmpty()) {
-      throw fields
-          .all()
-          .required(OCCLUSION)
-          .place()
-          .refusal("occlusion is true, at must be there: from where the camera looks");
+      throw fields.all().required(OCCLUSION).place().refusal(text("occlusionWithoutPlace"));
     }
     return new DeviceSetup.Camera(
         name,

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -81,11 +83,10 @@ public final class CellDevices {
    */
   public void add(DeviceSetup setup) {
     if (devices.size() >= MAX) {
-      throw new IllegalArgumentException("a cell has at most " + MAX + " devices");
+      throw new IllegalArgumentException(text("tooManyDevices", MAX));
     }
     if (find(setup.name()).isPresent()) {
-      throw new IllegalArgumentException(
-          "there is a device " + Json.quoted(setup.name()) + " already");
+      throw new IllegalArgumentException(text("nameTaken", Json.quoted(setup.name())));
     }
     CellDevice device =
         switch (setup) {
@@ -196,12 +197,10 @@ public final class CellDevices {
     Optional<CellDevice> device = find(gripper);
     double maxPartWidthM = device.map(CellDevice::maxPartWidthM).orElse(1.0);
     if (!(widthM >= 0 && widthM <= maxPartWidthM)) {
-      throw new IllegalArgumentException(
-          "width is " + widthM + " m, must be 0 to " + maxPartWidthM + " m");
+      throw new IllegalArgumentException(text("partWidth", widthM, maxPartWidthM));
     }
     if (device.isEmpty() || !device.get().putPart(widthM)) {
-      throw new IllegalArgumentException(
-          "gripper is " + Json.quoted(gripper) + ", must be a gripper of the cell" + names());
+      throw new IllegalArgumentException(none(gripper, "noGripper", "unknownGripper"));
     }
   }
 
@@ -213,11 +212,7 @@ public final class CellDevices {
   public void press(String name, boolean pressed) {
     CellDevice device = find(name).orElse(null);
     if (!(device instanceof SwitchDevice)) {
-      throw new IllegalArgumentException(
-          "device is "
-              + Json.quoted(name)
-              + ", must be a limit switch or a button of the cell"
-              + names());
+      throw new IllegalArgumentException(none(name, "noSwitch", "unknownSwitch"));
     }
     var _ = device.putPart(pressed ? 1 : 0);
   }
@@ -232,7 +227,7 @@ public final class CellDevices {
     CellSignal signal = signal(name);
     SignalGroup group = names.group(signal);
     if (!group.settable()) {
-      throw new IllegalArgumentException("signal is " + signal + ", must be one that can be set");
+      throw new IllegalArgumentException(text("signalNotSettable", signal));
     }
     group.range().require(signal.toString(), value);
     lines.line(signal).set(value);
@@ -252,7 +247,7 @@ public final class CellDevices {
       return names.signal(name);
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(
-          "signal is " + Json.quoted(name) + ", " + e.getMessage(), e);
+          text("signalRefused", Json.quoted(name), e.getMessage()), e);
     }
   }
 
@@ -261,10 +256,14 @@ public final class CellDevices {
     return lines;
   }
 
-  private String names() {
+  /** Says that no device of a kind is called so: in one text where there is no device at all. */
+  private String none(String name, String withoutDevices, String withDevices) {
     return devices.isEmpty()
-        ? "; there is none"
-        : devices.stream().map(CellDevice::name).collect(Collectors.joining(", ", ": ", ""));
+        ? text(withoutDevices, Json.quoted(name))
+        : text(
+            withDevices,
+            Json.quoted(name),
+            devices.stream().map(CellDevice::name).collect(Collectors.joining(", ")));
   }
 
   private Optional<CellDevice> find(String name) {
@@ -286,7 +285,7 @@ public final class CellDevices {
     DeviceTalk talk = callers.get(caller);
     if (talk == null) {
       if (callers.size() >= MAX_CALLERS) {
-        throw new IllegalArgumentException("more than " + MAX_CALLERS + " talk to devices");
+        throw new IllegalArgumentException(text("tooManyCallers", MAX_CALLERS));
       }
       talk = at(port).orElseThrow(() -> noDevice(port)).connect();
       callers.put(caller, talk);
@@ -300,7 +299,7 @@ public final class CellDevices {
   }
 
   private static IllegalArgumentException noDevice(int port) {
-    return new IllegalArgumentException("port is " + port + ", must be one of a device");
+    return new IllegalArgumentException(text("portOfNoDevice", port));
   }
 
   private Optional<CellDevice> at(int port) {

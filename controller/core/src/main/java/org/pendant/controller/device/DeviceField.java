@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.OptionalDouble;
 import org.pendant.models.json.Range;
@@ -58,7 +60,7 @@ public sealed interface DeviceField {
   record Subject(String key, String title, String help, boolean moves) implements DeviceField {
     /** What it must be, in words. */
     public String kind() {
-      return moves ? "an object with a mass" : "a box that stands still";
+      return moves ? text("objectWithMass") : text("standingBox");
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -23,7 +25,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   /** Names that a camera may know. */
   private static final int MAX_NAMES = 100;
 
-  private static final String SIGNALS = "outputs and inputs";
+  private static final String SIGNALS = text("reachedOutputsAndInputs");
   private static final Range STROKE = new Range(0.001, 1, "m");
   private static final Range TIME = new Range(0.01, 60, "s");
   private static final Range POSITION = new Range(-10, 10, "m");
@@ -40,7 +42,7 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   /** Where a lamp is at first that is to be seen. */
   private static final Pose FIRST_LAMP = new Pose(0.5, -0.5, 0.5, 0, 0, 0);
 
-  private static final String COUNTED = "how many there are";
+  private static final String COUNTED = text("countHelp");
   private static final Range COUNT = new Range(0, 1000, "");
   private static final double FIRST_COUNT = 16;
   private static final Range PORT = new Range(1024, 65_535, "");
@@ -48,138 +50,127 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   /** All kinds, as documentation lists them. */
   public static final List<DeviceKind> ALL =
       List.of(
-          twoFinger("two-finger", "Two-finger gripper", "a socket to 127.0.0.1:63352", true),
-          twoFinger(
-              "two-finger-tool",
-              "Two-finger gripper by Modbus RTU",
-              "Modbus RTU on the serial line of the tool",
-              false),
-          procedures("rg", "Gripper rg, 110 mm", DeviceSetup.RpcGripper.RG_STROKE_M),
-          procedures("2fg", "Gripper 2fg, 39 mm", DeviceSetup.RpcGripper.TWO_FG_STROKE_M),
+          twoFinger("two-finger", text("twoFingerTitle"), text("reachedSocket"), true),
+          twoFinger("two-finger-tool", text("twoFingerToolTitle"), text("reachedToolLine"), false),
+          procedures("rg", text("rgTitle"), DeviceSetup.RpcGripper.RG_STROKE_M),
+          procedures("2fg", text("twoFgTitle"), DeviceSetup.RpcGripper.TWO_FG_STROKE_M),
           new DeviceKind(
               "gripper",
-              "Gripper driven by outputs",
+              text("drivenTitle"),
               SIGNALS,
               List.of(
                   close(),
                   open(),
                   closed(),
                   opened(),
-                  told("gripped", "Gripped", "the input that tells that it holds something"),
-                  amount("stroke", "Stroke", "how far it opens", STROKE, 0.05),
-                  time("from end to end", 0.2),
+                  told("gripped", text("gripped"), text("holdsHelp")),
+                  amount("stroke", text("stroke"), text("strokeHelp"), STROKE, 0.05),
+                  time(text("endToEndHelp"), 0.2),
                   part(STROKE.most()),
                   fingers())),
           new DeviceKind(
               "vacuum",
-              "Vacuum gripper",
+              text("vacuumTitle"),
               SIGNALS,
               List.of(
-                  new DeviceField.Wire("suck", "Suck", "the output that sucks", false, true),
-                  told("holds", "Holds", "the input that tells that it holds something"),
-                  time("in which the vacuum builds up, and goes", 0.15),
-                  new DeviceField.Flag("part", "Part", "there is a part to hold", false),
+                  new DeviceField.Wire("suck", text("suck"), text("suckHelp"), false, true),
+                  told("holds", text("holds"), text("holdsHelp")),
+                  time(text("vacuumTimeHelp"), 0.15),
+                  new DeviceField.Flag("part", text("part"), text("partThereHelp"), false),
                   cup())),
           new DeviceKind(
               "door",
-              "Door",
+              text("doorTitle"),
               SIGNALS,
-              List.of(close(), open(), closed(), opened(), time("from end to end", 2), leaf())),
+              List.of(close(), open(), closed(), opened(), time(text("endToEndHelp"), 2), leaf())),
           sensor(
               "light-barrier",
-              "Light barrier",
-              place("from", "From", "one end of the beam"),
-              place("to", "To", "the other end of the beam"),
-              amount("radius", "Radius", "how near to the beam is seen", DISTANCE, 0.01)),
+              text("lightBarrierTitle"),
+              place("from", text("from"), text("beamFromHelp")),
+              place("to", text("to"), text("beamToHelp")),
+              amount("radius", text("radius"), text("beamRadiusHelp"), DISTANCE, 0.01)),
           sensor(
               "proximity",
-              "Proximity sensor",
-              place("at", "At", "where it is"),
-              wanted("range", "Range", "how near is seen", DISTANCE)),
+              text("proximityTitle"),
+              place("at", text("at"), text("whereItIsHelp")),
+              wanted("range", text("range"), text("rangeHelp"), DISTANCE)),
           sensor(
               "area",
-              "Watched area",
-              place("min", "Least", "the corner with the least numbers"),
-              place("max", "Greatest", "the corner with the greatest numbers")),
-          pressed("limit-switch", "Limit switch"),
-          pressed("button", "Button"),
+              text("areaTitle"),
+              place("min", text("least"), text("leastHelp")),
+              place("max", text("greatest"), text("greatestHelp"))),
+          pressed("limit-switch", text("limitSwitchTitle")),
+          pressed("button", text("buttonTitle")),
           new DeviceKind(
               "lamp",
-              "Lamp",
-              "an output",
+              text("lampTitle"),
+              text("reachedOutput"),
               List.of(
-                  new DeviceField.Wire("signal", "Signal", "that it shows", false, true),
+                  new DeviceField.Wire(
+                      "signal", text("signal"), text("lampSignalHelp"), false, true),
                   new DeviceField.Spot(
                       "at",
-                      "At",
-                      "where it is, to be seen",
-                      "Not seen in 3D",
+                      text("at"),
+                      text("lampPlaceHelp"),
+                      text("lampWithoutPlace"),
                       FIRST_LAMP,
                       POSITION,
                       ROTATION))),
           new DeviceKind(
               "belt",
-              "Belt",
-              "an output, and an encoder",
+              text("beltTitle"),
+              text("reachedOutputAndEncoder"),
               List.of(
-                  new DeviceField.Subject(
-                      "object", "Box", "whose surface runs along its own x", false),
-                  wanted("speed", "Speed", "while it runs", new Range(-2, 2, "m/s")),
+                  new DeviceField.Subject("object", text("box"), text("beltBoxHelp"), false),
+                  wanted("speed", text("speed"), text("beltSpeedHelp"), new Range(-2, 2, "m/s")),
                   amount(
                       "acceleration",
-                      "Acceleration",
-                      "with which it starts and stops",
+                      text("acceleration"),
+                      text("beltAccelerationHelp"),
                       new Range(0.01, 100, "m/s^2"),
                       1),
-                  new DeviceField.Wire(
-                      "run",
-                      "Run",
-                      "the output that has it run; without one it always does",
-                      false,
-                      false),
+                  new DeviceField.Wire("run", text("run"), text("beltRunHelp"), false, false),
                   optional(
                       "encoder",
-                      "Encoder",
-                      "the one that it turns",
+                      text("encoder"),
+                      text("encoderHelp"),
                       new Range(0, 1, ""),
                       true,
-                      "none"),
+                      text("withoutNone")),
                   optional(
                       "ticks",
-                      "Ticks per m",
-                      "of the encoder",
+                      text("ticksPerMetre"),
+                      text("ticksHelp"),
                       new Range(1, 100_000, "ticks/m"),
                       false,
-                      "none"))),
+                      text("withoutNone")))),
           new DeviceKind(
               "source",
-              "Source of parts",
-              "an output",
+              text("sourceTitle"),
+              text("reachedOutput"),
               List.of(
-                  new DeviceField.Subject(
-                      "object", "Part", "another one like it comes where it was at first", true),
+                  new DeviceField.Subject("object", text("part"), text("sourcePartHelp"), true),
                   optional(
                       "every",
-                      "Every",
-                      "how often",
+                      text("every"),
+                      text("everyHelp"),
                       new Range(0.01, 3600, "s"),
                       false,
-                      "not by time"),
-                  new DeviceField.Wire(
-                      "when", "When", "the output that has one come when it rises", false, false),
+                      text("notByTime")),
+                  new DeviceField.Wire("when", text("when"), text("whenHelp"), false, false),
                   whole(
                       "count",
-                      "Count",
-                      "how many there are at most, the object itself among them",
+                      text("count"),
+                      text("sourceCountHelp"),
                       new Range(1, MAX_PARTS, ""),
                       10))),
           new DeviceKind(
               "sink",
-              "Sink of parts",
+              text("sinkTitle"),
               "",
               List.of(
-                  place("min", "Least", "the corner with the least numbers"),
-                  place("max", "Greatest", "the corner with the greatest numbers"))),
+                  place("min", text("least"), text("leastHelp")),
+                  place("max", text("greatest"), text("greatestHelp")))),
           camera(),
           modbus(),
           ethernetIp(),
@@ -212,159 +203,156 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
         title,
         reached,
         List.of(
-            new DeviceField.Flag(
-                "activated", "Activated", "it was activated before programs begin", activated),
+            new DeviceField.Flag("activated", text("activated"), text("activatedHelp"), activated),
             part(DeviceSetup.TwoFinger.STROKE_M),
             fingers()));
   }
 
   private static DeviceKind procedures(String type, String title, double strokeM) {
     return new DeviceKind(
-        type, title, "XML-RPC at http://localhost:41414", List.of(part(strokeM), fingers()));
+        type, title, text("reachedProcedures"), List.of(part(strokeM), fingers()));
   }
 
   private static DeviceKind camera() {
     return new DeviceKind(
         "camera",
-        "Camera",
-        "a socket and XML-RPC at its ports",
+        text("cameraTitle"),
+        text("reachedSocketAndProcedures"),
         List.of(
-            place("min", "Least", "the corner of its view with the least numbers"),
-            place("max", "Greatest", "the corner of its view with the greatest numbers"),
-            new DeviceField.Subjects(
-                "objects", "Objects", "the names of those that it knows", MAX_NAMES),
+            place("min", text("least"), text("viewLeastHelp")),
+            place("max", text("greatest"), text("viewGreatestHelp")),
+            new DeviceField.Subjects("objects", text("objects"), text("objectsHelp"), MAX_NAMES),
             new DeviceField.Spot(
                 "at",
-                "At",
-                "where it is, if it tells poses in its own frame",
-                "Poses in the base frame",
+                text("at"),
+                text("cameraPlaceHelp"),
+                text("cameraWithoutPlace"),
                 FIRST_CAMERA,
                 POSITION,
                 ROTATION),
-            new DeviceField.Flag(
-                "occlusion", "Occlusion", "it does not see what others hide from there", false),
-            whole("port", "Port", "of its socket", PORT, 50_100),
-            whole("rpc", "XML-RPC port", "of its procedures", PORT, 50_101),
-            amount(
-                "noise", "Noise", "standard deviation along each axis", new Range(0, 0.1, "m"), 0),
+            new DeviceField.Flag("occlusion", text("occlusion"), text("occlusionHelp"), false),
+            whole("port", text("port"), text("socketPortHelp"), PORT, 50_100),
+            whole("rpc", text("proceduresPort"), text("proceduresPortHelp"), PORT, 50_101),
+            amount("noise", text("noise"), text("noiseHelp"), new Range(0, 0.1, "m"), 0),
             amount(
                 "turn_noise",
-                "Noise of turns",
-                "standard deviation about each axis",
+                text("noiseOfTurns"),
+                text("turnNoiseHelp"),
                 new Range(0, 0.5, "rad"),
                 0),
-            whole("seed", "Seed", "of the noise", new Range(0, 1_000_000, ""), 0)));
+            whole("seed", text("seed"), text("seedHelp"), new Range(0, 1_000_000, ""), 0)));
   }
 
   private static DeviceKind modbus() {
     return new DeviceKind(
         "modbus",
-        "PLC by Modbus",
-        "Modbus signals at its address",
+        text("modbusTitle"),
+        text("reachedModbus"),
         List.of(
             new DeviceField.Words(
-                "address",
-                "Address",
-                "host, or host:port, by which programs reach it",
-                "192.168.0.20",
-                true),
+                "address", text("address"), text("addressHelp"), "192.168.0.20", true),
             optional(
                 "unit",
-                "Unit",
-                "that it answers to, all of them without",
+                text("unit"),
+                text("unitHelp"),
                 new Range(0, 255, ""),
                 true,
-                "all"),
-            whole("coils", "Coils", COUNTED, COUNT, FIRST_COUNT),
-            whole("inputs", "Inputs", COUNTED, COUNT, FIRST_COUNT),
-            whole("registers", "Registers", COUNTED, COUNT, FIRST_COUNT),
-            whole("input_registers", "Input registers", COUNTED, COUNT, FIRST_COUNT),
-            whole("first", "First address", "of each of these", new Range(0, 65_535, ""), 0),
+                text("allUnits")),
+            whole("coils", text("coils"), COUNTED, COUNT, FIRST_COUNT),
+            whole("inputs", text("inputs"), COUNTED, COUNT, FIRST_COUNT),
+            whole("registers", text("registers"), COUNTED, COUNT, FIRST_COUNT),
+            whole("input_registers", text("inputRegisters"), COUNTED, COUNT, FIRST_COUNT),
+            whole(
+                "first",
+                text("firstAddress"),
+                text("firstAddressHelp"),
+                new Range(0, 65_535, ""),
+                0),
             new DeviceField.Values(
-                "values", "Values", "what is not 0 at first", "register[3] = 17, coil[0] = 1"),
+                "values",
+                text("values"),
+                text("modbusValuesHelp"),
+                "register[3] = 17, coil[0] = 1"),
             optional(
-                "port",
-                "Port",
-                "of this controller where other computers reach it",
-                PORT,
-                true,
-                "none")));
+                "port", text("port"), text("modbusPortHelp"), PORT, true, text("withoutNone"))));
   }
 
   private static DeviceKind ethernetIp() {
     return new DeviceKind(
         "ethernetip",
-        "PLC by EtherNet/IP",
-        "registers",
+        text("ethernetIpTitle"),
+        text("reachedRegisters"),
         List.of(
             amount(
                 "interval",
-                "Interval",
-                "between two packets, each way",
+                text("interval"),
+                text("intervalHelp"),
                 new Range(0.002, 10, "s"),
                 DeviceSetup.EthernetIp.INTERVAL_S),
             new DeviceField.Values(
                 "values",
-                "Values",
-                "what it writes at first that is not 0",
+                text("values"),
+                text("ethernetIpValuesHelp"),
                 "input_integer_register[3] = 17")));
   }
 
   private static DeviceKind rail() {
     return new DeviceKind(
         "rail",
-        "Rail",
-        "inputs",
+        text("railTitle"),
+        text("reachedInputs"),
         List.of(
-            new DeviceField.Subject("object", "Object", "which goes along it", true),
+            new DeviceField.Subject("object", text("object"), text("railObjectHelp"), true),
             new DeviceField.Direction(
-                "along",
-                "Along",
-                "direction from where the object is at first",
-                new Range(-10, 10, "")),
-            wanted("travel", "Travel", "how far the object goes", DISTANCE),
+                "along", text("along"), text("alongHelp"), new Range(-10, 10, "")),
+            wanted("travel", text("travel"), text("travelHelp"), DISTANCE),
             amount(
-                "friction", "Friction", "what it takes to move it", new Range(0, 10_000, "N"), 5),
-            amount("damping", "Damping", "force for each m/s", new Range(0, 100_000, "N s/m"), 0),
-            told("closed", "Closed", "the input of the switch where it is at first"),
-            told("opened", "Opened", "the input of the switch at the other end")));
+                "friction",
+                text("friction"),
+                text("railFrictionHelp"),
+                new Range(0, 10_000, "N"),
+                5),
+            amount(
+                "damping", text("damping"), text("dampingHelp"), new Range(0, 100_000, "N s/m"), 0),
+            told("closed", text("closed"), text("railClosedHelp")),
+            told("opened", text("opened"), text("railOpenedHelp"))));
   }
 
   private static DeviceField leaf() {
-    DeviceField object =
-        new DeviceField.Subject("object", "Object", "which stands open at first", true);
+    DeviceField object = new DeviceField.Subject("object", text("object"), text("leafHelp"), true);
     return new DeviceField.Choice(
-        "Moves",
-        "what it moves in the scene",
+        text("moves"),
+        text("movesHelp"),
         List.of(
-            new DeviceField.Choice.Way("nothing", "", List.of()),
+            new DeviceField.Choice.Way(text("movesNothing"), "", List.of()),
             new DeviceField.Choice.Way(
-                "an object that slides",
+                text("movesSliding"),
                 "slides",
                 List.of(
                     object,
-                    new DeviceField.Direction("slides", "Slides", "from open to closed", POSITION),
+                    new DeviceField.Direction(
+                        "slides", text("slides"), text("slidesHelp"), POSITION),
                     amount(
                         "force",
-                        "Force",
-                        "with which it moves at most",
+                        text("force"),
+                        text("leafForceHelp"),
                         new Range(1, 10_000, "N"),
                         150))),
             new DeviceField.Choice.Way(
-                "an object that turns",
+                text("movesTurning"),
                 "turns",
                 List.of(
                     object,
-                    place("hinge", "Hinge", "a point on its line"),
+                    place("hinge", text("hinge"), text("hingeHelp")),
                     new DeviceField.Direction(
                         "turns",
-                        "Turns",
-                        "from open to closed, as a rotation vector",
+                        text("turns"),
+                        text("turnsHelp"),
                         new Range(-Math.PI, Math.PI, "rad")),
                     amount(
                         "torque",
-                        "Torque",
-                        "with which it turns at most",
+                        text("torque"),
+                        text("leafTorqueHelp"),
                         new Range(0.1, 10_000, "Nm"),
                         50)))));
   }
@@ -373,48 +361,43 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
     return new DeviceKind(
         type,
         title,
-        "an input",
+        text("reachedInput"),
         List.of(
-            new DeviceField.Wire("signal", "Signal", "the input that it sets", true, true),
-            new DeviceField.Flag(
-                "inverted", "Inverted", "the input is high while nothing presses it", false),
-            place("min", "Least", "the corner with the least numbers"),
-            place("max", "Greatest", "the corner with the greatest numbers")));
+            new DeviceField.Wire("signal", text("signal"), text("sensorSignalHelp"), true, true),
+            new DeviceField.Flag("inverted", text("inverted"), text("pressedInvertedHelp"), false),
+            place("min", text("least"), text("leastHelp")),
+            place("max", text("greatest"), text("greatestHelp"))));
   }
 
   private static DeviceKind sensor(String type, String title, DeviceField... zone) {
     return new DeviceKind(
         type,
         title,
-        "an input",
+        text("reachedInput"),
         Stream.concat(
                 Stream.of(
-                    new DeviceField.Wire("signal", "Signal", "the input that it sets", true, true),
+                    new DeviceField.Wire(
+                        "signal", text("signal"), text("sensorSignalHelp"), true, true),
                     new DeviceField.Flag(
-                        "inverted", "Inverted", "the input is high while it sees nothing", false)),
+                        "inverted", text("inverted"), text("sensorInvertedHelp"), false)),
                 Stream.of(zone))
             .toList());
   }
 
   private static DeviceField close() {
-    return new DeviceField.Wire("close", "Close", "the output that closes it", false, true);
+    return new DeviceField.Wire("close", text("close"), text("closeHelp"), false, true);
   }
 
   private static DeviceField open() {
-    return new DeviceField.Wire(
-        "open",
-        "Open",
-        "the output that opens it; without one it opens while the other is low",
-        false,
-        false);
+    return new DeviceField.Wire("open", text("open"), text("openHelp"), false, false);
   }
 
   private static DeviceField closed() {
-    return told("closed", "Closed", "the input of the end switch there");
+    return told("closed", text("closed"), text("endSwitchHelp"));
   }
 
   private static DeviceField opened() {
-    return told("opened", "Opened", "the input of the end switch there");
+    return told("opened", text("opened"), text("endSwitchHelp"));
   }
 
   private static DeviceField told(String key, String title, String help) {
@@ -422,23 +405,27 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
   }
 
   private static DeviceField time(String help, double standingS) {
-    return amount("time", "Time", help, TIME, standingS);
+    return amount("time", text("time"), help, TIME, standingS);
   }
 
   private static DeviceField fingers() {
     GripperSetup.Grip.Pads plain = GripperSetup.Grip.Pads.DEFAULT;
     return new DeviceField.Group(
         "fingers",
-        "Fingertips",
-        "what grips objects that move",
+        text("fingertips"),
+        text("gripHelp"),
         List.of(
-            spot("middle between the fingertips"),
+            spot(text("fingersSpotHelp")),
             amount(
-                "width", "Width", "of the pads, along x", GripperSetup.Grip.LENGTH, plain.widthM()),
+                "width",
+                text("width"),
+                text("padWidthHelp"),
+                GripperSetup.Grip.LENGTH,
+                plain.widthM()),
             amount(
                 "length",
-                "Length",
-                "of the pads, along z",
+                text("length"),
+                text("padLengthHelp"),
                 GripperSetup.Grip.LENGTH,
                 plain.lengthM()),
             friction()));
@@ -448,41 +435,47 @@ public record DeviceKind(String type, String title, String reached, List<DeviceF
     GripperSetup.Grip.Cup plain = GripperSetup.Grip.Cup.DEFAULT;
     return new DeviceField.Group(
         "cup",
-        "Cup",
-        "what grips objects that move",
+        text("cup"),
+        text("gripHelp"),
         List.of(
-            spot("middle of its lip"),
-            amount("radius", "Radius", "of its lip", GripperSetup.Grip.LENGTH, plain.radiusM()),
+            spot(text("cupSpotHelp")),
+            amount(
+                "radius",
+                text("radius"),
+                text("lipRadiusHelp"),
+                GripperSetup.Grip.LENGTH,
+                plain.radiusM()),
             amount(
                 "reach",
-                "Reach",
-                "how far from it a surface may be",
+                text("reach"),
+                text("reachHelp"),
                 GripperSetup.Grip.LENGTH,
                 plain.reachM()),
             amount(
-                "force", "Force", "with which it holds", GripperSetup.Grip.FORCE, plain.forceN()),
+                "force",
+                text("force"),
+                text("holdForceHelp"),
+                GripperSetup.Grip.FORCE,
+                plain.forceN()),
             friction()));
   }
 
-  private static DeviceField spot(String what) {
+  private static DeviceField spot(String help) {
     return new DeviceField.Spot(
-        "at",
-        "At",
-        what + ", in the flange: z goes on, fingers close along y",
-        "At the active TCP",
-        FIRST_HAND,
-        SPOT,
-        ROTATION);
+        "at", text("at"), help, text("spotWithoutPlace"), FIRST_HAND, SPOT, ROTATION);
   }
 
   private static DeviceField friction() {
     return amount(
-        "friction", "Friction", "coefficient", GripperSetup.FRICTION, GripperSetup.RUBBER);
+        "friction",
+        text("friction"),
+        text("coefficient"),
+        GripperSetup.FRICTION,
+        GripperSetup.RUBBER);
   }
 
   private static DeviceField part(double maxPartWidthM) {
-    return amount(
-        "part", "Part", "width of a part between the fingers", new Range(0, maxPartWidthM, "m"), 0);
+    return amount("part", text("part"), text("partWidthHelp"), new Range(0, maxPartWidthM, "m"), 0);
   }
 
   private static DeviceField amount(

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.models.json.Json;
@@ -28,12 +30,7 @@ final class DeviceOwner {
       Json.Text name = device.text(KEY);
       if (!controllers.contains(name.value())) {
         throw name.place()
-            .refusal(
-                KEY
-                    + " is "
-                    + name.described()
-                    + ", must be one of "
-                    + String.join(", ", controllers));
+            .refusal(text("mustBeOneOf", KEY, name.described(), String.join(", ", controllers)));
       }
       return controllers.indexOf(name.value());
     }

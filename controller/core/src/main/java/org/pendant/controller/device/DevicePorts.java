@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,15 +21,16 @@ final class DevicePorts {
   /** The port in a field, which is this device's from now on. */
   int take(String name, FieldReader fields, String key) throws JsonException {
     int port = (int) fields.number(key);
-    String owner = TAKEN.contains(port) ? "the controller" : owners.putIfAbsent(port, name);
+    String owner = TAKEN.contains(port) ? "" : owners.putIfAbsent(port, name);
     if (owner != null) {
+      String why =
+          owner.isEmpty()
+              ? text("portOfController", key, port)
+              : owner.equals(name)
+                  ? text("portOfOther", key, port)
+                  : text("portTaken", key, port, owner);
       throw (fields.has(key) ? fields.all().required(key).place() : fields.all().place())
-          .refusal(
-              key
-                  + " is "
-                  + port
-                  + (owner.equals(name) ? " as the other" : ", which " + owner + " has")
-                  + ", must be another");
+          .refusal(why);
     }
     return port;
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.external.Pending;
@@ -31,8 +33,7 @@ record DeviceProcedures(List<CellDevice> devices) implements RpcLink {
     }
     throw new ScriptError(
         "no-such-procedure",
-        "no such procedure of "
-            + String.join(", ", devices.stream().map(CellDevice::name).toList()));
+        text("noProcedure", String.join(", ", devices.stream().map(CellDevice::name).toList())));
   }
 
   @Override

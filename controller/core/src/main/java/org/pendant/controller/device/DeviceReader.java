@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -54,7 +56,7 @@ public final class DeviceReader {
       for (Json each : all) {
         DeviceKind kind = kind(each);
         if (kind.wired() == wired) {
-          int owner = DeviceOwner.of(new JsonFields(each, "a device"), kind, controllers);
+          int owner = DeviceOwner.of(new JsonFields(each, text("aDevice")), kind, controllers);
           read.put(each, new OwnedDevice(owner, reader.device(kind, each), each.place()));
         }
       }
@@ -63,19 +65,18 @@ public final class DeviceReader {
   }
 
   private static DeviceKind kind(Json device) throws JsonException {
-    Json.Text type = new JsonFields(device, "a device").text("type");
+    Json.Text type = new JsonFields(device, text("aDevice")).text("type");
     return DeviceKind.of(type.value()).orElseThrow(() -> unknown(type));
   }
 
   private DeviceSetup device(DeviceKind kind, Json value) throws JsonException {
     DeviceSetup device = setup(kind, value);
     if (!device.signals().isEmpty()) {
-      JsonFields fields = new JsonFields(value, "a device");
+      JsonFields fields = new JsonFields(value, text("aDevice"));
       Json.Text name = fields.text(fields.optional("name").isPresent() ? "name" : "type");
       try {
         if (controllers.contains(device.name())) {
-          throw new IllegalArgumentException(
-              "is " + name.described() + ", must not be that of a controller: it has signals");
+          throw name.place().refusal(text("nameOfController", name.described()));
         }
         signals.add(device.name(), device.signals());
       } catch (IllegalArgumentException e) {
@@ -171,30 +172,22 @@ public final class DeviceReader {
     List<String> all = DeviceKind.ALL.stream().map(DeviceKind::type).toList();
     return type.place()
         .refusal(
-            "type is "
-                + type.described()
-                + ", must be "
-                + String.join(", ", all.subList(0, all.size() - 1))
-                + " or "
-                + all.getLast());
+            text(
+                "unknownType",
+                type.described(),
+                String.join(", ", all.subList(0, all.size() - 1)),
+                all.getLast()));
   }
 
   /** The name of a device: its type where it has none. */
   private String name(JsonFields fields) throws JsonException {
     Json.Text name = fields.text(fields.optional("name").isPresent() ? "name" : "type");
     if (name.value().isBlank() || name.value().length() > MAX_NAME) {
-      throw name.place()
-          .refusal("name is " + name.described() + ", must have 1 to " + MAX_NAME + " letters");
+      throw name.place().refusal(text("nameLength", name.described(), MAX_NAME));
     }
     FilePosition first = places.putIfAbsent(name.value(), name.place());
     if (first != null) {
-      throw name.place()
-          .refusal(
-              "name is "
-                  + name.described()
-                  + " as in line "
-                  + first.line()
-                  + ", must be another for each device");
+      throw name.place().refusal(text("nameTwice", name.described(), first.line()));
     }
     return name.value();
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.wire.SignalLine;
 import org.pendant.controller.wire.SignalLines;
@@ -35,7 +37,7 @@ final class DoorDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "door";
+    return text("door");
   }
 
   @Override
@@ -55,11 +57,10 @@ final class DoorDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "door"
-        + setup.leaf().map(leaf -> " with the leaf " + leaf.object()).orElse("")
-        + " that "
-        + setup.close()
-        + " closes";
+    return setup
+        .leaf()
+        .map(leaf -> text("doorWithLeaf", leaf.object(), setup.close()))
+        .orElseGet(() -> text("doorOf", setup.close()));
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.device.gripper.DrivenFingers;
 import org.pendant.controller.device.gripper.Fingers;
@@ -38,7 +40,7 @@ final class DrivenDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "gripper";
+    return text("gripper");
   }
 
   @Override
@@ -53,7 +55,7 @@ final class DrivenDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "gripper that " + setup.close() + " closes";
+    return text("drivenGripper", setup.close());
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -85,10 +87,7 @@ final class FieldReader {
             ? fields.number(key, range, amount.standing().getAsDouble())
             : fields.number(key, range);
     if (amount.whole() && number != Math.rint(number)) {
-      throw fields
-          .required(key)
-          .place()
-          .refusal(key + " is " + Range.number(number) + ", must be a whole number");
+      throw fields.required(key).place().refusal(text("mustBeWhole", key, Range.number(number)));
     }
     return number;
   }
@@ -105,7 +104,7 @@ final class FieldReader {
       return Map.of();
     }
     if (!(value instanceof Json.Members members)) {
-      throw JsonFields.wrong(key, value, "an object of numbers");
+      throw JsonFields.wrong(key, value, text("objectOfNumbers"));
     }
     Map<String, Json> values = new LinkedHashMap<>();
     members.byKey().forEach((name, member) -> values.put(name, member.value()));
@@ -150,11 +149,7 @@ final class FieldReader {
     Zone.Place min = place(least);
     Zone.Place max = place(greatest);
     if (max.x() < min.x() || max.y() < min.y() || max.z() < min.z()) {
-      throw fields
-          .required(greatest)
-          .place()
-          .refusal(
-              greatest + " has a number that is less than that of " + least + ", must have none");
+      throw fields.required(greatest).place().refusal(text("areaOrder", greatest, least));
     }
     return new Zone.Area(min, max);
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.world.GripperSetup;
 import org.pendant.models.json.JsonException;
@@ -20,7 +22,7 @@ final class GripperReader {
 
   /** The cup of a vacuum gripper. */
   static Optional<GripperSetup> cup(FieldReader gripper) throws JsonException {
-    FieldReader fields = gripper.group("cup", "a cup");
+    FieldReader fields = gripper.group("cup", text("aCup"));
     return Optional.of(
         new GripperSetup(
             fields.spot("at"),

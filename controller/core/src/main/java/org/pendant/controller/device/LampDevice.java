@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import org.pendant.controller.wire.SignalLine;
 import org.pendant.controller.wire.SignalLines;
 
@@ -21,7 +23,7 @@ final class LampDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "lamp";
+    return text("lamp");
   }
 
   @Override
@@ -31,7 +33,7 @@ final class LampDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "lamp at " + setup.signal();
+    return text("lampAt", setup.signal());
   }
 
   @Override

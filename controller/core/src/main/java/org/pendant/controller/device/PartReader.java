@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -48,7 +50,7 @@ final class PartReader {
   static PartReader of(JsonFields scene) throws JsonException {
     PartReader reader = new PartReader();
     for (Json each : scene.array("objects", MAX_OBJECTS)) {
-      JsonFields fields = new JsonFields(each, "an object of the scene");
+      JsonFields fields = new JsonFields(each, text("sceneObject"));
       Kind kind =
           hasMass(fields)
               ? Kind.WITH_MASS
@@ -63,7 +65,7 @@ final class PartReader {
       return true;
     }
     for (Json each : object.array("parts", BodyShape.Compound.MAX_PARTS)) {
-      if (hasMass(new JsonFields(each, "a part"))) {
+      if (hasMass(new JsonFields(each, text("aPart")))) {
         return true;
       }
     }
@@ -87,18 +89,16 @@ final class PartReader {
     Optional<CellSignal> when = fields.wire("when");
     FilePosition place = fields.all().place();
     if (!timed && when.isEmpty()) {
-      throw place.refusal("a source has neither every nor when, must have one");
+      throw place.refusal(text("sourceWithoutCause"));
     }
     int parts = (int) fields.number("count");
     count += parts;
     if (count > DeviceKind.MAX_PARTS) {
-      throw place.refusal(
-          "sources have " + count + " parts together, must be at most " + DeviceKind.MAX_PARTS);
+      throw place.refusal(text("tooManyParts", count, DeviceKind.MAX_PARTS));
     }
     String object = object(fields, Kind.WITH_MASS);
     if (guided.contains(object)) {
-      throw place.refusal(
-          "object is " + Json.quoted(object) + ", which a rail or a door guides already");
+      throw place.refusal(text("objectGuided", Json.quoted(object)));
     }
     sourced.add(object);
     return new DeviceSetup.Source(name, object, timed ? fields.number("every") : 0, when, parts);
@@ -130,7 +130,7 @@ final class PartReader {
     if (!fields.has(OBJECT)) {
       for (String key : List.of("slides", "turns", "hinge", "force", "torque")) {
         if (fields.has(key)) {
-          throw all.required(key).place().refusal(key + " is there, and no object that it is of");
+          throw all.required(key).place().refusal(text("fieldWithoutObject", key));
         }
       }
       return Optional.empty();
@@ -138,14 +138,11 @@ final class PartReader {
     if (slides == turns) {
       throw all.required(OBJECT)
           .place()
-          .refusal(
-              "a door with an object must have slides or turns, has " + (slides ? "both" : "none"));
+          .refusal(text(slides ? "doorSlidesAndTurns" : "doorNeitherWay"));
     }
     for (String key : slides ? List.of("hinge", "torque") : List.of("force")) {
       if (fields.has(key)) {
-        throw all.required(key)
-            .place()
-            .refusal(key + " is there, and the door " + (slides ? "slides" : "turns"));
+        throw all.required(key).place().refusal(text(slides ? "doorSlides" : "doorTurns", key));
       }
     }
     String object = guided(fields);
@@ -188,11 +185,10 @@ final class PartReader {
     String object = object(fields, Kind.WITH_MASS);
     Json.Text of = fields.all().text(OBJECT);
     if (sourced.contains(object)) {
-      throw of.place().refusal("object is " + of.described() + ", which a source has");
+      throw of.place().refusal(text("objectOfSource", of.described()));
     }
     if (!guided.add(object)) {
-      throw of.place()
-          .refusal("object is " + of.described() + ", which a rail or a door guides already");
+      throw of.place().refusal(text("objectGuided", of.described()));
     }
     return object;
   }
@@ -206,16 +202,22 @@ final class PartReader {
           .required(key)
           .place()
           .refusal(
-              key
-                  + " is ["
-                  + Range.number(of.x())
-                  + ", "
-                  + Range.number(of.y())
-                  + ", "
-                  + Range.number(of.z())
-                  + "], must have a length of at least "
-                  + MIN_LENGTH
-                  + (most < Double.POSITIVE_INFINITY ? " and at most " + Range.number(most) : ""));
+              most < Double.POSITIVE_INFINITY
+                  ? text(
+                      "lengthRange",
+                      key,
+                      Range.number(of.x()),
+                      Range.number(of.y()),
+                      Range.number(of.z()),
+                      MIN_LENGTH,
+                      Range.number(most))
+                  : text(
+                      "lengthLeast",
+                      key,
+                      Range.number(of.x()),
+                      Range.number(of.y()),
+                      Range.number(of.z()),
+                      MIN_LENGTH));
     }
     return length;
   }
@@ -225,7 +227,7 @@ final class PartReader {
     List<String> names = new ArrayList<>();
     for (Json each : fields.all().array(key, fields.subjects(key).most())) {
       if (!(each instanceof Json.Text name) || objects.get(name.value()) != Kind.WITH_MASS) {
-        throw JsonFields.wrong(key, each, "the name of an object with a mass");
+        throw JsonFields.wrong(key, each, text("nameOfObjectWithMass"));
       }
       names.add(name.value());
     }
@@ -236,11 +238,7 @@ final class PartReader {
     Json.Text name = fields.all().text(OBJECT);
     if (objects.get(name.value()) != kind) {
       throw name.place()
-          .refusal(
-              "object is "
-                  + name.described()
-                  + ", must be the name of "
-                  + fields.subject(OBJECT).kind());
+          .refusal(text("unknownObject", name.described(), fields.subject(OBJECT).kind()));
     }
     return name.value();
   }

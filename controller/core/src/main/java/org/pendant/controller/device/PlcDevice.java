@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -31,7 +33,7 @@ final class PlcDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "Modbus device";
+    return text("modbusDevice");
   }
 
   @Override
@@ -41,9 +43,9 @@ final class PlcDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "Modbus device at "
-        + setup.address()
-        + (setup.unit().isPresent() ? ", unit " + setup.unit().getAsInt() : "");
+    return setup.unit().isPresent()
+        ? text("modbusDeviceUnit", setup.address(), setup.unit().getAsInt())
+        : text("modbusDeviceAt", setup.address());
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -51,15 +53,7 @@ final class PlcReader {
             .all()
             .required(FIRST)
             .place()
-            .refusal(
-                "first is "
-                    + first
-                    + ", must be at most "
-                    + (MAX_ADDRESS + 1 - count)
-                    + " with "
-                    + count
-                    + " "
-                    + each.getValue());
+            .refusal(text("firstRange", first, MAX_ADDRESS + 1 - count, count, each.getValue()));
       }
       counts.put(each.getKey(), count);
     }
@@ -86,19 +80,14 @@ final class PlcReader {
     try {
       address = ModbusAddress.parse(text.value());
     } catch (IllegalArgumentException e) {
-      throw text.place().refusal("address is " + text.described() + ", " + e.getMessage());
+      throw text.place().refusal(text("addressRefused", text.described(), e.getMessage()));
     }
     if (OwnAddress.isHost(address.host()) && DevicePorts.isTaken(address.port())) {
-      throw text.place()
-          .refusal(
-              "address is "
-                  + text.described()
-                  + ", which is the controller itself, must be another, such as 192.168.0.20");
+      throw text.place().refusal(text("addressOfController", text.described()));
     }
     String owner = addresses.putIfAbsent(address, name);
     if (owner != null) {
-      throw text.place()
-          .refusal("address is " + text.described() + ", which " + owner + " has, must be another");
+      throw text.place().refusal(text("addressTaken", text.described(), owner));
     }
     return address;
   }
@@ -118,9 +107,7 @@ final class PlcReader {
       Range range = signals.group(signal).range();
       double number = JsonFields.number(each.getKey(), value, range);
       if (number != Math.rint(number)) {
-        throw value
-            .place()
-            .refusal(each.getKey() + " is " + Range.number(number) + ", must be a whole number");
+        throw value.place().refusal(text("mustBeWhole", each.getKey(), Range.number(number)));
       }
       values.put(signal, (int) number);
     }

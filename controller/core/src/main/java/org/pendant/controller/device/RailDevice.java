@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.cell.BodyGuide;
 import org.pendant.controller.wire.SignalLines;
@@ -28,7 +30,7 @@ final class RailDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "rail";
+    return text("rail");
   }
 
   /** Whether it is not where it was at first. */
@@ -54,7 +56,7 @@ final class RailDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "rail of " + setup.object();
+    return text("railOf", setup.object());
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -33,7 +35,7 @@ final class RpcDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return kind + " gripper";
+    return text("rpcGripper", kind);
   }
 
   @Override
@@ -43,7 +45,7 @@ final class RpcDevice implements CellDevice {
 
   @Override
   public String described() {
-    return kind + " gripper by XML-RPC at http://localhost:" + GripProcedures.PORT;
+    return text("rpcGripperAt", kind, GripProcedures.PORT);
   }
 
   @Override

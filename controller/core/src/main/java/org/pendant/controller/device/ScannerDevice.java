@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.device.plc.AdapterPort;
@@ -20,22 +22,19 @@ final class ScannerDevice implements CellDevice {
   ScannerDevice(DeviceSetup.EthernetIp setup, MessageLog log) {
     this.setup = setup;
     this.log = log;
-    scanner =
-        new AdapterScanner("EtherNet/IP scanner " + setup.name(), setup.intervalS(), this::tell);
+    scanner = new AdapterScanner(text("namedScanner", setup.name()), setup.intervalS(), this::tell);
     setup
         .values()
         .forEach((signal, value) -> scanner.line(signal.group(), signal.index()).set(value));
   }
 
   private void tell(AdapterScanner.Notice notice) {
-    String name = setup.name() + ": ";
+    String name = setup.name();
     switch (notice) {
-      case AdapterScanner.Notice.Connected _ ->
-          log.info(name + "is connected, writes instance 112 and reads 100");
+      case AdapterScanner.Notice.Connected _ -> log.info(text("scannerConnected", name));
       case AdapterScanner.Notice.Refused(String why) ->
-          log.warning(name + "its connection is refused (0x0106): " + why + "; it asks again");
-      case AdapterScanner.Notice.TimedOut _ ->
-          log.warning(name + "timed out: what it has written stays");
+          log.warning(text("scannerRefused", name, why));
+      case AdapterScanner.Notice.TimedOut _ -> log.warning(text("scannerTimedOut", name));
     }
   }
 
@@ -51,7 +50,7 @@ final class ScannerDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "EtherNet/IP scanner";
+    return text("ethernetIpScanner");
   }
 
   @Override
@@ -61,7 +60,7 @@ final class ScannerDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "EtherNet/IP scanner, a packet every " + Range.number(MS * setup.intervalS()) + " ms";
+    return text("scannerAtRate", Range.number(MS * setup.intervalS()));
   }
 
   @Override

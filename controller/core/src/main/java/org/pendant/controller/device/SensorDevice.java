@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.wire.SignalLines;
 
@@ -23,7 +25,7 @@ final class SensorDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "sensor";
+    return text("sensor");
   }
 
   @Override
@@ -33,7 +35,7 @@ final class SensorDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "sensor at " + setup.signal();
+    return text("sensorAt", setup.signal());
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import org.pendant.controller.world.ContactWorld;
 import org.pendant.controller.world.Vector3;
 
@@ -25,7 +27,7 @@ final class SinkDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "sink";
+    return text("sink");
   }
 
   @Override
@@ -35,7 +37,7 @@ final class SinkDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "sink of parts";
+    return text("sinkOfParts");
   }
 
   @Override

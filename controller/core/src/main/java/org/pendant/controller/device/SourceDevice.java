@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.wire.SignalLine;
@@ -36,7 +38,7 @@ final class SourceDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "source";
+    return text("source");
   }
 
   @Override
@@ -46,7 +48,7 @@ final class SourceDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "source of " + setup.count() + " parts as " + setup.object();
+    return text("sourceOf", setup.count(), setup.object());
   }
 
   @Override
@@ -69,8 +71,7 @@ final class SourceDevice implements CellDevice {
       due = false;
     } else if (due && pool.isPresent() && pool.get().empty()) {
       due = false;
-      log.warnOnce(
-          name() + ": all " + setup.count() + " parts are in the cell; the next waits for a sink");
+      log.warnOnce(text("sourceEmpty", name(), setup.count()));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.wire.SignalLines;
 
@@ -27,7 +29,7 @@ final class SwitchDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return setup.kind().equals("button") ? "button" : "limit switch";
+    return setup.kind().equals("button") ? text("button") : text("limitSwitch");
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.device.gripper.AdaptiveGripper;
@@ -39,7 +41,7 @@ final class TwoFingerDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "two-finger gripper";
+    return text("twoFingerGripper");
   }
 
   @Override
@@ -49,11 +51,10 @@ final class TwoFingerDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "two-finger gripper "
-        + (atTool
-            ? "by Modbus RTU on the tool's line, 127.0.0.1:" + RtuLine.PORT
-            : "at 127.0.0.1:" + GripperLines.PORT)
-        + (gripper.active() ? ", activated" : ", not activated");
+    boolean active = gripper.active();
+    return atTool
+        ? text(active ? "twoFingerAtTool" : "twoFingerAtToolNotActivated", RtuLine.PORT)
+        : text(active ? "twoFingerAtSocket" : "twoFingerAtSocketNotActivated", GripperLines.PORT);
   }
 
   @Override
@@ -71,20 +72,11 @@ final class TwoFingerDevice implements CellDevice {
   private boolean lineIsOn() {
     ToolCommunication line = signals.tool().communication();
     if (!line.enabled()) {
-      log.warnOnce(
-          name + ": the tool's line is off; set_tool_communication(True, ...) turns it on");
+      log.warnOnce(text("toolLineOff", name));
       return false;
     }
     if (line.baudRate() != BAUD || line.parity() != ToolCommunication.Parity.NONE) {
-      log.warnOnce(
-          name
-              + ": the tool's line has "
-              + line.baudRate()
-              + " baud and parity "
-              + line.parity().number()
-              + ", must have "
-              + BAUD
-              + " and 0");
+      log.warnOnce(text("toolLineSettings", name, line.baudRate(), line.parity().number(), BAUD));
       return false;
     }
     return true;

@@ -1,5 +1,7 @@
 package org.pendant.controller.device;
 
+import static org.pendant.controller.device.DeviceTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.message.MessageLog;
 import org.pendant.controller.wire.SignalLine;
@@ -37,7 +39,7 @@ final class VacuumDevice implements CellDevice {
 
   @Override
   public String kind() {
-    return "vacuum gripper";
+    return text("vacuumGripper");
   }
 
   @Override
@@ -57,7 +59,7 @@ final class VacuumDevice implements CellDevice {
 
   @Override
   public String described() {
-    return "vacuum gripper that " + setup.suck() + " works";
+    return text("vacuumGripperOf", setup.suck());
   }
 
   @Override
@@ -80,7 +82,7 @@ final class VacuumDevice implements CellDevice {
     boolean now = there && (held ? frames > 0 : sucks && frames >= fullFrames);
     if (now != held) {
       held = now;
-      log.info(setup.name() + (held ? ": part held" : lost ? ": part lost" : ": part let go"));
+      log.info(text(held ? "partHeld" : lost ? "partLost" : "partLetGo", setup.name()));
       work();
     }
     holds.tell(held);

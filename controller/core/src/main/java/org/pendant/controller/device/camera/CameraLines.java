@@ -1,5 +1,7 @@
 package org.pendant.controller.device.camera;
 
+import static org.pendant.controller.device.camera.CameraTexts.text;
+
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
@@ -57,7 +59,7 @@ public final class CameraLines implements DeviceTalk {
     }
     Matcher request = REQUEST.matcher(text);
     if (!request.matches()) {
-      complain.accept("\"" + text + "\": must be GET, GET NUMBER or GET NAME NUMBER");
+      complain.accept(text("badRequest", text));
       return NO;
     }
     List<SeenPart> parts = camera.look(request.group(1) == null ? "" : request.group(1));

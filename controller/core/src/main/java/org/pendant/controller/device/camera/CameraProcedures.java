@@ -1,5 +1,7 @@
 package org.pendant.controller.device.camera;
 
+import static org.pendant.controller.device.camera.CameraTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.script.value.IntValue;
@@ -44,23 +46,19 @@ public final class CameraProcedures {
     if (arguments.size() == 1 && arguments.getFirst() instanceof StringValue name) {
       return name.bytes();
     }
-    throw new ScriptError(WRONG, "takes the name of an object or nothing: look");
+    throw new ScriptError(WRONG, text("takesName"));
   }
 
   private SeenPart part(String method, List<Value> arguments) throws ScriptError {
     if (arguments.size() != 1 || !(arguments.getFirst() instanceof IntValue index)) {
-      throw new ScriptError(WRONG, "takes the number of a part, the first is 0: " + method);
+      throw new ScriptError(WRONG, text("takesNumber", method));
     }
     if (index.value() < 0 || index.value() >= picture.size()) {
       throw new ScriptError(
           WRONG,
-          "number is "
-              + index.value()
-              + ", must be "
-              + (picture.isEmpty()
-                  ? "that of a part, and there is none in the last picture: "
-                  : "0 to " + (picture.size() - 1) + ": ")
-              + method);
+          picture.isEmpty()
+              ? text("noPart", index.value(), method)
+              : text("partRange", index.value(), picture.size() - 1, method));
     }
     return picture.get(index.value());
   }

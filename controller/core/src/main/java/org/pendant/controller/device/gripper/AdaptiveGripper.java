@@ -1,5 +1,7 @@
 package org.pendant.controller.device.gripper;
 
+import static org.pendant.controller.device.gripper.GripperTexts.text;
+
 import java.util.function.Consumer;
 
 /**
@@ -158,13 +160,13 @@ public final class AdaptiveGripper {
     }
     phase = Phase.RELEASES;
     fault = Fault.RELEASE_RUNS;
-    tell.accept("releases by itself; it needs to be activated again");
+    tell.accept(text("releasesItself"));
     fingers.drive(releaseOpens ? STROKE_M : 0, RELEASE_M_PER_S, MIN_FORCE_N);
   }
 
   private void follow() {
     switch (phase) {
-      case RESET -> fault(Fault.NOT_ACTIVATED, "told to move before it was activated (ACT 1)");
+      case RESET -> fault(Fault.NOT_ACTIVATED, "notActivated");
       case OPENS_FIRST, CLOSES, OPENS_AGAIN -> fault = Fault.ACTIVATION_RUNS;
       case READY -> {
         fingers.drive(openingM(position), speedMPerS(speed), forceN(force));
@@ -178,10 +180,10 @@ public final class AdaptiveGripper {
     }
   }
 
-  private void fault(Fault what, String text) {
+  private void fault(Fault what, String key) {
     if (fault != what) {
       fault = what;
-      tell.accept(text + ", fault " + what.number());
+      tell.accept(text(key, what.number()));
     }
   }
 
@@ -312,17 +314,16 @@ public final class AdaptiveGripper {
     if (holds()) {
       tell.accept(gripping(fingers));
     } else if (before == Contact.MET_CLOSING || before == Contact.MET_OPENING) {
-      tell.accept("part lost");
+      tell.accept(text("partLost"));
     }
   }
 
   /** What fingers hold, for people. */
   static String gripping(Fingers fingers) {
-    return (fingers.direction() > 0 ? "part gripped from inside at " : "part gripped at ")
-        + Math.round(1e4 * fingers.openingM()) / 10.0
-        + " mm with "
-        + Math.round(fingers.pressN())
-        + " N";
+    return text(
+        fingers.direction() > 0 ? "grippedFromInside" : "gripped",
+        Math.round(1e4 * fingers.openingM()) / 10.0,
+        Math.round(fingers.pressN()));
   }
 
   /** The opening that a position asks for, m; the stops are at its ends. */

@@ -1,5 +1,7 @@
 package org.pendant.controller.device.gripper;
 
+import static org.pendant.controller.device.gripper.GripperTexts.text;
+
 import java.util.function.Consumer;
 
 /** Driven fingers: those of a simple gripper, or a door, which a valve closes and opens. */
@@ -43,7 +45,7 @@ public final class DrivenFingers {
     boolean now = fingers.pressing();
     if (now != gripped) {
       gripped = now;
-      tell.accept(gripped ? AdaptiveGripper.gripping(fingers) : "part let go");
+      tell.accept(gripped ? AdaptiveGripper.gripping(fingers) : text("partLetGo"));
     }
   }
 }

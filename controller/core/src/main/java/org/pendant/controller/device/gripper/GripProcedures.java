@@ -1,5 +1,7 @@
 package org.pendant.controller.device.gripper;
 
+import static org.pendant.controller.device.gripper.GripperTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -129,20 +131,14 @@ public final class GripProcedures {
 
   private static double number(String method, List<Value> arguments, int index) throws ScriptError {
     if (index >= arguments.size()) {
-      throw new ScriptError(
-          "rpc-arguments", "has " + arguments.size() + " arguments, must have more: " + method);
+      throw new ScriptError("rpc-arguments", text("tooFewArguments", arguments.size(), method));
     }
     return switch (arguments.get(index)) {
       case IntValue whole -> whole.value();
       case FloatValue number when Double.isFinite(number.value()) -> number.value();
       default ->
           throw new ScriptError(
-              "rpc-arguments",
-              "argument "
-                  + (index + 1)
-                  + " is "
-                  + arguments.get(index).text()
-                  + ", must be a number");
+              "rpc-arguments", text("argumentNoNumber", index + 1, arguments.get(index).text()));
     };
   }
 
@@ -152,7 +148,7 @@ public final class GripProcedures {
     boolean now = fingers.pressing() && (gripped || fingers.pressedS() >= AdaptiveGripper.SETTLE_S);
     if (now != gripped) {
       gripped = now;
-      tell.accept(gripped ? AdaptiveGripper.gripping(fingers) : "part let go");
+      tell.accept(gripped ? AdaptiveGripper.gripping(fingers) : text("partLetGo"));
     }
   }
 }

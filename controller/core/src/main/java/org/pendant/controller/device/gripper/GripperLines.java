@@ -75,27 +75,28 @@ public final class GripperLines implements DeviceTalk {
       if (value.isPresent()) {
         return named ? words[1] + " " + value.get() + "\n" : value.get();
       }
-      return no(text, words[1] + " is no variable of this gripper");
+      return no("noVariable", text, words[1]);
     }
     if (words[0].equals("SET") && words.length >= 3 && words.length % 2 == 1) {
       for (int i = 1; i < words.length; i += 2) {
-        Optional<String> wrong = refusal(words[i], words[i + 1]);
+        Optional<String> wrong = refusal(text, words[i], words[i + 1]);
         if (wrong.isPresent()) {
-          return no(text, wrong.get());
+          complain.accept(wrong.get());
+          return NO;
         }
       }
       set(words);
       return "ack";
     }
-    return no(text, "must be SET NAME NUMBER ... or GET NAME");
+    return no("badRequest", text);
   }
 
-  private String no(String text, String why) {
-    complain.accept("\"" + text + "\": " + why);
+  private String no(String key, Object... values) {
+    complain.accept(GripperTexts.text(key, values));
     return NO;
   }
 
-  private static Optional<String> refusal(String name, String text) {
+  private static Optional<String> refusal(String line, String name, String text) {
     int most =
         switch (name) {
           case "ACT", "GTO", "ATR", "ARD", "ADR" -> 1;
@@ -103,12 +104,12 @@ public final class GripperLines implements DeviceTalk {
           default -> -1;
         };
     if (most < 0) {
-      return Optional.of(name + " cannot be set");
+      return Optional.of(GripperTexts.text("cannotBeSet", line, name));
     }
     OptionalInt number = number(text);
     return number.isPresent() && number.getAsInt() >= 0 && number.getAsInt() <= most
         ? Optional.empty()
-        : Optional.of(name + " is " + text + ", must be 0 to " + most);
+        : Optional.of(GripperTexts.text("numberRange", line, name, text, most));
   }
 
   private static OptionalInt number(String text) {
