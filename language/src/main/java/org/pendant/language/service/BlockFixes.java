@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -25,12 +27,13 @@ final class BlockFixes {
     BlockFixes fixes = new BlockFixes(analysis, diagnostic.range().start());
     return switch (diagnostic.code()) {
       case "missing-end" -> fixes.missingEnd();
-      case "missing-colon" -> fixes.behindPrevious("Insert `:`", ":");
-      case "stray-end" -> List.of(fixes.withoutLine("Remove this `end`", diagnostic.range().end()));
+      case "missing-colon" -> fixes.behindPrevious(text("insert", ":"), ":");
+      case "stray-end" ->
+          List.of(fixes.withoutLine(text("removeThisEnd"), diagnostic.range().end()));
       case "trailing-call" ->
-          List.of(fixes.withoutLine("Remove the call", diagnostic.range().end()));
-      case "thread-arguments" -> fixes.emptyBrackets("Remove the arguments");
-      case "thread-parameters" -> fixes.emptyBrackets("Remove the parameters");
+          List.of(fixes.withoutLine(text("removeTheCall"), diagnostic.range().end()));
+      case "thread-arguments" -> fixes.emptyBrackets(text("removeTheArguments"));
+      case "thread-parameters" -> fixes.emptyBrackets(text("removeTheParameters"));
       case "syntax-error" -> fixes.brackets();
       default -> List.of();
     };
@@ -52,8 +55,8 @@ final class BlockFixes {
     }
     String end = analysis.lineEnd() + indentation + "end";
     int lastWord = text.stripTrailing().length();
-    QuickFix below = QuickFix.insert("Insert `end`", endOf(last), end);
-    QuickFix atEnd = QuickFix.insert("Insert `end` at the end of the text", lastWord, end);
+    QuickFix below = QuickFix.insert(text("insert", "end"), endOf(last), end);
+    QuickFix atEnd = QuickFix.insert(text("insertEndAtEnd"), lastWord, end);
     // Nothing stands further in: the text is not indented and says nothing about its blocks.
     return last == line ? List.of(atEnd) : List.of(below, atEnd);
   }
@@ -77,10 +80,10 @@ final class BlockFixes {
     open.ifPresent(
         place -> {
           String close = lexemes.reads(place.opener(), "(") ? ")" : "]";
-          fixes.addAll(behindPrevious("Insert `" + close + "`", close));
+          fixes.addAll(behindPrevious(text("insert", close), close));
         });
     if (lexemes.is(before, Kind.NAME) && lexemes.opensDefinition(before - 1)) {
-      fixes.addAll(behindPrevious("Insert `()`", "()"));
+      fixes.addAll(behindPrevious(text("insert", "()"), "()"));
     }
     return fixes;
   }

@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -99,7 +101,8 @@ public final class GuestExpression {
    * there is none of those that were typed.
    */
   public static String atEnd(String message) {
-    return message.replace("unexpected `)`", "unexpected end of the expression");
+    String bracket = "unexpected `)`";
+    return message.replace(bracket, bracket.replace("`)`", text("endOfExpression")));
   }
 
   /** Whatever would end the condition that it is put into, or is no expression at all. */
@@ -111,25 +114,25 @@ public final class GuestExpression {
         case OPEN -> depth++;
         case CLOSE -> {
           if (--depth < 0) {
-            return wrong(each, "nothing is open that " + lexemes.text(i) + " could close");
+            return wrong(each, text("closesNothing", lexemes.text(i)));
           }
         }
         case ASSIGN -> {
           if (depth == 0) {
-            return wrong(each, "= assigns, expected an expression; == compares");
+            return wrong(each, text("assigns"));
           }
         }
         case OPENER, ALTERNATIVE, END, STATEMENT_WORD, COLON, LABEL -> {
-          return wrong(each, lexemes.text(i) + " is part of a statement, expected an expression");
+          return wrong(each, text("partOfStatement", lexemes.text(i)));
         }
         case COMMENT -> {
-          return wrong(each, "there is a comment, expected an expression alone");
+          return wrong(each, text("comment"));
         }
         default -> {}
       }
     }
     return depth > 0
-        ? wrong(lexemes.get(lexemes.size() - 1), "a bracket is not closed")
+        ? wrong(lexemes.get(lexemes.size() - 1), text("bracketOpen"))
         : Optional.empty();
   }
 

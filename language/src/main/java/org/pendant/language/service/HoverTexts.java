@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -40,9 +42,9 @@ final class HoverTexts {
               .map(signature -> builtin(occurrence, signature))
               .orElseGet(() -> bare(occurrence));
       case Symbol.NamedArgument argument -> argument(occurrence, argument);
-      case Symbol.Member member -> hover(occurrence, "member " + member.name(), List.of());
+      case Symbol.Member member -> hover(occurrence, text("memberNamed", member.name()), List.of());
       case Symbol.Unknown unknown ->
-          hover(occurrence, unknown.name(), List.of("Nothing defines or assigns this name."));
+          hover(occurrence, unknown.name(), List.of(text("undefinedName")));
     };
   }
 
@@ -55,13 +57,13 @@ final class HoverTexts {
     lines.add(signature.documentation());
     signature.parameters().forEach(parameter -> lines.add(parameter.described()));
     if (signature.result() != Type.NONE) {
-      lines.add("Result: " + measured(signature.result(), signature.resultUnit()));
+      lines.add(result(signature.result(), signature.resultUnit()));
     }
     if (!signature.deprecated().isEmpty()) {
-      lines.add("Deprecated: use " + signature.deprecated() + ".");
+      lines.add(text("deprecated", signature.deprecated()));
     }
     if (!signature.section().isEmpty()) {
-      lines.add("Manual " + signature.section());
+      lines.add(text("manual", signature.section()));
     }
     return hover(occurrence, head(signature), lines);
   }
@@ -78,12 +80,14 @@ final class HoverTexts {
             .findFirst();
     return hover(
         occurrence,
-        "parameter " + argument.name() + " of " + argument.function(),
+        text("parameterOf", argument.name(), argument.function()),
         parameter.map(Parameter::described).stream().toList());
   }
 
-  private static String measured(Type type, Unit unit) {
-    return type.text() + (unit == Unit.NONE ? "" : " in " + unit.symbol());
+  private static String result(Type type, Unit unit) {
+    return unit == Unit.NONE
+        ? text("result", type.text())
+        : text("resultIn", type.text(), unit.symbol());
   }
 
   private Hover function(Occurrence occurrence, Symbol.Function function) {
@@ -93,7 +97,7 @@ final class HoverTexts {
     if (!signature.documentation().isEmpty()) {
       lines.add(signature.documentation());
     }
-    lines.add("Defined on line " + analysis.source().line(function.definedAt()) + ".");
+    lines.add(text("definedOnLine", analysis.source().line(function.definedAt())));
     return hover(occurrence, word(definition) + " " + signature.head(), lines);
   }
 
@@ -111,22 +115,22 @@ final class HoverTexts {
         analysis.signatures().of(definition).parameters().stream()
             .filter(other -> other.name().equals(parameter.name()))
             .filter(other -> !other.required())
-            .map(other -> "Default " + other.defaultText() + ".")
+            .map(other -> text("defaultValue", other.defaultText()))
             .toList();
-    return hover(occurrence, "parameter " + parameter.name() + " of " + definition.name(), lines);
+    return hover(occurrence, text("parameterOf", parameter.name(), definition.name()), lines);
   }
 
   private Hover variable(Occurrence occurrence, String head) {
     List<String> lines = new ArrayList<>();
     Type type = type(occurrence);
     if (type != Type.ANY) {
-      lines.add("Holds " + (type == Type.INT ? "an " : "a ") + type.text() + ".");
+      lines.add(text("holds", type.text()));
     }
     analysis
         .index()
         .origin(occurrence.symbol())
         .map(origin -> analysis.source().line(origin.range().start()))
-        .ifPresent(line -> lines.add("First assigned on line " + line + "."));
+        .ifPresent(line -> lines.add(text("firstAssignedOnLine", line)));
     return hover(occurrence, head, lines);
   }
 

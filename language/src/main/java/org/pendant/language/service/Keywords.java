@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -49,7 +51,7 @@ final class Keywords {
 
   static List<Offer> values() {
     List<Offer> offers = new ArrayList<>(VALUES.stream().map(Offer::word).toList());
-    offers.add(new Offer("run", "starts a thread", "run |"));
+    offers.add(new Offer("run", text("startsThread"), "run |"));
     return offers;
   }
 
@@ -61,16 +63,16 @@ final class Keywords {
   static List<Offer> statements(Lexemes lexemes, int offset) {
     Deque<String> open = openBlocks(lexemes, offset);
     List<Offer> offers = new ArrayList<>();
-    offers.add(new Offer("def", "function", "def name|():\n  \nend"));
-    offers.add(new Offer("thread", "thread", "thread name|():\n  \nend"));
+    offers.add(new Offer("def", text("function"), "def name|():\n  \nend"));
+    offers.add(new Offer("thread", text("thread"), "thread name|():\n  \nend"));
     if (open.isEmpty()) {
-      offers.add(new Offer("sec", "secondary program", "sec name|():\n  \nend"));
+      offers.add(new Offer("sec", text("secondaryProgram"), "sec name|():\n  \nend"));
     }
-    offers.add(new Offer("if", "condition", "if |:\n  \nend"));
-    offers.add(new Offer("ifelse", "condition with else", "if |:\n  \nelse:\n  \nend"));
-    offers.add(new Offer("while", "loop", "while |:\n  \nend"));
-    offers.add(new Offer("switch", "choice by value", SWITCH));
-    offers.add(new Offer("run", "starts a thread", "run |"));
+    offers.add(new Offer("if", text("condition"), "if |:\n  \nend"));
+    offers.add(new Offer("ifelse", text("conditionWithElse"), "if |:\n  \nelse:\n  \nend"));
+    offers.add(new Offer("while", text("loop"), "while |:\n  \nend"));
+    offers.add(new Offer("switch", text("choiceByValue"), SWITCH));
+    offers.add(new Offer("run", text("startsThread"), "run |"));
     STATEMENTS.forEach(word -> offers.add(Offer.word(word)));
     if (!open.isEmpty()) {
       offers.add(Offer.word("end"));

@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -44,7 +46,7 @@ final class NameFixes {
       case "deprecated" -> fixes.successor();
       case "no-effect" -> fixes.call();
       case "not-a-function" ->
-          List.of(QuickFix.insert("Start the thread: run " + fixes.name + "()", start, "run "));
+          List.of(QuickFix.insert(text("startThread", fixes.name), start, "run "));
       case "not-a-thread" -> fixes.withoutRun();
       default -> List.of();
     };
@@ -65,7 +67,7 @@ final class NameFixes {
   }
 
   private QuickFix replace(String with) {
-    return QuickFix.replace("Replace by " + with, start, start + name.length(), with);
+    return QuickFix.replace(text("replaceBy", with), start, start + name.length(), with);
   }
 
   private List<String> functions() {
@@ -111,7 +113,7 @@ final class NameFixes {
             .filter(signature -> signature.requiredCount() == 0)
             .isPresent();
     return callable
-        ? List.of(QuickFix.insert("Call it: " + name + "()", start + name.length(), "()"))
+        ? List.of(QuickFix.insert(text("callIt", name), start + name.length(), "()"))
         : List.of();
   }
 
@@ -145,7 +147,7 @@ final class NameFixes {
 
   private List<QuickFix> withoutRun() {
     return lexemes.is(at - 1, Kind.STATEMENT_WORD)
-        ? List.of(QuickFix.replace("Call it without run", lexemes.get(at - 1).start(), start, ""))
+        ? List.of(QuickFix.replace(text("callWithoutRun"), lexemes.get(at - 1).start(), start, ""))
         : List.of();
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,14 +35,13 @@ final class Renaming {
     Optional<Diagnostic> error = analysis.syntaxError();
     if (error.isPresent()) {
       int line = analysis.source().line(error.get().range().start());
-      return new Refused(
-          "line " + line + " has a syntax error; expected a text that can be read as a whole");
+      return new Refused(text("unreadableLine", line));
     }
     return analysis
         .index()
         .at(offset)
         .map(this::renamed)
-        .orElseGet(() -> new Refused("no name stands here"));
+        .orElseGet(() -> new Refused(text("noName")));
   }
 
   private RenameResult renamed(Occurrence occurrence) {
@@ -64,29 +65,23 @@ final class Renaming {
   private static Optional<String> fixed(Symbol symbol) {
     return switch (symbol) {
       case Symbol.Builtin _, Symbol.Method _, Symbol.NamedArgument _ ->
-          Optional.of(symbol.name() + " is built in; expected a name that this program defines");
-      case Symbol.Member _ ->
-          Optional.of(symbol.name() + " is a member, which may belong to several structs");
+          Optional.of(text("builtIn", symbol.name()));
+      case Symbol.Member _ -> Optional.of(text("memberOfStructs", symbol.name()));
       case Symbol.Global _, Symbol.Local _, Symbol.Parameter _, Symbol.Function _ ->
           Optional.empty();
-      case Symbol.Unknown _ ->
-          Optional.of("nothing defines " + symbol.name() + "; expected a name with a meaning");
+      case Symbol.Unknown _ -> Optional.of(text("nothingDefines", symbol.name()));
     };
   }
 
   private Optional<String> unusable() {
     if (!IDENTIFIER.matcher(newName).matches()) {
-      return Optional.of(
-          "`" + newName + "` is no name; expected letters, digits and _, no digit first");
+      return Optional.of(text("invalidName", newName));
     }
     Lexeme lexeme = LexemeReader.lexemes(Source.of("name", newName)).getFirst();
     if (lexeme.kind() != Lexeme.Kind.NAME) {
-      return Optional.of(newName + " is a reserved word");
+      return Optional.of(text("reservedWord", newName));
     }
-    return analysis
-        .signatures()
-        .builtin(newName)
-        .map(_ -> newName + " is a built-in function; expected a name of its own");
+    return analysis.signatures().builtin(newName).map(_ -> text("builtInFunction", newName));
   }
 
   /** The first occurrence that would mean something else than before. */
@@ -94,7 +89,7 @@ final class Renaming {
     List<Occurrence> old = analysis.index().all();
     List<Occurrence> now = after.index().all();
     if (old.size() != now.size()) {
-      return Optional.of(newName + " would change how the text is read");
+      return Optional.of(text("changesMeaning", newName));
     }
     Map<Symbol, Symbol> forward = new HashMap<>();
     Map<Symbol, Symbol> backward = new HashMap<>();
@@ -118,9 +113,6 @@ final class Renaming {
             .filter(other -> other.symbol().name().equals(newName))
             .findFirst()
             .orElse(met);
-    return newName
-        + " is taken: line "
-        + analysis.source().line(shown.range().start())
-        + " uses it";
+    return text("nameTaken", newName, analysis.source().line(shown.range().start()));
   }
 }

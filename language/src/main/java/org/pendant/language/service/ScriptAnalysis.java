@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -181,7 +183,7 @@ public final class ScriptAnalysis {
     Optional<Diagnostic> error = syntaxError();
     if (error.isPresent()) {
       int line = source.line(error.get().range().start());
-      return new FormatResult.Refused("line " + line + ": " + error.get().message());
+      return new FormatResult.Refused(text("formatRefused", line, error.get().message()));
     }
     return new FormatResult.Formatted(Formatter.edits(lexemes, options));
   }

@@ -1,5 +1,7 @@
 package org.pendant.language.service;
 
+import static org.pendant.language.service.ServiceTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -30,8 +32,9 @@ final class WordFixes {
     }
     WordFixes fixes = new WordFixes(analysis.lexemes(), at);
     return switch (diagnostic.code()) {
-      case "semicolon" -> fixes.replace("Remove `;`", "");
-      case "comment" -> List.of(QuickFix.replace("Write `#`", fixes.start, fixes.start + 2, "#"));
+      case "semicolon" -> fixes.replace(text("remove", ";"), "");
+      case "comment" ->
+          List.of(QuickFix.replace(text("write", "#"), fixes.start, fixes.start + 2, "#"));
       case "single-quotes" -> fixes.doubleQuotes();
       case "unclosed-string" -> fixes.closedString();
       case "and-sign" -> fixes.word("and");
@@ -53,7 +56,7 @@ final class WordFixes {
   }
 
   private List<QuickFix> replaceBy(String text) {
-    return replace("Replace by `" + text + "`", text);
+    return replace(text("replaceByWord", text), text);
   }
 
   /** A word in place of a sign, which may have stood without blanks around it. */
@@ -61,14 +64,14 @@ final class WordFixes {
     String text = lexemes.source().text();
     String before = text.startsWith(" ", start - 1) ? "" : " ";
     String after = text.startsWith(" ", end) ? "" : " ";
-    return replace("Replace by `" + word + "`", before + word + after);
+    return replace(text("replaceByWord", word), before + word + after);
   }
 
   private List<QuickFix> doubleQuotes() {
     String inner = found.substring(1, found.length() - 1);
     return inner.indexOf('"') >= 0
         ? List.of()
-        : replace("Write double quotes", "\"" + inner + "\"");
+        : replace(text("writeDoubleQuotes"), "\"" + inner + "\"");
   }
 
   /** In front of the brackets that the open string has swallowed, or at the end of the line. */
@@ -77,8 +80,8 @@ final class WordFixes {
     while (inner > 1 && ")]: \t".indexOf(found.charAt(inner - 1)) >= 0) {
       inner--;
     }
-    QuickFix beforeBrackets = QuickFix.insert("Close the string", start + inner, "\"");
-    QuickFix atEnd = QuickFix.insert("Close the string at the end of the line", end, "\"");
+    QuickFix beforeBrackets = QuickFix.insert(text("closeString"), start + inner, "\"");
+    QuickFix atEnd = QuickFix.insert(text("closeStringAtLineEnd"), end, "\"");
     return inner == found.length() ? List.of(atEnd) : List.of(beforeBrackets, atEnd);
   }
 
@@ -110,13 +113,14 @@ final class WordFixes {
       edits.add(TextEdit.insert(lexemes.get(last).end(), ")"));
     }
     return List.of(
-        new QuickFix("Write `" + target + " = " + target + " " + found.charAt(0) + " ...`", edits));
+        new QuickFix(
+            text("write", target + " = " + target + " " + found.charAt(0) + " ..."), edits));
   }
 
   private List<QuickFix> elseIf() {
     boolean two = lexemes.reads(at, "else") && lexemes.reads(at + 1, "if");
     int until = two ? lexemes.get(at + 1).end() : end;
-    return List.of(QuickFix.replace("Replace by `elif`", start, until, "elif"));
+    return List.of(QuickFix.replace(text("replaceByWord", "elif"), start, until, "elif"));
   }
 
   /** What the parser stumbled over may be a comparison, an increment or two strings. */
@@ -124,13 +128,13 @@ final class WordFixes {
     List<QuickFix> fixes = new ArrayList<>();
     Lexeme lexeme = lexemes.get(at);
     if (lexeme.kind() == Kind.ASSIGN) {
-      fixes.addAll(replace("Compare with `==`", "=="));
+      fixes.addAll(replace(text("compareWith"), "=="));
     } else if (found.equals("==")) {
-      fixes.addAll(replace("Assign with `=`", "="));
+      fixes.addAll(replace(text("assignWith"), "="));
     } else if (lexeme.kind() == Kind.STRING && lexemes.is(at - 1, Kind.STRING)) {
-      fixes.add(QuickFix.insert("Join the strings with `+`", start, "+ "));
+      fixes.add(QuickFix.insert(text("joinStrings"), start, "+ "));
     } else if (lexeme.kind() == Kind.CLOSE) {
-      fixes.addAll(replace("Remove `" + found + "`", ""));
+      fixes.addAll(replace(text("remove", found), ""));
     } else {
       increment(fixes);
     }
@@ -146,7 +150,7 @@ final class WordFixes {
         String text = " = " + word + " " + lexemes.text(name + 1) + " 1";
         fixes.add(
             QuickFix.replace(
-                "Write `" + word + text + "`",
+                text("write", word + text),
                 lexemes.get(name).end(),
                 lexemes.get(name + 2).end(),
                 text));

@@ -61,6 +61,12 @@ final class NameAnswersTest {
   }
 
   @Test
+  void aBuiltInNamesItsResultAndItsUnit() {
+    assertTrue(hover("x = nor|m([1, 2])").contains("\nResult: number\n"));
+    assertTrue(hover("x = force|()").contains("\nResult: number in N\n"), hover("x = force|()"));
+  }
+
+  @Test
   void aNumberIsToldInTheOtherUnitToo() {
     assertEquals("v = 1.5 rad/s = 85.944°/s", hover("movej(q, v=1|.5)"));
     assertEquals("z = 0.4 m = 400 mm", hover("x = p[0, 0, 0|.4, 0, 0, 0]"));
