@@ -132,7 +132,7 @@ final class TextLiterals {
     @Override
     public Void visitLiteral(LiteralTree tree, Void unused) {
       if (tree.getValue() instanceof String text && isText(text) && !forPrograms()) {
-        found.add(owner + ": " + text.replace("\n", "\\n"));
+        found.add(owner + ": " + text.replace("\r", "\\r").replace("\n", "\\n"));
       }
       return null;
     }

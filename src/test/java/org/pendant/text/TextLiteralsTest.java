@@ -18,7 +18,10 @@ import org.junit.jupiter.api.io.TempDir;
 final class TextLiteralsTest {
   /** Modules of which everything that people read is in bundles. */
   private static final List<String> MODULES =
-      List.of("gui/kit/src/main/java", "gui/desktop/src/main/java");
+      List.of("gui/kit/src/main/java", "gui/desktop/src/main/java", "protocols/src/main/java");
+
+  /** How a line of the list ends that is of whole classes: what they say goes out on ports. */
+  private static final String EVERYTHING = "*";
 
   @Test
   void wordsAreTextsAndNamesConstraintsAndKeysAreNot() {
@@ -53,15 +56,30 @@ final class TextLiteralsTest {
         TextLiterals.of(List.of(source)));
   }
 
-  /** What only looks like a text is listed in the resource {@code literals-that-stay.txt}. */
+  /**
+   * What only looks like a text is listed in the resource {@code literals-that-stay.txt}; there
+   * {@code org.pendant.protocols.robotapi.*} stands for all that is in classes of that package.
+   */
   @Test
   @Tag("slow")
   void noTextIsInCode() throws IOException {
+    TreeSet<String> staying = staying();
     TreeSet<String> found = new TreeSet<>();
     for (String module : MODULES) {
-      found.addAll(TextLiterals.of(TextBundles.sourcesUnder(module)));
+      TextLiterals.of(TextBundles.sourcesUnder(module)).stream()
+          .map(literal -> listed(literal, staying))
+          .forEach(found::add);
     }
-    assertEquals(String.join("\n", staying()), String.join("\n", found));
+    assertEquals(String.join("\n", staying), String.join("\n", found));
+  }
+
+  /** The line of the list that a literal falls under; the literal itself if there is none. */
+  private static String listed(String literal, TreeSet<String> staying) {
+    return staying.stream()
+        .filter(line -> line.endsWith(EVERYTHING))
+        .filter(line -> literal.startsWith(line.substring(0, line.length() - 1)))
+        .findFirst()
+        .orElse(literal);
   }
 
   private static TreeSet<String> staying() throws IOException {

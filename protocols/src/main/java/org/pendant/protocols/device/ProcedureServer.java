@@ -1,5 +1,7 @@
 package org.pendant.protocols.device;
 
+import static org.pendant.protocols.device.DeviceServerTexts.text;
+
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
@@ -42,7 +44,7 @@ public final class ProcedureServer implements Server {
     ProcedureCalls calls = new ProcedureCalls(serverContext.robot(), number);
     return new ProcedureServer(
         TcpPort.open(
-            DeviceServer.listening(numbers, "Device procedures", number)
+            DeviceServer.listening(numbers, text("proceduresPort"), number)
                 .with(IdleLimits.of(IDLE))
                 .readBy(HttpDissector::new),
             connection -> new HttpSession(connection, calls),

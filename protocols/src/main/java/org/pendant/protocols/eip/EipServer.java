@@ -1,5 +1,7 @@
 package org.pendant.protocols.eip;
 
+import static org.pendant.protocols.eip.EipTexts.text;
+
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetSocketAddress;
@@ -122,7 +124,7 @@ public final class EipServer implements Server {
     AssemblyHandler assemblyHandler = new AssemblyHandler(serverContext.robot());
     UdpPort discovery =
         UdpPort.open(
-            new Listening("EtherNet/IP discovery", numbers.host(), messages.number()),
+            new Listening(text("discoveryPort"), numbers.host(), messages.number()),
             serverContext.log());
     try {
       Configuration configuration =

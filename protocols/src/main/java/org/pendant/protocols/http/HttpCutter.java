@@ -1,5 +1,7 @@
 package org.pendant.protocols.http;
 
+import static org.pendant.protocols.http.HttpTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -107,7 +109,7 @@ final class HttpCutter {
 
   private void takeOfHead(byte next) throws ProtocolException {
     if (head.size() == MAX_HEAD) {
-      throw new ProtocolException("the head of a request has more than " + MAX_HEAD + " bytes");
+      throw new ProtocolException(text("headTooLong", MAX_HEAD));
     }
     head.write(next);
     if (next != '\n') {
@@ -122,13 +124,13 @@ final class HttpCutter {
 
   private void begin(String... lines) throws ProtocolException {
     if (lines.length == 0 || !lines[0].matches("[A-Z]{1,16} [^ ]+ HTTP/1\\.[01]")) {
-      throw new ProtocolException("no request of HTTP");
+      throw new ProtocolException(text("noHttpRequest"));
     }
     Map<String, String> headers = new HashMap<>();
     for (int i = 1; i < lines.length; i++) {
       int colon = lines[i].indexOf(':');
       if (colon < 1) {
-        throw new ProtocolException("the head of a request is not HTTP");
+        throw new ProtocolException(text("headNotHttp"));
       }
       headers.put(
           lines[i].substring(0, colon).toLowerCase(Locale.ROOT),
@@ -138,7 +140,7 @@ final class HttpCutter {
     boolean keep =
         lines[0].endsWith("1.1") ? !connection.equals("close") : connection.equals("keep-alive");
     if (headers.containsKey("transfer-encoding")) {
-      throw new ProtocolException("a request in chunks, must have a Content-Length");
+      throw new ProtocolException(text("requestInChunks"));
     }
     int blank = lines[0].indexOf(' ');
     String target = lines[0].substring(blank + 1, lines[0].lastIndexOf(' '));
@@ -168,7 +170,7 @@ final class HttpCutter {
 
   private static int length(String text, int most) throws ProtocolException {
     if (!text.matches("[0-9]{1,9}") || Integer.parseInt(text) > most) {
-      throw new ProtocolException("the Content-Length is " + text + ", must be 0 to " + most);
+      throw new ProtocolException(text("wrongContentLength", text, most));
     }
     return Integer.parseInt(text);
   }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.interpreter;
 
+import static org.pendant.protocols.interpreter.InterpreterTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -34,7 +36,7 @@ public final class InterpreterServer implements Server {
     TcpPort port =
         TcpPort.open(
             numbers
-                .listening("Interpreter", STANDARD_PORT)
+                .listening(text("portName"), STANDARD_PORT)
                 .readBy(() -> new LineDissector(InterpreterServer::effect)),
             connection ->
                 new InterpreterSession(

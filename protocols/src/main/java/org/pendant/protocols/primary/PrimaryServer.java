@@ -1,5 +1,7 @@
 package org.pendant.protocols.primary;
 
+import static org.pendant.protocols.primary.PrimaryTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -54,8 +56,8 @@ public final class PrimaryServer implements Server {
     PrimaryServer server = new PrimaryServer(serverContext, feed);
     server.take(numbers, "Primary", PRIMARY, feed::addPrimary, scriptHandler);
     server.take(numbers, "Secondary", SECONDARY, feed::addSecondary, scriptHandler);
-    server.showOnly(numbers, "Primary read-only", PRIMARY_READ_ONLY, feed::addPrimary);
-    server.showOnly(numbers, "Secondary read-only", SECONDARY_READ_ONLY, feed::addSecondary);
+    server.showOnly(numbers, text("primaryReadOnly"), PRIMARY_READ_ONLY, feed::addPrimary);
+    server.showOnly(numbers, text("secondaryReadOnly"), SECONDARY_READ_ONLY, feed::addSecondary);
     serverContext.frames().add(server.frames);
     scriptHandler.onTrouble(feed::tell);
     serverContext.remote().onLocal(() -> server.writable.forEach(TcpPort::disconnectAll));

@@ -1,5 +1,7 @@
 package org.pendant.protocols.realtime;
 
+import static org.pendant.protocols.realtime.RealtimeTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -53,7 +55,7 @@ public final class RealtimeServer implements Server {
         server.writable);
     server.listen(
         numbers
-            .listening("Realtime read-only", REALTIME_READ_ONLY)
+            .listening(text("readOnlyPort"), REALTIME_READ_ONLY)
             .readBy(() -> new RealtimeDissector(false)),
         REALTIME_READ_ONLY,
         (connection, left) -> ScriptHandler.readOnly(left),

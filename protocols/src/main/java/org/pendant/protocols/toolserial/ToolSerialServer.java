@@ -1,5 +1,7 @@
 package org.pendant.protocols.toolserial;
 
+import static org.pendant.protocols.toolserial.ToolSerialTexts.text;
+
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -34,7 +36,7 @@ public final class ToolSerialServer implements Server {
       throws IOException {
     return new ToolSerialServer(
         TcpPort.open(
-            numbers.listening("Tool serial", STANDARD_PORT),
+            numbers.listening(text("portName"), STANDARD_PORT),
             connection -> new Member(line, connection),
             log));
   }

@@ -1,5 +1,7 @@
 package org.pendant.protocols.eip.service;
 
+import static org.pendant.protocols.eip.service.AssemblyTexts.text;
+
 import java.io.IOException;
 import java.time.Duration;
 import org.pendant.protocols.http.HttpDissector;
@@ -29,7 +31,7 @@ public final class AssemblyService {
     AssemblyCalls calls = new AssemblyCalls(configuration);
     return TcpPort.open(
         numbers
-            .listening("Fieldbus configuration", STANDARD_PORT)
+            .listening(text("portName"), STANDARD_PORT)
             .with(IdleLimits.of(IDLE))
             .readBy(HttpDissector::new),
         connection -> new HttpSession(connection, calls),
