@@ -4,6 +4,7 @@ import static org.pendant.controller.safety.SafetyTexts.text;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.List;
 import java.util.OptionalInt;
 
@@ -52,8 +53,13 @@ public enum StopReason {
   private static final List<String> JOINTS =
       List.of("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3");
 
-  /** Digits of a measured number in a message: enough to tell it from its limit. */
-  private static final MathContext DIGITS = new MathContext(5);
+  /** Digits of a measured number in a message, where these tell it from its limit. */
+  private static final int DIGITS = 4;
+
+  private static final int MAX_DIGITS = 12;
+
+  /** So many more decimals than digits has a number at most: a micrometre says all. */
+  private static final int LEADING_ZEROS = 2;
 
   /** What comes of it. */
   private enum Kind {
@@ -188,10 +194,14 @@ public enum StopReason {
       double limit,
       String measuredIn) {
     int chosen = argument == VARIES ? varying : argument;
+    int digits = DIGITS;
+    while (digits < MAX_DIGITS && number(value, digits).equals(number(limit, digits))) {
+      digits++;
+    }
     String told =
         measuredIn.isEmpty()
             ? sentence
-            : text("measured", sentence, number(value), measuredIn, number(limit));
+            : text("measured", sentence, number(value, digits), measuredIn, number(limit, digits));
     String message = text(kind.messageKey, code, chosen, milliseconds(timeS), told);
     return new SafetyStop(
         kind.mode, kind.category, code, chosen, joint, timeS, value, limit, measuredIn, message);
@@ -201,9 +211,14 @@ public enum StopReason {
     return BigDecimal.valueOf(Math.round(timeS * 1000), 3);
   }
 
-  private static String number(double value) {
-    return Double.isFinite(value)
-        ? new BigDecimal(value).round(DIGITS).stripTrailingZeros().toPlainString()
-        : Double.toString(value);
+  private static String number(double value, int digits) {
+    if (!Double.isFinite(value)) {
+      return Double.toString(value);
+    }
+    BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits));
+    return rounded
+        .setScale(Math.min(rounded.scale(), digits + LEADING_ZEROS), RoundingMode.HALF_EVEN)
+        .stripTrailingZeros()
+        .toPlainString();
   }
 }

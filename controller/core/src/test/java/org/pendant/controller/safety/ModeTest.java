@@ -119,7 +119,7 @@ final class ModeTest {
     assertEquals(
         List.of(
             "recovery mode: C191A0 violation at 0.002 s: wrist 3 (joint 5) is beyond its position"
-                + " limit: 6.4832 rad, limit 6.3355 rad"),
+                + " limit: 6.483 rad, limit 6.336 rad"),
         recovering.warnings());
   }
 

@@ -248,7 +248,7 @@ final class ProtectiveStopTest {
     assertEquals(SafetyAction.STOP_ON_PATH, bench.step());
     assertEquals(
         "C204A1 protective stop at 0.004 s: base (joint 0) has a target position that jumps:"
-            + " 0.01 rad, limit 0.0069115 rad",
+            + " 0.01 rad, limit 0.006912 rad",
         bench.stop().message());
   }
 

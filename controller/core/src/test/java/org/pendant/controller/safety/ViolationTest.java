@@ -59,7 +59,7 @@ final class ViolationTest {
     assertEquals(StopCategory.ZERO, bench.stop().category());
     assertEquals(
         "C191A1 violation at 0.002 s: wrist 3 (joint 5) turns too fast: 3.4 rad/s,"
-            + " limit 3.3301 rad/s",
+            + " limit 3.33 rad/s",
         bench.stop().message());
     assertEquals(List.of(bench.stop().message()), bench.texts(LogEntry.Level.ERROR));
     assertEquals(SafetyAction.NONE, bench.step());

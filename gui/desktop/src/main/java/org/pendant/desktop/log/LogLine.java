@@ -8,6 +8,8 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.SentenceUnits;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.function.ScriptPlace;
 
@@ -59,6 +61,22 @@ record LogLine(
             + ByteText.decoded(entry.text()).stripTrailing(),
         entry.place(),
         controller);
+  }
+
+  /** What safety says with numbers in the units that people have chosen; all others as they are. */
+  LogLine in(PoseForm form) {
+    return source == LogSource.SAFETY
+        ? new LogLine(
+            number,
+            timeS,
+            wall,
+            level,
+            source,
+            code,
+            SentenceUnits.in(text, form),
+            place,
+            controller)
+        : this;
   }
 
   /** The first line of the text; a mark at its end says that there are more. */

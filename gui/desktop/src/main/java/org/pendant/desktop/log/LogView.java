@@ -20,6 +20,8 @@ import javax.swing.KeyStroke;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.unit.FormMemory;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -121,8 +123,14 @@ public final class LogView implements View {
     return recorded
         .map(
             lines ->
-                presenter.take(lines.size(), after -> lines.subList((int) after, lines.size())))
-        .orElseGet(() -> presenter.take(mailbox.newest(), mailbox::since));
+                presenter.take(
+                    lines.size(), after -> inUnits(lines.subList((int) after, lines.size()))))
+        .orElseGet(() -> presenter.take(mailbox.newest(), after -> inUnits(mailbox.since(after))));
+  }
+
+  private List<LogLine> inUnits(List<LogLine> lines) {
+    PoseForm form = FormMemory.read(workbench.settings());
+    return lines.stream().map(line -> line.in(form)).toList();
   }
 
   /** Ends {@link #lookAt}. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.script.function.ScriptPlace;
 
 final class LogLineTest {
@@ -61,6 +62,16 @@ final class LogLineTest {
     LogLine stop = line(Origin.SAFETY, "C153A2", "C153A2 protective stop at 1 s", Optional.empty());
     assertEquals("protective stop at 1 s", stop.withoutCode());
     assertEquals("over", line(Origin.ENDING, "wrong-type", "over", Optional.empty()).withoutCode());
+  }
+
+  @Test
+  void stopsReadInTheUnitsThatPeopleHaveChosenAsTheirCardDoes() {
+    String hit = "protective stop at 1.344 s: the forearm has hit \"2 m\": 0.00007 m, limit 0 m";
+    LogLine stop = line(Origin.SAFETY, "C157A2", hit, Optional.empty());
+    assertEquals(
+        "protective stop at 1.344 s: the forearm has hit \"2 m\": 0.07 mm, limit 0.00 mm",
+        stop.in(PoseForm.STANDARD).text());
+    assertEquals("went 0.2 m", said("went 0.2 m").in(PoseForm.STANDARD).text());
   }
 
   @Test

@@ -3,7 +3,6 @@ package org.pendant.desktop.shell.run;
 import static org.pendant.desktop.shell.run.RunTexts.text;
 
 import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -18,6 +17,7 @@ import org.pendant.controller.world.Contact;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.session.StopAdvice;
 import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.SentenceUnits;
 
 /**
  * Stop card: everything to know about the stop that keeps the arm at rest.
@@ -38,13 +38,10 @@ public record StopCard(
           text("ofWrist1"),
           text("ofWrist2"),
           text("ofWrist3"));
-  private static final MathContext DIGITS = new MathContext(4);
 
-  /** What sentences of the controller say in its own words; names that people gave are quoted. */
+  /** Joints in sentences of the controller by their numbers; names that people gave are quoted. */
   private static final Pattern IN_SENTENCE =
-      Pattern.compile(
-          "\"[^\"]*\"|\\bjoint (?<joint>[0-5])\\b"
-              + "|(?<![\\w.])(?<number>-?\\d+(\\.\\d+)?) (?<unit>rad/s|rad|m/s|m)(?![\\w/\u00b2])");
+      Pattern.compile("\"[^\"]*\"|\\bjoint (?<joint>[0-5])\\b");
 
   /** Codes of stops because the arm could not come to rest before a limit any more. */
   private static final Set<Integer> TRAVEL = Set.of(150, 151, 152);
@@ -96,8 +93,8 @@ public record StopCard(
                             .orElseGet(() -> joint + ", " + JOINTS.get(joint)))));
     if (!stop.unit().isEmpty()) {
       String found = TRAVEL.contains(stop.code()) ? text("itWouldComeToRestAt") : text("found");
-      facts.add(new Fact(found, measured(stop.value(), stop.unit(), form)));
-      facts.add(new Fact(text("limit"), measured(stop.limit(), stop.unit(), form)));
+      facts.add(new Fact(found, SentenceUnits.measured(stop.value(), stop.unit(), form)));
+      facts.add(new Fact(text("limit"), SentenceUnits.measured(stop.limit(), stop.unit(), form)));
     }
     for (Contact each : touched) {
       facts.add(
@@ -128,35 +125,15 @@ public record StopCard(
 
   /** A sentence of the controller with joints by name and numbers in the units of the screens. */
   private static String words(String sentence, PoseForm form) {
-    return IN_SENTENCE
-        .matcher(sentence)
-        .replaceAll(
-            found -> {
-              String shown = found.group();
-              if (found.group("joint") != null) {
-                shown = JOINTS.get(Integer.parseInt(found.group("joint")));
-              } else if (found.group("number") != null) {
-                double number = Double.parseDouble(found.group("number"));
-                shown = measured(number, found.group("unit"), form);
-              }
-              return Matcher.quoteReplacement(shown);
-            });
-  }
-
-  /** As people read it on screens. */
-  private static String measured(double value, String unit, PoseForm form) {
-    return switch (unit) {
-      case "m" -> form.length().reading(value);
-      case "m/s" -> form.length().reading(value) + "/s";
-      case "rad" -> form.angle().reading(value);
-      case "rad/s" -> form.angle().reading(value) + "/s";
-      default -> number(value) + " " + unit;
-    };
-  }
-
-  private static String number(double value) {
-    return Double.isFinite(value)
-        ? new BigDecimal(value).round(DIGITS).stripTrailingZeros().toPlainString()
-        : Double.toString(value);
+    String named =
+        IN_SENTENCE
+            .matcher(sentence)
+            .replaceAll(
+                found ->
+                    Matcher.quoteReplacement(
+                        found.group("joint") == null
+                            ? found.group()
+                            : JOINTS.get(Integer.parseInt(found.group("joint")))));
+    return SentenceUnits.in(named, form);
   }
 }
