@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.pendant.command.service.StartInstallation;
 import org.pendant.controller.disk.FileTrouble;
 import org.pendant.controller.installation.Installation;
@@ -57,6 +58,9 @@ final class InstallationFiles {
   /** Open programs whose people want the installation that there is. */
   private final Set<ProgramDocument> kept = new HashSet<>();
 
+  /** The program in front; none before {@link #offerBeside}. */
+  private Supplier<Optional<ProgramDocument>> inFront = Optional::empty;
+
   /** The installation that was offered last. */
   private Optional<Path> offered = Optional.empty();
 
@@ -91,6 +95,7 @@ final class InstallationFiles {
 
   /** Offers the installation that a program tree names, when it stands beside that. */
   void offerBeside(Programs programs) {
+    inFront = () -> Optional.of(programs.current());
     programs.addListener(() -> offerFor(programs));
     active.addFileListener(this::withdraw);
     offerFor(programs);
@@ -196,8 +201,18 @@ final class InstallationFiles {
         text("openInstallationTitle"),
         text("installations"),
         new String[] {"pinst", "installation"},
+        folder(),
         used,
         this::open);
+  }
+
+  /** Where people look for installations: beside the present one, the program, or the last one. */
+  Path folder() {
+    return used.beside(
+        List.of(
+            active.document().file(),
+            inFront.get().flatMap(ProgramDocument::file),
+            recent().stream().findFirst()));
   }
 
   /** Opens a text that is no file of the user's, after asking for what is not saved. */

@@ -16,15 +16,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 final class OpenDialog {
   private OpenDialog() {}
 
-  /**
-   * Opens the dialog.
-   *
-   * @param title what it is called
-   * @param kind what the files are called
-   * @param endings of their names, such as {@code script}
-   * @param folder is shown first, and learns what was chosen
-   * @param chosen takes each file
-   */
+  /** As the other one, with the folder shown first that was used last. */
   static void show(
       Component parent,
       String title,
@@ -32,9 +24,30 @@ final class OpenDialog {
       String[] endings,
       UsedFolder folder,
       Consumer<Path> chosen) {
+    show(parent, title, kind, endings, folder.get(), folder, chosen);
+  }
+
+  /**
+   * Opens the dialog.
+   *
+   * @param title what it is called
+   * @param kind what the files are called
+   * @param endings of their names, such as {@code script}
+   * @param first folder that is shown first
+   * @param folder learns what was chosen
+   * @param chosen takes each file
+   */
+  static void show(
+      Component parent,
+      String title,
+      String kind,
+      String[] endings,
+      Path first,
+      UsedFolder folder,
+      Consumer<Path> chosen) {
     JDialog dialog =
         new JDialog(SwingUtilities.getWindowAncestor(parent), title, ModalityType.MODELESS);
-    JFileChooser chooser = new JFileChooser(folder.get().toFile());
+    JFileChooser chooser = new JFileChooser(first.toFile());
     chooser.setName("open-dialog");
     chooser.getAccessibleContext().setAccessibleName(title);
     chooser.setFileFilter(new FileNameExtensionFilter(kind, endings));

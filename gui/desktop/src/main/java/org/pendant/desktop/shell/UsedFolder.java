@@ -1,6 +1,8 @@
 package org.pendant.desktop.shell;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -25,6 +27,16 @@ final class UsedFolder {
   /** Where a dialog begins. Starters of desktops run programs in the root, where nobody works. */
   Path get() {
     return last.orElse(working.getParent() == null ? home : working);
+  }
+
+  /** Where a dialog begins for what belongs to some files: beside the first one that there is. */
+  Path beside(List<Optional<Path>> files) {
+    return files.stream()
+        .flatMap(Optional::stream)
+        .map(file -> file.toAbsolutePath().getParent())
+        .filter(Files::isDirectory)
+        .findFirst()
+        .orElseGet(this::get);
   }
 
   /** A file was chosen. */

@@ -1,5 +1,6 @@
 package org.pendant.desktop.shell;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -40,6 +41,7 @@ final class InstallationBesideTest {
   private ProgramDocument glue;
   private ProgramDocument script;
   private Programs programs;
+  private InstallationFiles files;
 
   @BeforeEach
   void openAll() throws Exception {
@@ -49,7 +51,7 @@ final class InstallationBesideTest {
     Files.writeString(file, "x = 1\n");
     script = ProgramDocument.of(SavedProgram.read(file));
     programs = new Programs(script);
-    InstallationFiles files =
+    files =
         new InstallationFiles(
             active,
             new DocumentSaver(new SaveQueue(), notices, text -> {}, text -> {}),
@@ -86,6 +88,12 @@ final class InstallationBesideTest {
     assertFalse(notices.shows(NOTICE));
     select(weld);
     awaitOffer("weld_cell.pinst");
+  }
+
+  @Test
+  void theDialogForAnotherOneBeginsBesideTheProgram() throws Exception {
+    select(weld);
+    DispatchThread.run(() -> assertEquals(folder, files.folder()));
   }
 
   @Test
