@@ -17,55 +17,52 @@ final class JointQuantities {
   private JointQuantities() {}
 
   static void declareIn(QuantityList list) {
-    list.group("Joints");
-    list.joints("target_q", "Target position", RADIAN, s -> s.arm().targetPositionRad())
+    list.group("joints");
+    list.joints("target_q", "targetPosition", RADIAN, s -> s.arm().targetPositionRad())
         .rtde("target_q");
-    list.joints("target_qd", "Target speed", RADIAN_PER_SECOND, s -> s.arm().targetSpeedRadPerS())
+    list.joints("target_qd", "targetSpeed", RADIAN_PER_SECOND, s -> s.arm().targetSpeedRadPerS())
         .rtde("target_qd");
     list.joints(
             "target_qdd",
-            "Target acceleration",
+            "targetAcceleration",
             RADIAN_PER_SECOND_SQUARED,
             s -> s.arm().targetAccelerationRadPerS2())
         .rtde("target_qdd");
     // recorded arms repeat the target in the controller's output
-    list.joints("target_current", "Target current", AMPERE, s -> s.readings().targetCurrentA())
+    list.joints("target_current", "targetCurrent", AMPERE, s -> s.readings().targetCurrentA())
         .rtde("target_current", "joint_control_output");
-    list.joints("target_torque", "Target torque", NEWTON_METRE, s -> s.readings().targetTorqueNm())
+    list.joints("target_torque", "targetTorque", NEWTON_METRE, s -> s.readings().targetTorqueNm())
         .rtde("target_moment");
-    list.joints("actual_q", "Actual position", RADIAN, s -> s.arm().actualPositionRad())
+    list.joints("actual_q", "actualPosition", RADIAN, s -> s.arm().actualPositionRad())
         .rtde("actual_q");
-    list.joints("actual_qd", "Actual speed", RADIAN_PER_SECOND, s -> s.arm().actualSpeedRadPerS())
+    list.joints("actual_qd", "actualSpeed", RADIAN_PER_SECOND, s -> s.arm().actualSpeedRadPerS())
         .rtde("actual_qd");
     list.joints(
         "actual_qdd",
-        "Actual acceleration",
+        "actualAcceleration",
         RADIAN_PER_SECOND_SQUARED,
         s -> s.readings().accelerationRadPerS2());
-    list.joints("current", "Current", AMPERE, s -> s.readings().currentA()).rtde("actual_current");
+    list.joints("current", "current", AMPERE, s -> s.readings().currentA()).rtde("actual_current");
     list.joints(
             "current_window",
-            "Current window",
+            "currentWindow",
             ScalarType.DOUBLE,
             AMPERE,
             SupplyReadings::currentWindowA)
-        .explained("How far the current may be from what the motion needs")
+        .explained("currentWindowExplained")
         .rtde("actual_current_window");
-    list.joints("torque", "Torque", NEWTON_METRE, s -> s.readings().torqueNm())
+    list.joints("torque", "torque", NEWTON_METRE, s -> s.readings().torqueNm())
         .rtde("actual_current_as_torque");
     list.joints(
-            "external_torque",
-            "External torque",
-            NEWTON_METRE,
-            s -> s.readings().externalTorqueNm())
-        .explained("What the torque has beyond the controller's model of arm and payload");
-    list.joints("temperature", "Temperature", CELSIUS, s -> s.readings().temperatureC())
+            "external_torque", "externalTorque", NEWTON_METRE, s -> s.readings().externalTorqueNm())
+        .explained("externalTorqueExplained");
+    list.joints("temperature", "temperature", CELSIUS, s -> s.readings().temperatureC())
         .rtde("joint_temperatures");
-    list.joints("joint_voltage", "Voltage", VOLT, s -> s.readings().voltages().jointV())
+    list.joints("joint_voltage", "voltage", VOLT, s -> s.readings().voltages().jointV())
         .rtde("actual_joint_voltage");
     list.joints(
             "joint_mode",
-            "Mode",
+            "mode",
             ScalarType.INT32,
             NONE,
             (s, joint) -> RobotBits.jointMode(s, joint).code())

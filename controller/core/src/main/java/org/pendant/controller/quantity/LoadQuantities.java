@@ -18,30 +18,30 @@ final class LoadQuantities {
   private LoadQuantities() {}
 
   static void declareIn(QuantityList list) {
-    list.group("Load");
+    list.group("load");
     addMasses(list);
     addBase(list);
-    list.group("Power");
+    list.group("power");
     addPower(list);
   }
 
   private static void addMasses(QuantityList list) {
-    list.number("payload", "Payload", KILOGRAM, s -> s.readings().payload().massKg())
+    list.number("payload", "payload", KILOGRAM, s -> s.readings().payload().massKg())
         .rtde("payload");
     list.axes(
             "payload_cog",
-            "Centre of gravity",
+            "centreOfGravity",
             "x y z",
             METRE,
             List.of(
                 s -> s.readings().payload().cogXM(),
                 s -> s.readings().payload().cogYM(),
                 s -> s.readings().payload().cogZM()))
-        .explained("In the frame of the flange")
+        .explained("cogExplained")
         .rtde("payload_cog");
     list.axes(
             "payload_inertia",
-            "Inertia",
+            "inertia",
             "xx yy zz xy xz yz",
             KILOGRAM_METRE_SQUARED,
             List.of(
@@ -51,29 +51,29 @@ final class LoadQuantities {
                 s -> s.readings().payload().ixy(),
                 s -> s.readings().payload().ixz(),
                 s -> s.readings().payload().iyz()))
-        .explained("About the centre of gravity, along the flange's axes")
+        .explained("inertiaExplained")
         .rtde("payload_inertia");
     list.number(
-            "momentum", "Momentum", KILOGRAM_METRE_PER_SECOND, s -> s.readings().momentumKgMPerS())
+            "momentum", "momentum", KILOGRAM_METRE_PER_SECOND, s -> s.readings().momentumKgMPerS())
         .rtde("actual_momentum");
   }
 
   private static void addBase(QuantityList list) {
     list.axes(
             "gravity",
-            "Gravity",
+            "gravity",
             "x y z",
             METRE_PER_SECOND_SQUARED,
             List.of(
                 s -> s.readings().mounting().gravityXMPerS2(),
                 s -> s.readings().mounting().gravityYMPerS2(),
                 s -> s.readings().mounting().gravityZMPerS2()))
-        .explained("What the resting arm feels")
+        .explained("gravityExplained")
         .rtde("target_gravity");
     // the base does not turn
     list.axes(
             "base_acceleration",
-            "Base acceleration",
+            "baseAcceleration",
             "x y z rx ry rz",
             METRE_PER_SECOND_SQUARED,
             List.of(
@@ -87,31 +87,31 @@ final class LoadQuantities {
   }
 
   private static void addPower(QuantityList list) {
-    list.number("main_voltage", "Main voltage", VOLT, s -> s.readings().voltages().boxV())
+    list.number("main_voltage", "mainVoltage", VOLT, s -> s.readings().voltages().boxV())
         .rtde("actual_main_voltage");
-    list.number("robot_voltage", "Robot voltage", VOLT, s -> s.readings().voltages().robotV())
+    list.number("robot_voltage", "robotVoltage", VOLT, s -> s.readings().voltages().robotV())
         .rtde("actual_robot_voltage");
-    list.number("robot_current", "Robot current", AMPERE, s -> s.readings().robotCurrentA())
+    list.number("robot_current", "robotCurrent", AMPERE, s -> s.readings().robotCurrentA())
         .rtde("actual_robot_current");
-    list.number("io_current", "I/O current", AMPERE, SupplyReadings::ioCurrentA)
-        .explained("What the outputs of the control box drive")
+    list.number("io_current", "ioCurrent", AMPERE, SupplyReadings::ioCurrentA)
+        .explained("ioCurrentExplained")
         .rtde("io_current");
-    list.number("tool_current", "Tool current", AMPERE, s -> s.readings().toolCurrentA())
+    list.number("tool_current", "toolCurrent", AMPERE, s -> s.readings().toolCurrentA())
         .rtde("tool_output_current");
-    list.number("energy_consumed", "Energy consumed", JOULE, s -> s.readings().energyConsumedJ())
-        .explained("Since the controller was switched on")
+    list.number("energy_consumed", "energyConsumed", JOULE, s -> s.readings().energyConsumedJ())
+        .explained("energyExplained")
         .rtde("actual_robot_energy_consumed");
     list.number(
             "energy_dissipated",
-            "Braking energy dissipated",
+            "brakingEnergyDissipated",
             JOULE,
             s -> s.readings().energyDissipatedJ())
-        .explained("Since the controller was switched on")
+        .explained("energyExplained")
         .rtde("actual_robot_braking_energy_dissipated");
     list.number(
-            "tool_temperature", "Tool temperature", CELSIUS, s -> s.readings().toolTemperatureC())
+            "tool_temperature", "toolTemperature", CELSIUS, s -> s.readings().toolTemperatureC())
         .rtde("tool_temperature");
     list.number(
-        "box_temperature", "Box temperature", CELSIUS, s -> s.readings().controllerTemperatureC());
+        "box_temperature", "boxTemperature", CELSIUS, s -> s.readings().controllerTemperatureC());
   }
 }

@@ -14,40 +14,50 @@ import org.pendant.models.pose.Wrench;
 
 /**
  * A list of declarations. Each declares a quantity by its name, its group and, for a single number,
- * its title; what follows in the chain belongs to the quantity before.
+ * the key of its title; what follows in the chain belongs to the quantity before.
  */
 final class QuantityList {
   private static final List<String> JOINTS =
-      List.of("Base", "Shoulder", "Elbow", "Wrist 1", "Wrist 2", "Wrist 3");
+      List.of("base", "shoulder", "elbow", "wrist1", "wrist2", "wrist3");
   private static final List<String> AXES = List.of("x", "y", "z", "rx", "ry", "rz");
 
   private final List<StateQuantity> quantities = new ArrayList<>();
-  private String group = "";
+  private List<QuantityTitle> group = List.of();
 
   List<StateQuantity> all() {
     return List.copyOf(quantities);
   }
 
-  /** What follows is in this group; that of several numbers in one below it, by its title. */
-  void group(String name) {
-    group = name;
+  /**
+   * What follows is in this group; that of several numbers in one below it, by its title.
+   *
+   * @param keys of its titles, level by level
+   */
+  void group(String... keys) {
+    group = Arrays.stream(keys).map(QuantityTitle::of).toList();
   }
 
   /** Numbers of one type. */
   QuantityList add(
       String name, String title, ScalarType type, List<Component> components, Getter getter) {
-    return in(group + "/" + title, name, type, components, getter);
+    List<QuantityTitle> below = new ArrayList<>(group);
+    below.add(QuantityTitle.of(title));
+    return in(below, name, type, components, getter);
   }
 
   private QuantityList in(
-      String place, String name, ScalarType type, List<Component> components, Getter getter) {
+      List<QuantityTitle> place,
+      String name,
+      ScalarType type,
+      List<Component> components,
+      Getter getter) {
     quantities.add(new StateQuantity(name, place, "", type, components, getter, List.of(), false));
     return this;
   }
 
   /** What the last one is, where its titles do not say enough. */
-  QuantityList explained(String text) {
-    quantities.add(quantities.removeLast().explained(text));
+  QuantityList explained(String key) {
+    quantities.add(quantities.removeLast().explained(key));
     return this;
   }
 
@@ -86,7 +96,7 @@ final class QuantityList {
       ScalarType type,
       PhysicalUnit unit,
       ToDoubleFunction<ControllerState> value) {
-    List<Component> component = List.of(new Component(name, title, unit));
+    List<Component> component = List.of(new Component(name, QuantityTitle.of(title), unit));
     return in(group, name, type, component, new Getter.OfScalars(List.of(value)));
   }
 
@@ -103,12 +113,17 @@ final class QuantityList {
 
   private QuantityList joints(
       String name, String title, ScalarType type, PhysicalUnit unit, Getter getter) {
-    return add(name, title, type, numbered(name, Joints.COUNT, JOINTS::get, unit), getter);
+    return add(
+        name,
+        title,
+        type,
+        numbered(name, Joints.COUNT, i -> QuantityTitle.of(JOINTS.get(i)), unit),
+        getter);
   }
 
   /** Components that are called by numbers. */
   static List<Component> numbered(
-      String name, int count, IntFunction<String> title, PhysicalUnit unit) {
+      String name, int count, IntFunction<QuantityTitle> title, PhysicalUnit unit) {
     return IntStream.range(0, count)
         .mapToObj(i -> new Component(name + "_" + i, title.apply(i), unit))
         .toList();
@@ -149,7 +164,11 @@ final class QuantityList {
     List<Component> components =
         IntStream.range(0, Pose.SIZE)
             .mapToObj(
-                i -> new Component(stem + "_" + AXES.get(i), AXES.get(i), i < 3 ? along : about))
+                i ->
+                    new Component(
+                        stem + "_" + AXES.get(i),
+                        QuantityTitle.named(AXES.get(i)),
+                        i < 3 ? along : about))
             .toList();
     return add(name, title, ScalarType.DOUBLE, components, new Getter.OfPose(value));
   }
@@ -163,11 +182,15 @@ final class QuantityList {
       String name, String stem, String title, Function<ControllerState, Wrench> value) {
     List<Component> components = new ArrayList<>();
     for (String axis : AXES.subList(0, 3)) {
-      components.add(new Component(stem + "_force_" + axis, axis, PhysicalUnit.NEWTON));
+      components.add(
+          new Component(stem + "_force_" + axis, QuantityTitle.named(axis), PhysicalUnit.NEWTON));
     }
     for (String axis : AXES.subList(0, 3)) {
       components.add(
-          new Component(stem + "_torque_" + axis, "Torque " + axis, PhysicalUnit.NEWTON_METRE));
+          new Component(
+              stem + "_torque_" + axis,
+              QuantityTitle.of("torqueAbout", axis),
+              PhysicalUnit.NEWTON_METRE));
     }
     return add(name, title, ScalarType.DOUBLE, components, new Getter.OfWrench(value));
   }
@@ -185,7 +208,7 @@ final class QuantityList {
       List<ToDoubleFunction<ControllerState>> values) {
     List<Component> components =
         Arrays.stream(axes.split(" "))
-            .map(axis -> new Component(name + "_" + axis, axis, unit))
+            .map(axis -> new Component(name + "_" + axis, QuantityTitle.named(axis), unit))
             .toList();
     return add(name, title, ScalarType.DOUBLE, components, new Getter.OfScalars(values));
   }

@@ -13,7 +13,6 @@ import static org.pendant.controller.quantity.ScalarType.UINT64;
 import static org.pendant.controller.quantity.ScalarType.UINT8;
 
 import java.util.List;
-import java.util.Locale;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
@@ -29,23 +28,23 @@ final class SignalQuantities {
   private SignalQuantities() {}
 
   static void declareIn(QuantityList list) {
-    list.group("Signals");
+    list.group("signals");
     for (SignalBank bank : SignalBank.values()) {
       addDigital(list, bank);
     }
     for (AnalogBank bank : AnalogBank.values()) {
       addAnalog(list, bank);
     }
-    list.group("Signals/Tool");
+    list.group("signals", "tool");
     addTool(list);
-    list.group("Signals/Encoders");
-    list.whole("encoder_0", "Encoder 0", INT32, s -> s.encoders().first()).rtde("encoder0_raw");
-    list.whole("encoder_1", "Encoder 1", INT32, s -> s.encoders().second()).rtde("encoder1_raw");
-    list.group("Signals/EUROMAP 67");
+    list.group("signals", "encoders");
+    list.whole("encoder_0", "encoder0", INT32, s -> s.encoders().first()).rtde("encoder0_raw");
+    list.whole("encoder_1", "encoder1", INT32, s -> s.encoders().second()).rtde("encoder1_raw");
+    list.group("signals", "euromap67");
     addAbsent(list);
-    list.group("Signals/Packed bits");
+    list.group("signals", "packedBits");
     addPacked(list);
-    list.group("Registers");
+    list.group("registers");
     for (RegisterDirection direction : RegisterDirection.values()) {
       addRegisters(list, direction);
     }
@@ -57,7 +56,8 @@ final class SignalQuantities {
         name,
         titleOf(bank),
         BOOL,
-        QuantityList.numbered(name, bank.size(), i -> name + "[" + i + "]", LEVEL),
+        QuantityList.numbered(
+            name, bank.size(), i -> QuantityTitle.named(name + "[" + i + "]"), LEVEL),
         new Getter.OfEach(bank.size(), (s, index) -> s.io().bits(bank) >> index & 1));
   }
 
@@ -67,37 +67,41 @@ final class SignalQuantities {
             name,
             titleOf(bank),
             DOUBLE,
-            QuantityList.numbered(name, AnalogBank.SIZE, bank::name, AMPERE_OR_VOLT),
+            QuantityList.numbered(
+                name, AnalogBank.SIZE, i -> QuantityTitle.named(bank.name(i)), AMPERE_OR_VOLT),
             new Getter.OfEach(
                 AnalogBank.SIZE, (s, index) -> s.signals().analog().signal(bank, index).value()))
         .rtdeEach(i -> rtde(bank) + i);
     list.add(
             name + "_domain",
-            titleOf(bank) + ", domains",
+            domainsOf(bank),
             UINT8,
             QuantityList.numbered(
-                name + "_domain", AnalogBank.SIZE, i -> "Domain of " + bank.name(i), NONE),
+                name + "_domain",
+                AnalogBank.SIZE,
+                i -> QuantityTitle.of("domainOf", bank.name(i)),
+                NONE),
             new Getter.OfEach(
                 AnalogBank.SIZE,
                 (s, index) -> s.signals().analog().signal(bank, index).domain().number()))
-        .explained("0 for current, 1 for voltage");
+        .explained("domainExplained");
   }
 
   private static void addTool(QuantityList list) {
-    list.scalar("tool_voltage", "Tool voltage", INT32, VOLT, s -> s.signals().tool().voltageV())
+    list.scalar("tool_voltage", "toolVoltage", INT32, VOLT, s -> s.signals().tool().voltageV())
         .rtde("tool_output_voltage");
     list.whole(
             "tool_output_mode",
-            "Output mode",
+            "outputMode",
             UINT8,
             s -> s.signals().tool().outputMode() == ToolOutputMode.DUAL_PIN_POWER ? 1 : 0)
-        .explained("1 while two pins supply together")
+        .explained("outputModeExplained")
         .rtde("tool_output_mode");
     list.add(
             "tool_pin_mode",
-            "Output modes",
+            "outputModes",
             UINT8,
-            QuantityList.numbered("tool_pin_mode", 2, i -> "Output " + i, NONE),
+            QuantityList.numbered("tool_pin_mode", 2, i -> QuantityTitle.of("output", i), NONE),
             new Getter.OfEach(2, (s, index) -> s.signals().tool().pin(index).number()))
         .rtdeEach(i -> "tool_digital_output" + i + "_mode");
   }
@@ -116,26 +120,23 @@ final class SignalQuantities {
       }
     }
     list.whole(
-            "digital_input_bits",
-            "All digital inputs",
-            UINT64,
-            s -> RobotBits.digitalInputs(s.io()))
+            "digital_input_bits", "allDigitalInputs", UINT64, s -> RobotBits.digitalInputs(s.io()))
         .rtde("actual_digital_input_bits");
     list.whole(
             "digital_output_bits",
-            "All digital outputs",
+            "allDigitalOutputs",
             UINT64,
             s -> RobotBits.digitalOutputs(s.io()))
         .rtde("actual_digital_output_bits");
     list.whole(
             "analog_domain_bits",
-            "Analog domains",
+            "analogDomains",
             UINT32,
             s -> s.signals().analog().standardDomainBits())
         .rtde("analog_io_types");
     list.whole(
             "tool_analog_domain_bits",
-            "Analog domains of the tool",
+            "analogDomainsOfTheTool",
             UINT32,
             s -> s.signals().analog().toolDomainBits())
         .rtde("tool_analog_input_types");
@@ -143,21 +144,28 @@ final class SignalQuantities {
 
   /** What a connector for an injection moulding machine would tell; there is none. */
   private static void addAbsent(QuantityList list) {
-    list.whole("euromap67_inputs", "Inputs", UINT32, s -> 0).rtde("euromap67_input_bits");
-    list.whole("euromap67_outputs", "Outputs", UINT32, s -> 0).rtde("euromap67_output_bits");
-    list.number("euromap67_voltage", "Voltage", VOLT, s -> 0).rtde("euromap67_24V_voltage");
-    list.number("euromap67_current", "Current", AMPERE, s -> 0).rtde("euromap67_24V_current");
+    list.whole("euromap67_inputs", "inputs", UINT32, s -> 0).rtde("euromap67_input_bits");
+    list.whole("euromap67_outputs", "outputs", UINT32, s -> 0).rtde("euromap67_output_bits");
+    list.number("euromap67_voltage", "voltage", VOLT, s -> 0).rtde("euromap67_24V_voltage");
+    list.number("euromap67_current", "current", AMPERE, s -> 0).rtde("euromap67_24V_current");
   }
 
   private static void addRegisters(QuantityList list, RegisterDirection direction) {
     String side = direction.text();
+    boolean input = direction == RegisterDirection.INPUT;
     list.add(
             side + "_register_bits",
-            capital(side) + "s, packed",
+            input ? "inputsPacked" : "outputsPacked",
             UINT32,
             List.of(
-                new Component(side + "_register_bits_0", side + " registers 0 to 31", NONE),
-                new Component(side + "_register_bits_1", side + " registers 32 to 63", NONE)),
+                new Component(
+                    side + "_register_bits_0",
+                    QuantityTitle.of(input ? "inputRegistersLow" : "outputRegistersLow"),
+                    NONE),
+                new Component(
+                    side + "_register_bits_1",
+                    QuantityTitle.of(input ? "inputRegistersHigh" : "outputRegistersHigh"),
+                    NONE)),
             new Getter.OfEach(
                 2,
                 (s, index) ->
@@ -176,12 +184,12 @@ final class SignalQuantities {
           };
       list.add(
               name,
-              capital(side) + "s, " + kind.text(),
+              titleOf(input, kind),
               typeOf(kind),
               QuantityList.numbered(
                   name,
                   kind.size(),
-                  i -> direction.name(kind, i),
+                  i -> QuantityTitle.named(direction.name(kind, i)),
                   kind == RegisterKind.BOOLEAN ? LEVEL : NONE),
               new Getter.OfRegisters(direction, kind))
           .rtdeEach(i -> kind == RegisterKind.BOOLEAN && i < FIRST_SINGLE ? "" : field + i);
@@ -196,8 +204,20 @@ final class SignalQuantities {
     };
   }
 
-  private static String capital(String word) {
-    return word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
+  private static String titleOf(boolean input, RegisterKind kind) {
+    return switch (kind) {
+      case BOOLEAN -> input ? "inputsBoolean" : "outputsBoolean";
+      case INTEGER -> input ? "inputsInteger" : "outputsInteger";
+      case FLOAT -> input ? "inputsFloat" : "outputsFloat";
+    };
+  }
+
+  private static String domainsOf(AnalogBank bank) {
+    return switch (bank) {
+      case STANDARD_IN -> "analogInputsDomains";
+      case STANDARD_OUT -> "analogOutputsDomains";
+      case TOOL_IN -> "analogToolInputsDomains";
+    };
   }
 
   private static String rtde(AnalogBank bank) {
@@ -210,21 +230,21 @@ final class SignalQuantities {
 
   private static String titleOf(AnalogBank bank) {
     return switch (bank) {
-      case STANDARD_IN -> "Analog inputs";
-      case STANDARD_OUT -> "Analog outputs";
-      case TOOL_IN -> "Analog tool inputs";
+      case STANDARD_IN -> "analogInputs";
+      case STANDARD_OUT -> "analogOutputs";
+      case TOOL_IN -> "analogToolInputs";
     };
   }
 
   private static String titleOf(SignalBank bank) {
     return switch (bank) {
-      case STANDARD_IN -> "Digital inputs";
-      case STANDARD_OUT -> "Digital outputs";
-      case CONFIGURABLE_IN -> "Configurable inputs";
-      case CONFIGURABLE_OUT -> "Configurable outputs";
-      case TOOL_IN -> "Tool inputs";
-      case TOOL_OUT -> "Tool outputs";
-      case FLAG -> "Flags";
+      case STANDARD_IN -> "digitalInputs";
+      case STANDARD_OUT -> "digitalOutputs";
+      case CONFIGURABLE_IN -> "configurableInputs";
+      case CONFIGURABLE_OUT -> "configurableOutputs";
+      case TOOL_IN -> "toolInputs";
+      case TOOL_OUT -> "toolOutputs";
+      case FLAG -> "flags";
     };
   }
 }

@@ -1,6 +1,9 @@
 package org.pendant.controller.quantity;
 
+import static org.pendant.controller.quantity.QuantityTexts.text;
+
 import java.util.List;
+import java.util.stream.Collectors;
 import org.pendant.controller.state.ControllerState;
 
 /**
@@ -8,8 +11,8 @@ import org.pendant.controller.state.ControllerState;
  * to the TCP are in the base frame.
  *
  * @param name stable name, such as {@code actual_q}
- * @param group where its components stand in lists for people, levels separated by {@code /}
- * @param explanation what it is, where group and titles do not say enough; may be empty
+ * @param place where its components stand in lists for people, level by level
+ * @param explanationKey key of what it is, where group and titles do not say enough; may be empty
  * @param type of each component
  * @param components at least one
  * @param getter reads them from a snapshot
@@ -19,8 +22,8 @@ import org.pendant.controller.state.ControllerState;
  */
 public record StateQuantity(
     String name,
-    String group,
-    String explanation,
+    List<QuantityTitle> place,
+    String explanationKey,
     ScalarType type,
     List<Component> components,
     Getter getter,
@@ -28,8 +31,19 @@ public record StateQuantity(
     boolean fieldEach) {
   /** Copies the lists. */
   public StateQuantity {
+    place = List.copyOf(place);
     components = List.copyOf(components);
     rtdeNames = List.copyOf(rtdeNames);
+  }
+
+  /** Where its components stand in lists for people, levels separated by {@code /}. */
+  public String group() {
+    return place.stream().map(QuantityTitle::text).collect(Collectors.joining("/"));
+  }
+
+  /** What it is, where group and titles do not say enough; may be empty. */
+  public String explanation() {
+    return explanationKey.isEmpty() ? "" : text(explanationKey);
   }
 
   /** How many components it has. */
@@ -49,11 +63,11 @@ public record StateQuantity(
     return getter.element(0).applyAsDouble(state);
   }
 
-  StateQuantity explained(String text) {
-    return new StateQuantity(name, group, text, type, components, getter, rtdeNames, fieldEach);
+  StateQuantity explained(String key) {
+    return new StateQuantity(name, place, key, type, components, getter, rtdeNames, fieldEach);
   }
 
   StateQuantity published(List<String> names, boolean each) {
-    return new StateQuantity(name, group, explanation, type, components, getter, names, each);
+    return new StateQuantity(name, place, explanationKey, type, components, getter, names, each);
   }
 }

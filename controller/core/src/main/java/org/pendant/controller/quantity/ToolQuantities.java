@@ -19,60 +19,58 @@ final class ToolQuantities {
   private ToolQuantities() {}
 
   static void declareIn(QuantityList list) {
-    list.group("TCP");
+    list.group("tcp");
     addTcp(list);
-    list.group("Elbow");
+    list.group("elbow");
     addElbow(list);
-    list.group("Links");
-    list.number("link_distance", "Nearest distance", METRE, s -> s.geometry().linkDistanceM())
-        .explained(
-            "Of a link of the arm from another, from an object of the scene that stands still, or"
-                + " from another arm; negative where it is inside");
-    list.group("Forces");
+    list.group("links");
+    list.number("link_distance", "nearestDistance", METRE, s -> s.geometry().linkDistanceM())
+        .explained("linkDistanceExplained");
+    list.group("forces");
     addForces(list);
   }
 
   private static void addTcp(QuantityList list) {
-    list.pose("target_tcp", "Target pose", s -> s.geometry().targetTcpInBase())
+    list.pose("target_tcp", "targetPose", s -> s.geometry().targetTcpInBase())
         .rtde("target_TCP_pose");
-    list.pose("actual_tcp", "Actual pose", s -> s.geometry().actualTcpInBase())
+    list.pose("actual_tcp", "actualPose", s -> s.geometry().actualTcpInBase())
         .rtde("actual_TCP_pose");
-    list.velocity("tcp_velocity", "tcp_speed", "Speed", s -> s.geometry().actual().speed())
+    list.velocity("tcp_velocity", "tcp_speed", "speed", s -> s.geometry().actual().speed())
         .rtde("actual_TCP_speed");
-    list.acceleration("tcp_acceleration", "Acceleration", s -> s.geometry().actual().acceleration())
+    list.acceleration("tcp_acceleration", "acceleration", s -> s.geometry().actual().acceleration())
         .rtde("actual_TCP_acceleration");
     list.velocity(
             "target_tcp_velocity",
             "target_tcp_speed",
-            "Target speed",
+            "targetSpeed",
             s -> s.geometry().target().speed())
         .rtde("target_TCP_speed");
     list.acceleration(
             "target_tcp_acceleration",
-            "Target acceleration",
+            "targetAcceleration",
             s -> s.geometry().target().acceleration())
         .rtde("target_TCP_acceleration");
-    list.pose("tcp_offset", "Offset", s -> s.arm().tool().inFlange())
-        .explained("The TCP in the frame of the flange")
+    list.pose("tcp_offset", "offset", s -> s.arm().tool().inFlange())
+        .explained("offsetExplained")
         .rtde("tcp_offset");
     list.axes(
             "tool_acceleration",
-            "Accelerometer",
+            "accelerometer",
             "x y z",
             METRE_PER_SECOND_SQUARED,
             List.of(
                 s -> s.readings().toolAcceleration().xMPerS2(),
                 s -> s.readings().toolAcceleration().yMPerS2(),
                 s -> s.readings().toolAcceleration().zMPerS2()))
-        .explained("What the sensor in the flange reads along the flange's axes")
+        .explained("accelerometerExplained")
         .rtde("actual_tool_accelerometer");
-    list.number("dexterity", "Dexterity", PhysicalUnit.NONE, ToolQuantities::dexterity)
-        .explained("0 in a singularity; goes with the determinant of the Jacobian");
-    list.wrench("tcp_wrench", "tcp", "Force", s -> s.readings().flangeWrenchInBase())
+    list.number("dexterity", "dexterity", PhysicalUnit.NONE, ToolQuantities::dexterity)
+        .explained("dexterityExplained");
+    list.wrench("tcp_wrench", "tcp", "force", s -> s.readings().flangeWrenchInBase())
         .rtde("actual_TCP_force");
-    list.group("TCP/Speed");
+    list.group("tcp", "speed");
     list.number("tcp_speed", "length", METRE_PER_SECOND, ToolQuantities::tcpSpeed);
-    list.group("TCP/Force");
+    list.group("tcp", "force");
     list.number("tcp_force", "length", NEWTON, ToolQuantities::tcpForce).rtde("tcp_force_scalar");
   }
 
@@ -96,7 +94,7 @@ final class ToolQuantities {
   private static void addElbow(QuantityList list) {
     list.axes(
             "elbow",
-            "Position",
+            "position",
             "x y z",
             METRE,
             List.of(
@@ -106,7 +104,7 @@ final class ToolQuantities {
         .rtde("elbow_position");
     list.axes(
             "elbow_speed",
-            "Speed",
+            "speed",
             "x y z",
             METRE_PER_SECOND,
             List.of(
@@ -117,24 +115,24 @@ final class ToolQuantities {
   }
 
   private static void addForces(QuantityList list) {
-    list.wrench("raw_wrench", "raw", "Raw", s -> s.readings().rawFlangeWrench())
-        .explained("What the sensor feels, with the payload's weight, along the flange's axes")
+    list.wrench("raw_wrench", "raw", "raw", s -> s.readings().rawFlangeWrench())
+        .explained("rawExplained")
         .rtde("ft_raw_wrench");
     list.wrench(
             "current_wrench",
             "current",
-            "From currents",
+            "fromCurrents",
             s -> s.geometry().flangeWrenchFromCurrents())
-        .explained("What at the flange would explain the external torques of the joints")
+        .explained("fromCurrentsExplained")
         .rtde("wrench_calc_from_currents");
-    list.wrench("base_wrench", "base", "Base", s -> s.geometry().targetBaseWrench())
-        .explained("With what the base holds arm and payload in the target motion")
+    list.wrench("base_wrench", "base", "base", s -> s.geometry().targetBaseWrench())
+        .explained("baseForceExplained")
         .rtde("target_base_wrench");
-    list.number("deviation", "Deviation", RATIO, s -> s.readings().deviationRatio())
-        .explained("Distance from the target as a part of what stops the arm")
+    list.number("deviation", "deviation", RATIO, s -> s.readings().deviationRatio())
+        .explained("deviationExplained")
         .rtde("joint_position_deviation_ratio");
-    list.number("collision", "Collision", RATIO, s -> s.readings().collisionRatio())
-        .explained("Push from outside as a part of what stops the arm")
+    list.number("collision", "collision", RATIO, s -> s.readings().collisionRatio())
+        .explained("collisionExplained")
         .rtde("collision_detection_ratio");
   }
 
