@@ -63,6 +63,6 @@ public record ControlScript(ControlHost from, List<Line> header, List<Line> loop
 
   /** Where a line of it comes from, for messages. */
   public String place(int number) {
-    return "line " + number + " of the script from " + from.text();
+    return ProgramTreeTexts.text("scriptLinePlace", number, from.text());
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.pendant.language.parse.Lexeme;
@@ -19,9 +21,7 @@ public final class Identifiers {
 
   /** Why a text has not the characters of a name; empty if it has. */
   public static Optional<String> formRefusal(String text) {
-    return wellFormed(text)
-        ? Optional.empty()
-        : Optional.of("'" + text + "' is no name, expected letters, digits and _, no digit first");
+    return wellFormed(text) ? Optional.empty() : Optional.of(text("noName", text));
   }
 
   /** Why a text cannot be a name; empty if it can, unless something else has it already. */
@@ -32,6 +32,6 @@ public final class Identifiers {
   private static Optional<String> keywordRefusal(String text) {
     return LexemeReader.lexemes(Source.of("name", text)).getFirst().kind() == Lexeme.Kind.NAME
         ? Optional.empty()
-        : Optional.of("'" + text + "' is a word of the language, expected another name");
+        : Optional.of(text("keyword", text));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.Wiring;
@@ -23,7 +25,7 @@ public final class NodeFields {
   private static final NodeField JOINT_SPEED =
       new NodeField(
           "speed",
-          "speed",
+          text("speed"),
           FieldUnit.DEGREE_PER_S,
           NumberRange.upTo(2 * Math.PI),
           Math.toRadians(60));
@@ -31,23 +33,27 @@ public final class NodeFields {
   private static final NodeField JOINT_ACCELERATION =
       new NodeField(
           "acceleration",
-          "acceleration",
+          text("acceleration"),
           FieldUnit.DEGREE_PER_S2,
           NumberRange.upTo(40),
           Math.toRadians(80));
 
   private static final NodeField TOOL_SPEED =
-      new NodeField("speed", "speed", FieldUnit.MILLIMETRE_PER_S, NumberRange.upTo(5), 0.25);
+      new NodeField("speed", text("speed"), FieldUnit.MILLIMETRE_PER_S, NumberRange.upTo(5), 0.25);
 
   private static final NodeField TOOL_ACCELERATION =
       new NodeField(
-          "acceleration", "acceleration", FieldUnit.MILLIMETRE_PER_S2, NumberRange.upTo(150), 1.2);
+          "acceleration",
+          text("acceleration"),
+          FieldUnit.MILLIMETRE_PER_S2,
+          NumberRange.upTo(150),
+          1.2);
 
   /**
    * The way of a {@link MotionStep.Home} may have a time instead of a speed, of at most an hour.
    */
   public static final NodeField HOME_TIME =
-      new NodeField("timeS", "time", FieldUnit.SECOND, NumberRange.upTo(3600), 0).optional();
+      new NodeField("timeS", text("time"), FieldUnit.SECOND, NumberRange.upTo(3600), 0).optional();
 
   /** How fast the joints of a {@link MotionStep.Home} go. */
   public static final NodeField HOME_SPEED = JOINT_SPEED.named("speedRadPerS");
@@ -62,7 +68,7 @@ public final class NodeFields {
   /** Radius of the corner at a waypoint, a circle's end or a pattern point that has one. */
   public static final NodeField BLEND_RADIUS =
       new NodeField(
-          "blendRadiusM", "blend radius", FieldUnit.MILLIMETRE, NumberRange.of(0, 10), 0.025);
+          "blendRadiusM", text("blendRadius"), FieldUnit.MILLIMETRE, NumberRange.of(0, 10), 0.025);
 
   /** Radius of the corner at a {@link UntilRule.Distance} that has one. */
   public static final NodeField UNTIL_BLEND_RADIUS = BLEND_RADIUS.named("rule.blendRadiusM");
@@ -85,32 +91,34 @@ public final class NodeFields {
 
   /** How far the tool goes, see {@link UntilRule.Distance}. */
   public static final NodeField UNTIL_DISTANCE =
-      new NodeField("rule.distanceM", "distance", FieldUnit.MILLIMETRE, NumberRange.upTo(10), 0.1);
+      new NodeField(
+          "rule.distanceM", text("distance"), FieldUnit.MILLIMETRE, NumberRange.upTo(10), 0.1);
 
   /** How far the tool goes back after a {@link UntilRule.Contact}. */
   public static final NodeField RETRACTION =
-      new NodeField("rule.retractM", "retraction", FieldUnit.MILLIMETRE, NumberRange.within(10), 0);
+      new NodeField(
+          "rule.retractM", text("retraction"), FieldUnit.MILLIMETRE, NumberRange.within(10), 0);
 
   /** How the tool stops at a {@link UntilRule.Contact}. */
   public static final NodeField CONTACT_DECELERATION =
       new NodeField(
           "rule.stopDecelerationMPerS2",
-          "deceleration",
+          text("deceleration"),
           FieldUnit.MILLIMETRE_PER_S2,
           NumberRange.upTo(150),
           3);
 
   /** How long a {@link WaitFor.Time} takes. */
   public static final NodeField WAIT_TIME =
-      new NodeField("what.timeS", "time", FieldUnit.SECOND, NumberRange.of(0, 1e6), 0.01);
+      new NodeField("what.timeS", text("time"), FieldUnit.SECOND, NumberRange.of(0, 1e6), 0.01);
 
   /** How long a {@link Setting.Pulse} takes. */
   public static final NodeField PULSE_TIME =
-      new NodeField("setting.timeS", "time", FieldUnit.SECOND, NumberRange.upTo(1000), 0.5);
+      new NodeField("setting.timeS", text("time"), FieldUnit.SECOND, NumberRange.upTo(1000), 0.5);
 
   /** Mass of a {@link Setting.Payload}. */
   public static final NodeField PAYLOAD_MASS =
-      new NodeField("setting.massKg", "mass", FieldUnit.KILOGRAM, NumberRange.of(0, 100), 1);
+      new NodeField("setting.massKg", text("mass"), FieldUnit.KILOGRAM, NumberRange.of(0, 100), 1);
 
   /** Centre of gravity of a {@link Setting.Payload} along x of the flange. */
   public static final NodeField PAYLOAD_X = centre("setting.cogXM");
@@ -125,22 +133,22 @@ public final class NodeFields {
   public static final NodeField LINE_PLACES =
       new NodeField(
           "pattern.count",
-          "places of the line",
+          text("placesOfTheLine"),
           FieldUnit.COUNT,
           NumberRange.of(2, PLACES.max()),
           4);
 
   /** How many places a row of a pattern has. */
   public static final NodeField COLUMNS =
-      new NodeField("pattern.columns", "columns", FieldUnit.COUNT, PLACES, 3);
+      new NodeField("pattern.columns", text("columns"), FieldUnit.COUNT, PLACES, 3);
 
   /** How many rows a layer of a pattern has. */
   public static final NodeField ROWS =
-      new NodeField("pattern.rows", "rows", FieldUnit.COUNT, PLACES, 2);
+      new NodeField("pattern.rows", text("rows"), FieldUnit.COUNT, PLACES, 2);
 
   /** How many layers a {@link Pattern.Box} has. */
   public static final NodeField LAYERS =
-      new NodeField("pattern.layers", "layers", FieldUnit.COUNT, PLACES, 2);
+      new NodeField("pattern.layers", text("layers"), FieldUnit.COUNT, PLACES, 2);
 
   /** Part of the direction of a {@link TemplateStep.Seek} along x. */
   public static final NodeField SEEK_X = part("direction.x", 0);
@@ -153,11 +161,11 @@ public final class NodeFields {
 
   /** How far a {@link TemplateStep.Seek} goes at most. */
   public static final NodeField SEEK_LIMIT =
-      new NodeField("limitM", "farthest way", FieldUnit.MILLIMETRE, WAYS, 0.3);
+      new NodeField("limitM", text("farthestWay"), FieldUnit.MILLIMETRE, WAYS, 0.3);
 
   /** How high an item of a {@link TemplateStep.Seek} is. */
   public static final NodeField ITEM_HEIGHT =
-      new NodeField("itemHeightM", "thickness of an item", FieldUnit.MILLIMETRE, WAYS, 0.02);
+      new NodeField("itemHeightM", text("itemThickness"), FieldUnit.MILLIMETRE, WAYS, 0.02);
 
   /** How fast the tool of a {@link TemplateStep.Seek} goes. */
   public static final NodeField SEEK_SPEED = TOOL_SPEED.named("speedMPerS").from(0.05);
@@ -167,13 +175,13 @@ public final class NodeFields {
 
   /** After which time a {@link TemplateStep.Screwdriving} is an error; 0 for never. */
   public static final NodeField SCREW_TIMEOUT =
-      new NodeField("timeoutS", "time", FieldUnit.SECOND, NumberRange.of(0, 3600), 0);
+      new NodeField("timeoutS", text("time"), FieldUnit.SECOND, NumberRange.of(0, 3600), 0);
 
   private static final NodeField SCREW_FORCE =
-      new NodeField("value", "force", FieldUnit.NEWTON, NumberRange.upTo(500), 20);
+      new NodeField("value", text("pressingForce"), FieldUnit.NEWTON, NumberRange.upTo(500), 20);
 
   private static final NodeField SCREW_SPEED =
-      new NodeField("value", "speed", FieldUnit.MILLIMETRE_PER_S, NumberRange.upTo(1), 0.005);
+      new NodeField("value", text("speed"), FieldUnit.MILLIMETRE_PER_S, NumberRange.upTo(1), 0.005);
 
   private NodeFields() {}
 
@@ -183,7 +191,7 @@ public final class NodeFields {
   }
 
   private static NodeField centre(String name) {
-    return new NodeField(name, "centre of gravity", FieldUnit.MILLIMETRE, OFFSETS, 0);
+    return new NodeField(name, text("centreOfGravity"), FieldUnit.MILLIMETRE, OFFSETS, 0);
   }
 
   /** How fast a {@link MotionStep.Move} or {@link TemplateStep.PatternPoint} goes. */
@@ -236,13 +244,13 @@ public final class NodeFields {
   private static NodeField level(
       String name, Optional<AnalogDomain> domain, double ratio, boolean bounded) {
     if (domain.isEmpty()) {
-      return new NodeField(name, "value", FieldUnit.NUMBER, NumberRange.ANY, 0);
+      return new NodeField(name, text("value"), FieldUnit.NUMBER, NumberRange.ANY, 0);
     }
     AnalogDomain in = domain.get();
     boolean voltage = in == AnalogDomain.VOLTAGE;
     return new NodeField(
         name,
-        voltage ? "voltage" : "current",
+        text(voltage ? "voltage" : "current"),
         voltage ? FieldUnit.VOLT : FieldUnit.MILLIAMPERE,
         bounded ? NumberRange.of(in.low(), in.high()) : NumberRange.ANY,
         in.valueAt(ratio));
@@ -299,7 +307,8 @@ public final class NodeFields {
    * @param joint 0 to 5
    */
   public static NodeField placeJoint(int joint) {
-    return new NodeField("joint-" + joint, "joint " + joint, FieldUnit.DEGREE, NumberRange.ANY, 0);
+    return new NodeField(
+        "joint-" + joint, text("joint", joint), FieldUnit.DEGREE, NumberRange.ANY, 0);
   }
 
   /**
@@ -311,7 +320,7 @@ public final class NodeFields {
     boolean line = axis < FIRST_TURN;
     return new NodeField(
         "wrench." + axis,
-        (line ? "force along " : "torque about ") + AXES.get(axis),
+        text(line ? "forceAlong" : "torqueAbout", AXES.get(axis)),
         line ? FieldUnit.NEWTON : FieldUnit.NEWTON_METRE,
         NumberRange.within(line ? 500 : 100),
         0);
@@ -329,13 +338,13 @@ public final class NodeFields {
     return compliant
         ? new NodeField(
             name,
-            "speed limit of " + AXES.get(axis),
+            text("speedLimitOf", AXES.get(axis)),
             line ? FieldUnit.MILLIMETRE_PER_S : FieldUnit.DEGREE_PER_S,
             NumberRange.upTo(FORCE_LIMIT),
             line ? 0.15 : TURN_RAD)
         : new NodeField(
             name,
-            "deviation limit of " + AXES.get(axis),
+            text("deviationLimitOf", AXES.get(axis)),
             line ? FieldUnit.MILLIMETRE : FieldUnit.DEGREE,
             NumberRange.of(0, FORCE_LIMIT),
             line ? 0.1 : TURN_RAD);

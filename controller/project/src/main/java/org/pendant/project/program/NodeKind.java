@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -8,53 +10,53 @@ import org.pendant.project.program.TemplateStep.PatternRole;
 
 /** Node kinds as people choose them from a palette and read them on a screen. */
 public enum NodeKind {
-  MOVE_JOINT(Group.BASIC, "MoveJ"),
-  MOVE_LINEAR(Group.BASIC, "MoveL"),
-  MOVE_PROCESS(Group.BASIC, "MoveP"),
-  WAYPOINT(Group.BASIC, "Waypoint"),
-  DIRECTION(Group.BASIC, "Direction"),
-  UNTIL(Group.BASIC, "Until"),
-  CIRCLE_MOVE(Group.BASIC, "CircleMove"),
-  HOME(Group.BASIC, "Home"),
-  WAIT(Group.BASIC, "Wait"),
-  SET(Group.BASIC, "Set"),
-  POPUP(Group.BASIC, "Popup"),
-  HALT(Group.BASIC, "Halt"),
-  COMMENT(Group.BASIC, "Comment"),
-  FOLDER(Group.BASIC, "Folder"),
-  LOOP(Group.ADVANCED, "Loop"),
-  CALL(Group.ADVANCED, "Call"),
-  ASSIGNMENT(Group.ADVANCED, "Assignment"),
-  OPERATOR_INPUT(Group.ADVANCED, "Operator input"),
-  IF(Group.ADVANCED, "If"),
-  ELSE_IF(Group.ADVANCED, "ElseIf"),
-  ELSE(Group.ADVANCED, "Else"),
-  SWITCH(Group.ADVANCED, "Switch"),
-  CASE(Group.ADVANCED, "Case"),
-  DEFAULT_CASE(Group.ADVANCED, "Default"),
-  SCRIPT_LINE(Group.ADVANCED, "Script line"),
-  SCRIPT_FILE(Group.ADVANCED, "Script file"),
-  TIMER(Group.ADVANCED, "Timer"),
-  PALLETIZING(Group.TEMPLATE, "Palletizing"),
-  APPROACH(Group.TEMPLATE, "Approach"),
-  PATTERN_POINT(Group.TEMPLATE, "Pattern point"),
-  EXIT(Group.TEMPLATE, "Exit"),
-  PART_BEFORE(Group.TEMPLATE, "Before start part"),
-  PART_AFTER(Group.TEMPLATE, "After end part"),
-  PART_SEQUENCE(Group.TEMPLATE, "Sequence part"),
-  STACK(Group.TEMPLATE, "Seek: stack"),
-  DESTACK(Group.TEMPLATE, "Seek: destack"),
-  FORCE(Group.TEMPLATE, "Force"),
-  SCREWDRIVING(Group.TEMPLATE, "Screwdriving"),
-  CONVEYOR_TRACKING(Group.TEMPLATE, "Conveyor tracking"),
-  INITIAL_VALUES(Group.SECTION, "Initial values"),
-  BEFORE_START(Group.SECTION, "Before start"),
-  THREAD(Group.SECTION, "Thread"),
-  EVENT(Group.SECTION, "Event"),
-  SUB_PROGRAM(Group.SECTION, "Sub program"),
-  MAIN_PROGRAM(Group.GIVEN, "Main program"),
-  CONTRIBUTED(Group.GIVEN, "Contributed"),
-  UNKNOWN(Group.GIVEN, "Unknown");
+  MOVE_JOINT(Group.BASIC, "moveJoint"),
+  MOVE_LINEAR(Group.BASIC, "moveLinear"),
+  MOVE_PROCESS(Group.BASIC, "moveProcess"),
+  WAYPOINT(Group.BASIC, "waypoint"),
+  DIRECTION(Group.BASIC, "direction"),
+  UNTIL(Group.BASIC, "until"),
+  CIRCLE_MOVE(Group.BASIC, "circleMove"),
+  HOME(Group.BASIC, "home"),
+  WAIT(Group.BASIC, "wait"),
+  SET(Group.BASIC, "set"),
+  POPUP(Group.BASIC, "popup"),
+  HALT(Group.BASIC, "halt"),
+  COMMENT(Group.BASIC, "comment"),
+  FOLDER(Group.BASIC, "folder"),
+  LOOP(Group.ADVANCED, "loop"),
+  CALL(Group.ADVANCED, "call"),
+  ASSIGNMENT(Group.ADVANCED, "assignment"),
+  OPERATOR_INPUT(Group.ADVANCED, "operatorInput"),
+  IF(Group.ADVANCED, "if"),
+  ELSE_IF(Group.ADVANCED, "elseIf"),
+  ELSE(Group.ADVANCED, "else"),
+  SWITCH(Group.ADVANCED, "switch"),
+  CASE(Group.ADVANCED, "case"),
+  DEFAULT_CASE(Group.ADVANCED, "default"),
+  SCRIPT_LINE(Group.ADVANCED, "scriptLine"),
+  SCRIPT_FILE(Group.ADVANCED, "scriptFile"),
+  TIMER(Group.ADVANCED, "timer"),
+  PALLETIZING(Group.TEMPLATE, "palletizing"),
+  APPROACH(Group.TEMPLATE, "approach"),
+  PATTERN_POINT(Group.TEMPLATE, "patternPoint"),
+  EXIT(Group.TEMPLATE, "exit"),
+  PART_BEFORE(Group.TEMPLATE, "beforeStartPart"),
+  PART_AFTER(Group.TEMPLATE, "afterEndPart"),
+  PART_SEQUENCE(Group.TEMPLATE, "sequencePart"),
+  STACK(Group.TEMPLATE, "seekStack"),
+  DESTACK(Group.TEMPLATE, "seekDestack"),
+  FORCE(Group.TEMPLATE, "force"),
+  SCREWDRIVING(Group.TEMPLATE, "screwdriving"),
+  CONVEYOR_TRACKING(Group.TEMPLATE, "conveyorTracking"),
+  INITIAL_VALUES(Group.SECTION, "initialValues"),
+  BEFORE_START(Group.SECTION, "beforeStart"),
+  THREAD(Group.SECTION, "thread"),
+  EVENT(Group.SECTION, "event"),
+  SUB_PROGRAM(Group.SECTION, "subProgram"),
+  MAIN_PROGRAM(Group.GIVEN, "mainProgram"),
+  CONTRIBUTED(Group.GIVEN, "contributed"),
+  UNKNOWN(Group.GIVEN, "unknown");
 
   /** Where a kind is found on a palette. */
   public enum Group {
@@ -68,11 +70,11 @@ public enum NodeKind {
   }
 
   private final Group group;
-  private final String title;
+  private final String key;
 
-  NodeKind(Group group, String title) {
+  NodeKind(Group group, String key) {
     this.group = group;
-    this.title = title;
+    this.key = key;
   }
 
   /** Where it is found. */
@@ -82,7 +84,7 @@ public enum NodeKind {
 
   /** What people call it. */
   public String title() {
-    return title;
+    return text(key);
   }
 
   /** The kinds of a group, in the order in which they are shown. */
@@ -92,7 +94,7 @@ public enum NodeKind {
 
   /** The kind that has a title. */
   public static Optional<NodeKind> titled(String title) {
-    return Arrays.stream(values()).filter(each -> each.title.equals(title)).findAny();
+    return Arrays.stream(values()).filter(each -> each.title().equals(title)).findAny();
   }
 
   /** The kind of a step. */

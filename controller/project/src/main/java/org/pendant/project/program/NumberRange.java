@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.function.DoubleFunction;
 
 /**
@@ -42,11 +44,11 @@ public record NumberRange(double min, double max, boolean open) {
   /** As {@link #words(FieldUnit)}, in any unit. */
   public String words(DoubleFunction<String> number, String symbol) {
     if (equals(ANY)) {
-      return "must be a number";
+      return text("mustBeNumber");
     }
     String most = symbol.isEmpty() ? number.apply(max) : number.apply(max) + " " + symbol;
     return open
-        ? "must be above " + number.apply(min) + " and at most " + most
-        : "must be " + number.apply(min) + " to " + most;
+        ? text("mustBeAbove", number.apply(min), most)
+        : text("mustBeWithin", number.apply(min), most);
   }
 }

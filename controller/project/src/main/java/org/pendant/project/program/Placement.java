@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
@@ -14,21 +16,26 @@ public final class Placement {
   /** Nodes that stand at the same places. */
   private enum Sort {
     /** Whatever a program is made of. */
-    STEP("the main program, a thread, an event, a sub program or what is below them"),
-    SECTION("the program itself"),
-    MOVE("the main program or another part that is not a move itself"),
-    WAYPOINT("a move or a circle"),
-    CIRCLE("a MoveP"),
-    DIRECTION("a move"),
-    UNTIL("a direction or a waypoint"),
-    CASE("a Switch"),
-    POINT("Palletizing, Seek or their parts"),
-    PART("Palletizing or Seek");
+    STEP("placesOfSteps"),
+    SECTION("placeOfSections"),
+    MOVE("placesOfMoves"),
+    WAYPOINT("placesOfWaypoints"),
+    CIRCLE("placeOfCircles"),
+    DIRECTION("placeOfDirections"),
+    UNTIL("placesOfUntil"),
+    CASE("placeOfCases"),
+    POINT("placesOfPatternPoints"),
+    PART("placesOfParts");
 
-    private final String places;
+    private final String key;
 
-    Sort(String places) {
-      this.places = places;
+    Sort(String key) {
+      this.key = key;
+    }
+
+    /** Below what they may stand. */
+    String places() {
+      return text(key);
     }
   }
 
@@ -60,14 +67,9 @@ public final class Placement {
       return Optional.empty();
     }
     if (!holdsOthers(parent)) {
-      return Optional.of(title(parent) + " has no nodes below it");
+      return Optional.of(text("holdsNoNodes", title(parent)));
     }
-    return Optional.of(
-        title(child)
-            + " does not go below "
-            + title(parent)
-            + ", only below "
-            + sort(child).places);
+    return Optional.of(text("wrongPlace", title(child), title(parent), sort(child).places()));
   }
 
   /**
@@ -79,16 +81,16 @@ public final class Placement {
         ? whyNotAtTop(tree, child)
         : tree.find(parent)
             .map(above -> whyNot(above.step(), child))
-            .orElse(Optional.of("the node that it should go into is gone"));
+            .orElse(Optional.of(text("parentGone")));
   }
 
   private static Optional<String> whyNotAtTop(ProgramTree tree, Step child) {
     if (!(child instanceof Section section)) {
-      return Optional.of(title(child) + " goes below " + sort(child).places);
+      return Optional.of(text("notAtTop", title(child), sort(child).places()));
     }
     boolean taken = tree.sections().stream().anyMatch(each -> sameKind(each.step(), section));
     return taken && onlyOnce(section)
-        ? Optional.of("a program has only one " + title(section))
+        ? Optional.of(text("onlyOnce", title(section)))
         : Optional.empty();
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -19,24 +21,24 @@ public final class PlayFrom {
   public static Optional<String> whyNot(ProgramTree tree, long key) {
     List<ProgramNode> path = path(tree, key);
     if (path.isEmpty() || !(path.getFirst().step() instanceof Section.MainProgram)) {
-      return Optional.of("Only nodes of the main program can be started at");
+      return Optional.of(text("startsInMainOnly"));
     }
     if (path.size() == 1) {
       return Optional.empty();
     }
     if (path.stream().anyMatch(ProgramNode::suppressed)) {
-      return Optional.of("The node is suppressed");
+      return Optional.of(text("startSuppressed"));
     }
     if (path.getLast().step() instanceof FlowStep.ElseIf
         || path.getLast().step() instanceof FlowStep.Else
         || path.getLast().step() instanceof FlowStep.Case
         || path.getLast().step() instanceof FlowStep.DefaultCase) {
-      return Optional.of("It is a branch: start at a node in it, or before the condition");
+      return Optional.of(text("startAtBranch"));
     }
     return path.subList(1, path.size() - 1).stream()
         .filter(each -> !entered(each.step()))
         .findFirst()
-        .map(each -> "It is a part of a whole: start at the node around it");
+        .map(each -> text("startWithinWhole"));
   }
 
   /** Whether a turn may begin inside of a step. */

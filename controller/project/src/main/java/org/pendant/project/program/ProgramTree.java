@@ -1,5 +1,7 @@
 package org.pendant.project.program;
 
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -55,7 +57,7 @@ public record ProgramTree(
   }
 
   private static String tooDeep() {
-    return "Nodes may not go more than " + DEEPEST + " levels deep";
+    return text("tooDeep", DEEPEST);
   }
 
   /** How many levels there are below some nodes; one more than {@code most} if there are more. */

@@ -1,6 +1,7 @@
 package org.pendant.project.program;
 
-import java.util.Locale;
+import static org.pendant.project.program.ProgramTreeTexts.text;
+
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 
@@ -27,10 +28,10 @@ public final class StepNames {
    * @param signals what people call a signal
    */
   public static String label(Step step, UnaryOperator<String> signals) {
-    return BLANKS.matcher(text(step, signals)).replaceAll(" ");
+    return BLANKS.matcher(line(step, signals)).replaceAll(" ");
   }
 
-  private static String text(Step step, UnaryOperator<String> signals) {
+  private static String line(Step step, UnaryOperator<String> signals) {
     return switch (step) {
       case Section each -> section(each);
       case MotionStep each -> motion(each, signals);
@@ -43,11 +44,11 @@ public final class StepNames {
 
   private static String section(Section section) {
     return switch (section) {
-      case Section.InitialValues _ -> "Initial values";
+      case Section.InitialValues _ -> text("initialValues");
       case Section.BeforeStart _ -> "BeforeStart";
-      case Section.MainProgram _ -> "Robot Program";
+      case Section.MainProgram _ -> text("robotProgram");
       case Section.ThreadSection thread -> name(thread.name());
-      case Section.Event event -> "Event " + condition(event.condition());
+      case Section.Event event -> text("eventOf", condition(event.condition()));
       case Section.SubProgram sub -> name(sub.name());
     };
   }
@@ -57,9 +58,9 @@ public final class StepNames {
       case MotionStep.Move move -> move(move.kind());
       case MotionStep.Waypoint waypoint -> waypoint(waypoint.target());
       case MotionStep.CircleMove _ -> "CircleMove";
-      case MotionStep.Direction direction -> "Direction: " + direction(direction);
-      case MotionStep.Until until -> "Until " + until(until.rule(), signals);
-      case MotionStep.Home _ -> "Home";
+      case MotionStep.Direction direction -> text("directionOf", direction(direction));
+      case MotionStep.Until until -> until(until.rule(), signals);
+      case MotionStep.Home _ -> text("home");
     };
   }
 
@@ -102,10 +103,12 @@ public final class StepNames {
 
   private static String until(UntilRule rule, UnaryOperator<String> signals) {
     return switch (rule) {
-      case UntilRule.Distance distance -> "distance: " + number(distance.distanceM()) + " m";
-      case UntilRule.Contact _ -> "tool contact";
-      case UntilRule.Expression expression -> condition(expression.condition());
-      case UntilRule.DigitalInput input -> level(signals.apply(input.signal()), input.level());
+      case UntilRule.Distance distance -> text("untilDistanceM", number(distance.distanceM()));
+      case UntilRule.Contact _ -> text("untilToolContact");
+      case UntilRule.Expression expression ->
+          text("untilCondition", condition(expression.condition()));
+      case UntilRule.DigitalInput input ->
+          text("untilCondition", level(signals.apply(input.signal()), input.level()));
     };
   }
 
@@ -113,109 +116,147 @@ public final class StepNames {
     return switch (action) {
       case ActionStep.Wait wait -> wait(wait.what(), signals);
       case ActionStep.SetAction set -> setting(set.setting(), signals);
-      case ActionStep.Popup popup -> named("Popup", popup.text());
-      case ActionStep.Halt _ -> "Halt";
+      case ActionStep.Popup popup -> named("popup", "popupNamed", popup.text());
+      case ActionStep.Halt _ -> text("halt");
       case ActionStep.Comment comment -> "'" + comment.text() + "'";
-      case ActionStep.Folder folder -> folder.name().isBlank() ? "Folder" : folder.name();
+      case ActionStep.Folder folder -> folder.name().isBlank() ? text("folder") : folder.name();
       case ActionStep.Assignment set ->
           name(set.variable()) + " \u2254 " + condition(set.expression());
-      case ActionStep.OperatorInput input ->
-          name(input.variable()) + " \u2254 operator: " + word(input.kind());
-      case ActionStep.Call call -> "Call " + name(call.subProgram());
+      case ActionStep.OperatorInput input -> operatorInput(name(input.variable()), input.kind());
+      case ActionStep.Call call -> text("callOf", name(call.subProgram()));
       case ActionStep.ScriptLine line -> name(line.code());
-      case ActionStep.ScriptFile file -> "Script: " + name(file.file());
-      case ActionStep.Timer timer -> name(timer.name()) + ": " + word(timer.action());
+      case ActionStep.ScriptFile file -> text("scriptOf", name(file.file()));
+      case ActionStep.Timer timer -> timer(name(timer.name()), timer.action());
+    };
+  }
+
+  private static String operatorInput(String variable, ActionStep.InputKind kind) {
+    return switch (kind) {
+      case BOOLEAN -> text("operatorBoolean", variable);
+      case INTEGER -> text("operatorInteger", variable);
+      case FLOAT -> text("operatorFloat", variable);
+      case TEXT -> text("operatorText", variable);
+    };
+  }
+
+  private static String timer(String name, ActionStep.TimerAction action) {
+    return switch (action) {
+      case START -> text("timerStart", name);
+      case STOP -> text("timerStop", name);
+      case RESET -> text("timerReset", name);
     };
   }
 
   private static String wait(WaitFor what, UnaryOperator<String> signals) {
     return switch (what) {
-      case WaitFor.Nothing _ -> "Wait";
-      case WaitFor.Time time -> "Wait: " + number(time.timeS());
+      case WaitFor.Nothing _ -> text("wait");
+      case WaitFor.Time time -> text("waitTime", number(time.timeS()));
       case WaitFor.Digital digital ->
-          "Wait " + level(signals.apply(digital.signal()), digital.level());
+          text("waitFor", level(signals.apply(digital.signal()), digital.level()));
       case WaitFor.Analog analog ->
-          "Wait "
-              + name(signals.apply(analog.signal()))
-              + (analog.above() ? " > " : " < ")
-              + number(analog.value());
-      case WaitFor.Expression expression -> "Wait " + condition(expression.condition());
+          text(
+              "waitFor",
+              name(signals.apply(analog.signal()))
+                  + (analog.above() ? " > " : " < ")
+                  + number(analog.value()));
+      case WaitFor.Expression expression -> text("waitFor", condition(expression.condition()));
     };
   }
 
   private static String setting(Setting setting, UnaryOperator<String> signals) {
     return switch (setting) {
-      case Setting.Nothing _ -> "Set";
+      case Setting.Nothing _ -> text("set");
       case Setting.Digital digital ->
-          "Set " + name(signals.apply(digital.signal())) + " = " + (digital.level() ? "On" : "Off");
+          text(digital.level() ? "setOn" : "setOff", name(signals.apply(digital.signal())));
       case Setting.Analog analog ->
-          "Set " + name(signals.apply(analog.signal())) + " = " + number(analog.value());
+          text("setTo", name(signals.apply(analog.signal())), number(analog.value()));
       case Setting.Pulse pulse ->
-          "Set " + name(signals.apply(pulse.signal())) + ": pulse " + number(pulse.timeS());
+          text("setPulse", name(signals.apply(pulse.signal())), number(pulse.timeS()));
       case Setting.Expression expression ->
-          "Set "
-              + name(signals.apply(expression.signal()))
-              + " = "
-              + condition(expression.expression());
-      case Setting.NamedPayload payload -> "Set payload: " + name(payload.name());
-      case Setting.Payload payload -> "Set payload: " + number(payload.massKg()) + " kg";
-      case Setting.Tcp tcp -> tcp.name().isEmpty() ? "Set TCP" : "Set TCP: " + tcp.name();
-      case Setting.Increment increment ->
-          "Set " + name(increment.variable()) + " \u2254 " + name(increment.variable()) + " + 1";
+          text(
+              "setTo",
+              name(signals.apply(expression.signal())),
+              condition(expression.expression()));
+      case Setting.NamedPayload payload -> text("setPayload", name(payload.name()));
+      case Setting.Payload payload -> text("setPayloadMass", number(payload.massKg()));
+      case Setting.Tcp tcp ->
+          tcp.name().isEmpty() ? text("setTcp") : text("setTcpNamed", tcp.name());
+      case Setting.Increment increment -> text("setIncremented", name(increment.variable()));
     };
   }
 
   private static String flow(FlowStep flow) {
     return switch (flow) {
-      case FlowStep.If each -> "If " + condition(each.condition());
-      case FlowStep.ElseIf each -> "ElseIf " + condition(each.condition());
-      case FlowStep.Else _ -> "Else";
+      case FlowStep.If each -> text("ifCondition", condition(each.condition()));
+      case FlowStep.ElseIf each -> text("elseIfCondition", condition(each.condition()));
+      case FlowStep.Else _ -> text("else");
       case FlowStep.Loop loop -> loop(loop.rule());
-      case FlowStep.Switch each -> "Switch " + condition(each.expression());
-      case FlowStep.Case each -> "Case " + name(each.value());
-      case FlowStep.DefaultCase _ -> "Default case";
+      case FlowStep.Switch each -> text("switchOn", condition(each.expression()));
+      case FlowStep.Case each -> text("caseOf", name(each.value()));
+      case FlowStep.DefaultCase _ -> text("defaultCase");
     };
   }
 
   private static String loop(LoopRule rule) {
     return switch (rule) {
-      case LoopRule.Forever _ -> "Loop";
-      case LoopRule.Times times -> "Loop " + name(times.count()) + " times";
-      case LoopRule.While each -> "Loop " + condition(each.condition());
+      case LoopRule.Forever _ -> text("loop");
+      case LoopRule.Times times -> text("loopTimes", name(times.count()));
+      case LoopRule.While each -> text("loopWhile", condition(each.condition()));
     };
   }
 
   private static String template(TemplateStep template) {
     return switch (template) {
-      case TemplateStep.Palletizing each -> named("Palletizing", each.name());
-      case TemplateStep.PatternPoint point -> capital(word(point.role()));
+      case TemplateStep.Palletizing each -> named("palletizing", "palletizingNamed", each.name());
+      case TemplateStep.PatternPoint point -> role(point.role());
       case TemplateStep.Part part -> part(part.kind());
-      case TemplateStep.Seek seek -> named(seek.destack() ? "Destack" : "Stack", seek.name());
-      case TemplateStep.Force force -> "Force: " + word(force.kind());
+      case TemplateStep.Seek seek ->
+          seek.destack()
+              ? named("destack", "destackNamed", seek.name())
+              : named("stack", "stackNamed", seek.name());
+      case TemplateStep.Force force -> force(force.kind());
       case TemplateStep.Screwdriving each ->
-          each.loosen() ? "Screwdriving: loosen" : "Screwdriving";
-      case TemplateStep.ConveyorTracking each -> "Conveyor tracking " + each.conveyor();
+          each.loosen() ? text("screwdrivingLoosen") : text("screwdriving");
+      case TemplateStep.ConveyorTracking each -> text("conveyorTrackingOf", each.conveyor());
+    };
+  }
+
+  private static String role(TemplateStep.PatternRole role) {
+    return switch (role) {
+      case APPROACH -> text("approach");
+      case POINT -> text("patternReference");
+      case EXIT -> text("exit");
+    };
+  }
+
+  private static String force(TemplateStep.ForceKind kind) {
+    return switch (kind) {
+      case SIMPLE -> text("forceSimple");
+      case FRAME -> text("forceFrame");
+      case POINT -> text("forcePoint");
+      case MOTION -> text("forceMotion");
     };
   }
 
   private static String part(TemplateStep.PartKind kind) {
     return switch (kind) {
-      case BEFORE_START -> "Before start";
-      case AFTER_END -> "After end";
-      case SEQUENCE -> "Sequence";
+      case BEFORE_START -> text("beforeStart");
+      case AFTER_END -> text("afterEnd");
+      case SEQUENCE -> text("sequence");
     };
   }
 
   private static String foreign(ForeignStep foreign) {
     return switch (foreign) {
       case ForeignStep.Contributed each when ExternalControl.is(each) -> each.type();
-      case ForeignStep.Contributed each -> named(name(each.type()), each.source());
-      case ForeignStep.Unknown each -> "Unknown: " + name(each.element());
+      case ForeignStep.Contributed each when each.source().isBlank() -> name(each.type());
+      case ForeignStep.Contributed each -> name(each.type()) + ": " + each.source();
+      case ForeignStep.Unknown each -> text("unknownNode", name(each.element()));
     };
   }
 
-  private static String named(String kind, String name) {
-    return name.isBlank() ? kind : kind + ": " + name;
+  private static String named(String key, String keyNamed, String name) {
+    return name.isBlank() ? text(key) : text(keyNamed, name);
   }
 
   private static String name(String text) {
@@ -229,14 +270,6 @@ public final class StepNames {
 
   private static String level(String signal, boolean level) {
     return name(signal) + " \u225f " + (level ? "True" : "False");
-  }
-
-  private static String word(Enum<?> constant) {
-    return constant.name().toLowerCase(Locale.ROOT);
-  }
-
-  private static String capital(String word) {
-    return Character.toUpperCase(word.charAt(0)) + word.substring(1);
   }
 
   /** Without a fraction that says nothing. */
