@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import org.pendant.controller.installation.InstallationVariable;
 import org.pendant.controller.installation.Wiring;
 import org.pendant.models.pose.Pose;
@@ -26,15 +28,15 @@ final class ActionCheck {
       case ActionStep.Popup popup -> popup(node, popup);
       case ActionStep.Halt _, ActionStep.Comment _, ActionStep.Folder _ -> {}
       case ActionStep.Assignment assignment -> {
-        findings.identifier(node, "variable", "variable", assignment.variable());
-        findings.expression(node, "expression", "value", assignment.expression());
+        findings.identifier(node, "variable", text("variable"), assignment.variable());
+        findings.expression(node, "expression", text("value"), assignment.expression());
       }
       case ActionStep.OperatorInput input ->
-          findings.identifier(node, "variable", "variable", input.variable());
+          findings.identifier(node, "variable", text("variable"), input.variable());
       case ActionStep.Call call -> call(node, call.subProgram());
       case ActionStep.ScriptLine line -> {
         if (line.code().isBlank()) {
-          findings.problem(node, "code", "the script line is empty");
+          findings.problem(node, "code", text("scriptLineEmpty"));
         }
       }
       case ActionStep.ScriptFile file -> {
@@ -42,12 +44,10 @@ final class ActionCheck {
           findings.problem(
               node,
               file.file().isBlank() ? "file" : "lines",
-              file.file().isBlank()
-                  ? "no script file is chosen"
-                  : file.file() + " is empty or has not been read");
+              file.file().isBlank() ? text("noScriptFile") : text("scriptFileEmpty", file.file()));
         }
       }
-      case ActionStep.Timer timer -> findings.identifier(node, "name", "timer", timer.name());
+      case ActionStep.Timer timer -> findings.identifier(node, "name", text("timer"), timer.name());
     }
   }
 
@@ -61,7 +61,7 @@ final class ActionCheck {
         findings.number(node, NodeFields.waitLevel(analog.signal(), wiring()), analog.value());
       }
       case WaitFor.Expression expression ->
-          findings.expression(node, "what", "condition", expression.condition());
+          findings.expression(node, "what", text("condition"), expression.condition());
     }
   }
 
@@ -79,7 +79,7 @@ final class ActionCheck {
       }
       case Setting.Expression expression -> {
         signals.output(node, "setting", expression.signal());
-        findings.expression(node, "setting", "value", expression.expression());
+        findings.expression(node, "setting", text("value"), expression.expression());
       }
       case Setting.NamedPayload payload -> {
         if (findings.installation().payload(payload.name()).isEmpty()) {
@@ -87,8 +87,8 @@ final class ActionCheck {
               node,
               "setting",
               payload.name().isBlank()
-                  ? "the payload is missing"
-                  : "the installation has no payload '" + payload.name() + "'");
+                  ? text("payloadMissing")
+                  : text("noSuchPayload", payload.name()));
         }
       }
       case Setting.Payload payload -> {
@@ -116,27 +116,27 @@ final class ActionCheck {
 
   private void increment(ProgramNode node, String variable) {
     if (variable.isBlank()) {
-      findings.problem(node, "setting", "the variable is missing");
+      findings.problem(node, "setting", text("variableMissing"));
     } else if (findings.installation().variables().stream()
         .map(InstallationVariable::name)
         .noneMatch(variable::equals)) {
-      findings.problem(node, "setting", "the installation has no variable '" + variable + "'");
+      findings.problem(node, "setting", text("noSuchVariable", variable));
     }
   }
 
   private void popup(ProgramNode node, ActionStep.Popup popup) {
     if (popup.isExpression()) {
-      findings.expression(node, "text", "text", popup.text());
+      findings.expression(node, "text", text("popupText"), popup.text());
     } else if (popup.text().isBlank()) {
-      findings.problem(node, "text", "the popup says nothing, its text is missing");
+      findings.problem(node, "text", text("popupTextMissing"));
     }
   }
 
   private void call(ProgramNode node, String subProgram) {
     if (subProgram.isBlank()) {
-      findings.problem(node, "subProgram", "no sub program is chosen");
+      findings.problem(node, "subProgram", text("subProgramMissing"));
     } else if (!findings.subPrograms().contains(subProgram)) {
-      findings.problem(node, "subProgram", "there is no sub program '" + subProgram + "'");
+      findings.problem(node, "subProgram", text("noSuchSubProgram", subProgram));
     }
   }
 }

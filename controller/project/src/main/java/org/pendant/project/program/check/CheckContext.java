@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -93,7 +95,7 @@ final class CheckContext {
   /** An expression; {@code what} is what it is in the sentence "the ... is missing". */
   void expression(ProgramNode node, String field, String what, String text) {
     if (text.isBlank()) {
-      problem(node, field, "the " + what + " is missing, expected an expression");
+      problem(node, field, text("expressionMissing", what));
     } else {
       expressions.add(new TypedText(node.key(), field, text));
     }
@@ -108,7 +110,7 @@ final class CheckContext {
                 problem(
                     node,
                     field.component(),
-                    field.words() + " is " + field.unit().words(value) + ", " + legal));
+                    text("numberRefused", field.words(), field.unit().words(value), legal)));
   }
 
   /** A number of a node, in SI, that there need not be. */
@@ -119,7 +121,7 @@ final class CheckContext {
   /** A name that becomes a variable or function of the script. */
   void identifier(ProgramNode node, String field, String what, String name) {
     if (name.isBlank()) {
-      problem(node, field, "the " + what + " has no name");
+      problem(node, field, text("noName", what));
       return;
     }
     nameRefusals
@@ -133,25 +135,25 @@ final class CheckContext {
       return noIdentifier;
     }
     if (catalogue.function(name).isPresent()) {
-      return Optional.of("'" + name + "' is a built-in function, expected another name");
+      return Optional.of(text("nameOfFunction", name));
     }
     if (subPrograms.contains(name)) {
-      return Optional.of("'" + name + "' is a sub program, expected another name");
+      return Optional.of(text("nameOfSubProgram", name));
     }
     return installation.feature(name).isPresent()
-        ? Optional.of("'" + name + "' is a feature of the installation, expected another name")
+        ? Optional.of(text("nameOfFeature", name))
         : Optional.empty();
   }
 
   /** A place that must have been taught. */
   Optional<WaypointPosition> taught(ProgramNode node, String field, String name) {
     if (name.isBlank()) {
-      problem(node, field, "a waypoint has no name");
+      problem(node, field, text("waypointWithoutName"));
       return Optional.empty();
     }
     Optional<WaypointPosition> position = Optional.ofNullable(tree.waypoints().get(name));
     if (position.isEmpty()) {
-      problem(node, field, name + " has not been taught yet");
+      problem(node, field, text("notTaught", name));
     } else {
       feature(node, field, position.get().feature());
     }
@@ -165,13 +167,11 @@ final class CheckContext {
     }
     Optional<Feature> feature = installation.feature(name);
     if (name.isBlank()) {
-      problem(
-          node, field, "the feature is missing, expected Base, Tool or one of the installation");
+      problem(node, field, text("featureMissing"));
     } else if (feature.isEmpty()) {
-      problem(node, field, "the installation has no feature '" + name + "'");
+      problem(node, field, text("noSuchFeature", name));
     } else if (feature.get().points().size() < feature.get().kind().points()) {
-      problem(
-          node, field, "the feature '" + name + "' of the installation is not taught completely");
+      problem(node, field, text("featureIncomplete", name));
     }
   }
 
@@ -185,10 +185,7 @@ final class CheckContext {
 
   void namedTool(ProgramNode node, String field, String name) {
     if (installation.tool(name).isEmpty()) {
-      problem(
-          node,
-          field,
-          name.isBlank() ? "the TCP is missing" : "the installation has no TCP '" + name + "'");
+      problem(node, field, name.isBlank() ? text("tcpMissing") : text("noSuchTcp", name));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -106,7 +108,7 @@ final class ExpressionValidator {
 
   private String explained(String text) {
     if (LINE_END.matcher(text).find()) {
-      return "the expression has several lines, expected one";
+      return text("severalLines");
     }
     String bytes = ByteText.asBytes(text);
     Optional<Diagnostic> refusal =
@@ -122,7 +124,7 @@ final class ExpressionValidator {
                     .findFirst());
     return found
         .map(wrong -> located(text, bytes, wrong.range().start() - before, wrong.message()))
-        .orElse("this is more than one expression");
+        .orElse(text("severalExpressions"));
   }
 
   /** A message with the column that it is about, counted from 1 in characters. */
@@ -131,6 +133,6 @@ final class ExpressionValidator {
     int column = ByteText.decoded(bytes.substring(0, within)).length() + 1;
     String about =
         ByteText.decoded(offset < bytes.length() ? message : GuestExpression.atEnd(message));
-    return text.length() > 1 ? "column " + column + ": " + about : about;
+    return text.length() > 1 ? text("atColumn", column, about) : about;
   }
 }

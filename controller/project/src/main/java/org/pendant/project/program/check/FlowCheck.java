@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -21,13 +23,13 @@ final class FlowCheck {
   void check(ProgramNode node, FlowStep step) {
     switch (step) {
       case FlowStep.If condition ->
-          findings.expression(node, "condition", "condition", condition.condition());
+          findings.expression(node, "condition", text("condition"), condition.condition());
       case FlowStep.ElseIf condition ->
-          findings.expression(node, "condition", "condition", condition.condition());
+          findings.expression(node, "condition", text("condition"), condition.condition());
       case FlowStep.Else _, FlowStep.DefaultCase _ -> {}
       case FlowStep.Loop loop -> loop(node, loop.rule());
       case FlowStep.Switch choice -> {
-        findings.expression(node, "expression", "value", choice.expression());
+        findings.expression(node, "expression", text("value"), choice.expression());
         cases(node);
       }
       case FlowStep.Case one -> {
@@ -35,9 +37,7 @@ final class FlowCheck {
           findings.problem(
               node,
               "value",
-              one.value().isBlank()
-                  ? "the value of the case is missing, expected a number"
-                  : "'" + one.value() + "' is no number");
+              one.value().isBlank() ? text("caseMissing") : text("caseNoNumber", one.value()));
         }
       }
     }
@@ -47,19 +47,16 @@ final class FlowCheck {
     switch (rule) {
       case LoopRule.Forever _ -> {}
       case LoopRule.Times times -> {
-        findings.expression(node, "rule", "number of turns", times.count());
+        findings.expression(node, "rule", text("turns"), times.count());
         if (times.number().orElse(0) < 0) {
-          findings.problem(
-              node,
-              "rule",
-              "the number of turns is " + times.count().strip() + ", must not be negative");
+          findings.problem(node, "rule", text("negativeTurns", times.count().strip()));
         }
         if (!times.variable().isEmpty()) {
-          findings.identifier(node, "rule", "counting variable", times.variable());
+          findings.identifier(node, "rule", text("countingVariable"), times.variable());
         }
       }
       case LoopRule.While condition ->
-          findings.expression(node, "rule", "condition", condition.condition());
+          findings.expression(node, "rule", text("condition"), condition.condition());
     }
   }
 
@@ -69,18 +66,18 @@ final class FlowCheck {
     for (ProgramNode each : MotionCheck.running(node)) {
       if (each.step() instanceof FlowStep.Case one) {
         if (one.number().isPresent() && !values.add(one.number().getAsDouble())) {
-          findings.problem(each, "value", "there is another case " + one.value());
+          findings.problem(each, "value", text("caseTwice", one.value()));
         }
       } else if (each.step() instanceof FlowStep.DefaultCase) {
         if (hasDefault) {
-          findings.problem(each, "", "a Switch has only one Default");
+          findings.problem(each, "", text("defaultTwice"));
         }
         hasDefault = true;
       }
     }
     if (MotionCheck.running(node).stream()
         .noneMatch(each -> each.step() instanceof FlowStep.Case)) {
-      findings.problem(node, "", "the Switch is empty, expected a Case below it");
+      findings.problem(node, "", text("switchEmpty"));
     }
   }
 
@@ -95,12 +92,12 @@ final class FlowCheck {
         case FlowStep.If _ -> open = true;
         case FlowStep.ElseIf _ -> {
           if (!open) {
-            findings.problem(each, "", "ElseIf stands directly behind an If or ElseIf");
+            findings.problem(each, "", text("elseIfWithoutIf"));
           }
         }
         case FlowStep.Else _ -> {
           if (!open) {
-            findings.problem(each, "", "Else stands directly behind an If or ElseIf");
+            findings.problem(each, "", text("elseWithoutIf"));
           }
           open = false;
         }

@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.models.pose.Pose;
@@ -49,7 +51,7 @@ final class MotionCheck {
     findings.tool(node, "tool", move.tool());
     findings.feature(node, "feature", move.feature());
     if (move.byJoints() && move.kind() != MoveKind.JOINT) {
-      findings.problem(node, "byJoints", "only a MoveJ can go to joint positions");
+      findings.problem(node, "byJoints", text("jointsInMoveJOnly"));
     }
     blends(running(node));
   }
@@ -73,8 +75,7 @@ final class MotionCheck {
       case Timing.Duration duration -> {
         findings.number(node, NodeFields.WAYPOINT_TIME, duration.timeS());
         if (kind == MoveKind.PROCESS) {
-          findings.problem(
-              node, "timing", "a MoveP has a constant speed, a time cannot be given there");
+          findings.problem(node, "timing", text("timeInMoveP"));
         }
       }
     }
@@ -89,7 +90,7 @@ final class MotionCheck {
         findings.taught(node, "target", relative.to());
       }
       case WaypointTarget.Variable variable ->
-          findings.expression(node, "target", "variable", variable.expression());
+          findings.expression(node, "target", text("variable"), variable.expression());
     }
   }
 
@@ -98,8 +99,7 @@ final class MotionCheck {
     long waypoints =
         running(node).stream().filter(each -> each.step() instanceof MotionStep.Waypoint).count();
     if (waypoints != VIA_AND_END) {
-      findings.problem(
-          node, "", "a circle has " + waypoints + " waypoints, must have 2: via and end");
+      findings.problem(node, "", text("circleWaypoints", waypoints));
     }
   }
 
@@ -108,12 +108,12 @@ final class MotionCheck {
     if (direction.expression().isBlank()) {
       vector(node, "x", direction.x(), direction.y(), direction.z());
     } else {
-      findings.expression(node, "expression", "direction", direction.expression());
+      findings.expression(node, "expression", text("movedDirection"), direction.expression());
     }
     findings.number(node, NodeFields.DIRECTION_SPEED, direction.speedMPerS());
     findings.number(node, NodeFields.DIRECTION_ACCELERATION, direction.accelerationMPerS2());
     if (running(node).stream().noneMatch(each -> each.step() instanceof MotionStep.Until)) {
-      findings.problem(node, "", "nothing ends the direction, expected an Until below it");
+      findings.problem(node, "", text("directionWithoutEnd"));
     }
   }
 
@@ -121,8 +121,7 @@ final class MotionCheck {
   void vector(ProgramNode node, String field, double x, double y, double z) {
     double length = Math.hypot(Math.hypot(x, y), z);
     if (!(length > 0 && Double.isFinite(length))) {
-      findings.problem(
-          node, field, "the direction has no length, one of x, y and z must be another than 0");
+      findings.problem(node, field, text("directionWithoutLength"));
     }
   }
 
@@ -137,7 +136,7 @@ final class MotionCheck {
         findings.number(node, NodeFields.CONTACT_DECELERATION, contact.stopDecelerationMPerS2());
       }
       case UntilRule.Expression expression ->
-          findings.expression(node, "rule", "condition", expression.condition());
+          findings.expression(node, "rule", text("condition"), expression.condition());
       case UntilRule.DigitalInput input -> signals.digital(node, "rule", input.signal());
     }
   }
@@ -150,16 +149,16 @@ final class MotionCheck {
           && waypoint.blendRadiusM().orElse(0) > 0) {
         double radius = waypoint.blendRadiusM().getAsDouble();
         if (i > 0) {
-          fits(node, radius, waypoints.get(i - 1), "previous");
+          fits(node, radius, waypoints.get(i - 1), "blendBeyondPrevious");
         }
         if (i + 1 < waypoints.size()) {
-          fits(node, radius, waypoints.get(i + 1), "next");
+          fits(node, radius, waypoints.get(i + 1), "blendBeyondNext");
         }
       }
     }
   }
 
-  private void fits(ProgramNode node, double radiusM, ProgramNode other, String which) {
+  private void fits(ProgramNode node, double radiusM, ProgramNode other, String key) {
     Optional<WaypointPosition> here = position(node);
     Optional<WaypointPosition> there = position(other);
     if (here.isEmpty() || there.isEmpty() || !here.get().feature().equals(there.get().feature())) {
@@ -170,13 +169,7 @@ final class MotionCheck {
       findings.problem(
           node,
           "blendRadiusM",
-          "blend radius is "
-              + Math.round(1000 * radiusM)
-              + " mm, but the "
-              + which
-              + " waypoint is only "
-              + Math.round(1000 * distanceM)
-              + " mm away");
+          text(key, Math.round(1000 * radiusM), Math.round(1000 * distanceM)));
     }
   }
 

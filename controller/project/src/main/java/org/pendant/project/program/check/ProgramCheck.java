@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -75,13 +77,12 @@ public final class ProgramCheck {
       if (node.step() instanceof Section section) {
         sections.check(node, section);
       } else {
-        findings.problem(
-            node, "", NodeKind.of(node.step()).title() + " does not go to the top of a program");
+        findings.problem(node, "", text("notAtTop", NodeKind.of(node.step()).title()));
       }
       below(node, Optional.empty());
     }
     if (!sections.hasMain()) {
-      findings.problem(ProgramTree.ROOT, "", "there is no main program");
+      findings.problem(ProgramTree.ROOT, "", text("noMain"));
     }
   }
 
@@ -121,12 +122,11 @@ public final class ProgramCheck {
       case TemplateStep step -> template.check(node, step);
       case ForeignStep.Contributed contributed -> {
         if (contributed.stub().isEmpty() && !ExternalControl.is(contributed)) {
-          findings.remark(node, "nothing runs here: a stub script can stand in for the URCap");
+          findings.remark(node, text("urcapWithoutStub"));
         }
       }
       case ForeignStep.Unknown unknown ->
-          findings.remark(
-              node, "Pendant does not know '" + unknown.element() + "': it does nothing");
+          findings.remark(node, text("unknownNode", unknown.element()));
     }
   }
 }

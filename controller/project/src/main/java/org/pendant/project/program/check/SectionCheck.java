@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.util.HashSet;
 import java.util.Set;
 import org.pendant.project.program.NodeKind;
@@ -30,11 +32,11 @@ final class SectionCheck {
       }
       case Section.ThreadSection thread -> {
         if (thread.name().isBlank()) {
-          findings.problem(node, "name", "the thread has no name");
+          findings.problem(node, "name", text("threadWithoutName"));
         }
       }
       case Section.Event event ->
-          findings.expression(node, "condition", "condition of the event", event.condition());
+          findings.expression(node, "condition", text("eventCondition"), event.condition());
       case Section.SubProgram sub -> subProgram(node, sub.name());
     }
   }
@@ -42,20 +44,21 @@ final class SectionCheck {
   private void once(ProgramNode node) {
     NodeKind kind = NodeKind.of(node.step());
     if (!single.add(kind)) {
-      findings.problem(node, "", "a program has only one " + kind.title());
+      findings.problem(node, "", text("onlyOnce", kind.title()));
     }
   }
 
   private void initialValue(ProgramNode node, Section.InitialValue value) {
-    findings.identifier(node, "values", "variable", value.variable());
-    findings.expression(node, "values", "initial value of " + value.variable(), value.expression());
+    findings.identifier(node, "values", text("variable"), value.variable());
+    findings.expression(
+        node, "values", text("initialValueOf", value.variable()), value.expression());
   }
 
   private void subProgram(ProgramNode node, String name) {
     if (name.isBlank()) {
-      findings.problem(node, "name", "the sub program has no name");
+      findings.problem(node, "name", text("subProgramWithoutName"));
     } else if (!subPrograms.add(name)) {
-      findings.problem(node, "name", "there are two sub programs '" + name + "'");
+      findings.problem(node, "name", text("subProgramTwice", name));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -26,48 +28,45 @@ final class SignalCheck {
   void digital(ProgramNode node, String field, String signal) {
     find(node, field, signal)
         .filter(found -> !found.digital())
-        .ifPresent(found -> findings.problem(node, field, signal + " is no digital signal"));
+        .ifPresent(found -> findings.problem(node, field, text("notDigital", signal)));
   }
 
   /** A signal with a value that can be read. */
   void analog(ProgramNode node, String field, String signal) {
     find(node, field, signal)
         .filter(Found::digital)
-        .ifPresent(found -> findings.problem(node, field, signal + " is no analog signal"));
+        .ifPresent(found -> findings.problem(node, field, text("notAnalog", signal)));
   }
 
   /** A digital signal that can be set. */
   void digitalOut(ProgramNode node, String field, String signal) {
     find(node, field, signal)
         .filter(found -> !(found.digital() && found.output()))
-        .ifPresent(
-            found ->
-                findings.problem(node, field, signal + " is no digital output, cannot be set"));
+        .ifPresent(found -> findings.problem(node, field, text("noDigitalOutput", signal)));
   }
 
   /** An analog signal that can be set. */
   void analogOut(ProgramNode node, String field, String signal) {
     find(node, field, signal)
         .filter(found -> found.digital() || !found.output())
-        .ifPresent(
-            found -> findings.problem(node, field, signal + " is no analog output, cannot be set"));
+        .ifPresent(found -> findings.problem(node, field, text("noAnalogOutput", signal)));
   }
 
   /** Any signal that can be set. */
   void output(ProgramNode node, String field, String signal) {
     find(node, field, signal)
         .filter(found -> !found.output())
-        .ifPresent(found -> findings.problem(node, field, signal + " cannot be set"));
+        .ifPresent(found -> findings.problem(node, field, text("cannotBeSet", signal)));
   }
 
   private Optional<Found> find(ProgramNode node, String field, String signal) {
     if (signal.isBlank()) {
-      findings.problem(node, field, "the signal is missing");
+      findings.problem(node, field, text("signalMissing"));
       return Optional.empty();
     }
     Optional<Found> found = box(signal).or(() -> modbus(signal));
     if (found.isEmpty()) {
-      findings.problem(node, field, "there is no signal '" + signal + "'");
+      findings.problem(node, field, text("noSuchSignal", signal));
     }
     return found;
   }

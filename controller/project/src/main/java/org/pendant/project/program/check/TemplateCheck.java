@@ -1,5 +1,7 @@
 package org.pendant.project.program.check;
 
+import static org.pendant.project.program.check.ProgramCheckTexts.text;
+
 import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.List;
@@ -53,9 +55,9 @@ final class TemplateCheck {
   }
 
   private void name(ProgramNode node, String name) {
-    findings.identifier(node, "name", "template", name);
+    findings.identifier(node, "name", text("template"), name);
     if (!name.isBlank() && !names.add(name)) {
-      findings.problem(node, "name", "there is another template '" + name + "'");
+      findings.problem(node, "name", text("templateTwice", name));
     }
   }
 
@@ -66,7 +68,7 @@ final class TemplateCheck {
     pattern(node, palletizing.pattern());
     parts(node);
     if (points(node).getOrDefault(PatternRole.POINT, 0) == 0) {
-      findings.problem(node, "", "the places are never gone to, expected a pattern point below it");
+      findings.problem(node, "", text("placesWithoutPoint"));
     }
   }
 
@@ -76,10 +78,7 @@ final class TemplateCheck {
     if (palletizing.remember()
         && findings.installation().variables().stream()
             .noneMatch(each -> each.name().equals(counter))) {
-      findings.problem(
-          node,
-          "remember",
-          "to keep the count, the installation must have a variable '" + counter + "'");
+      findings.problem(node, "remember", text("countNotKept", counter));
     }
   }
 
@@ -99,7 +98,7 @@ final class TemplateCheck {
       }
       case Pattern.Places places -> {
         if (places.places().isEmpty()) {
-          findings.problem(node, "pattern", "the pattern has no places");
+          findings.problem(node, "pattern", text("patternEmpty"));
         }
       }
     }
@@ -110,8 +109,7 @@ final class TemplateCheck {
 
   private void corners(ProgramNode node, List<String> corners, int wanted) {
     if (corners.size() != wanted) {
-      findings.problem(
-          node, "pattern", "the pattern has " + corners.size() + " corners, must have " + wanted);
+      findings.problem(node, "pattern", text("patternCorners", corners.size(), wanted));
     }
   }
 
@@ -120,7 +118,7 @@ final class TemplateCheck {
     Map<PatternRole, Integer> found = new EnumMap<>(PatternRole.class);
     count(MotionCheck.running(template), found);
     if (found.getOrDefault(PatternRole.POINT, 0) > 1) {
-      findings.problem(template, "", "there are several pattern points, only one is the reference");
+      findings.problem(template, "", text("severalPatternPoints"));
     }
     return found;
   }
@@ -142,7 +140,7 @@ final class TemplateCheck {
   private void outside(List<ProgramNode> nodes) {
     for (ProgramNode each : nodes) {
       if (each.step() instanceof TemplateStep.PatternPoint) {
-        findings.problem(each, "", "before the first and after the last item there is no place");
+        findings.problem(each, "", text("placeOutside"));
       }
     }
   }
@@ -153,7 +151,7 @@ final class TemplateCheck {
       if (each.step() instanceof TemplateStep.Part(PartKind kind)
           && kind != PartKind.SEQUENCE
           && !seen.add(kind)) {
-        findings.problem(each, "", "there is another part of this kind");
+        findings.problem(each, "", text("partTwice"));
       }
     }
   }
@@ -170,18 +168,17 @@ final class TemplateCheck {
           seek.direction().get(1),
           seek.direction().get(2));
     } else {
-      findings.problem(node, "direction", "the direction is missing, expected x, y and z");
+      findings.problem(node, "direction", text("directionMissing"));
     }
     findings.number(node, NodeFields.SEEK_LIMIT, seek.limitM());
     findings.number(node, NodeFields.ITEM_HEIGHT, seek.itemHeightM());
-    findings.expression(node, "found", "condition for an item that is found", seek.found());
+    findings.expression(node, "found", text("foundCondition"), seek.found());
     findings.number(node, NodeFields.SEEK_SPEED, seek.speedMPerS());
     findings.number(node, NodeFields.SEEK_ACCELERATION, seek.accelerationMPerS2());
     parts(node);
     Map<PatternRole, Integer> points = points(node);
     if (!points.isEmpty() && !points.containsKey(PatternRole.POINT)) {
-      findings.problem(
-          node, "", "approach and exit are relative to a pattern point, which is missing");
+      findings.problem(node, "", text("patternPointMissing"));
     }
   }
 
@@ -202,7 +199,7 @@ final class TemplateCheck {
       findings.number(node, NodeFields.forceLimit(i, compliant), force.limits().get(i));
     }
     if (force.kind() != ForceKind.SIMPLE && !force.compliant().contains(true)) {
-      findings.problem(node, "compliant", "no axis is compliant, nothing can press");
+      findings.problem(node, "compliant", text("noCompliantAxis"));
     }
   }
 
@@ -210,7 +207,7 @@ final class TemplateCheck {
     if (values.size() == AXES) {
       return true;
     }
-    findings.problem(node, field, "there are " + values.size() + " values, must be 6");
+    findings.problem(node, field, text("sixValues", values.size()));
     return false;
   }
 
@@ -222,8 +219,7 @@ final class TemplateCheck {
     }
     findings.number(node, NodeFields.SCREW_TIMEOUT, screwdriving.timeoutS());
     if (!screwdriving.until().isBlank() || MotionCheck.running(node).isEmpty()) {
-      findings.expression(
-          node, "until", "condition for a screw that is done", screwdriving.until());
+      findings.expression(node, "until", text("screwCondition"), screwdriving.until());
     }
   }
 
@@ -233,7 +229,7 @@ final class TemplateCheck {
             .filter(each -> each.number() == number)
             .findFirst();
     if (setup.isEmpty()) {
-      findings.problem(node, "conveyor", "the installation has no conveyor " + number);
+      findings.problem(node, "conveyor", text("noSuchConveyor", number));
       return;
     }
     findings.feature(node, "conveyor", setup.get().feature());
@@ -241,11 +237,10 @@ final class TemplateCheck {
     if (setup.get().decoder() != 0
         && (inputs.isEmpty()
             || inputs.stream().anyMatch(each -> each < FIRST_PIN || each > LAST_PIN))) {
-      findings.problem(node, "conveyor", "the inputs of conveyor " + number + " must be 8 to 11");
+      findings.problem(node, "conveyor", text("conveyorInputs", number));
     }
     if (setup.get().ticksPerUnit() == 0) {
-      findings.problem(
-          node, "conveyor", "conveyor " + number + " of the installation has no ticks per unit");
+      findings.problem(node, "conveyor", text("conveyorTicks", number));
     }
   }
 }
