@@ -121,6 +121,13 @@ final class ProgramActions {
             text("letRobotTimeGoAsFast"),
             "",
             () -> session.setPace(Pace.REAL_TIME)));
+    actions.add(
+        Action.of(
+                "clock.unlimited",
+                text("letRobotTimeGoAsFastAsPossible"),
+                "",
+                () -> session.setPace(new Pace.Unlimited()))
+            .foundBy(text("wordsForUnlimited")));
   }
 
   /** How fast programs move the arm. */

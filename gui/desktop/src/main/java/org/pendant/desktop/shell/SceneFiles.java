@@ -362,13 +362,7 @@ final class SceneFiles {
 
   private void open() {
     OpenDialog.show(
-        parent,
-        text("openSceneTitle"),
-        text("scenes"),
-        new String[] {"json"},
-        used.get(),
-        used,
-        this::open);
+        parent, text("openSceneTitle"), text("scenes"), new String[] {"json"}, used, this::open);
   }
 
   /** Puts the scene of a file around the arm. */

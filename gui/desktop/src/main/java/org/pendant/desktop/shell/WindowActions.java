@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
+import org.pendant.desktop.lines.MotionView;
 import org.pendant.desktop.timeline.TimelineView;
+import org.pendant.desktop.whatif.WhatIfView;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.dock.DockFrame;
@@ -32,13 +34,24 @@ final class WindowActions {
       String keys = number >= 1 && number <= 9 ? "alt " + number : keysOf(view);
       Action show =
           Action.of(
-              "view." + view.id(),
-              text("showView", view.title()),
-              keys,
-              () -> docks.show(view.id()));
+                  "view." + view.id(),
+                  text("showView", view.title()),
+                  keys,
+                  () -> docks.show(view.id()))
+              .foundBy(words(view.id()));
       actions.add(
           number >= 1 ? show.chosen(() -> docks.mainView().equals(Optional.of(view.id()))) : show);
     }
+  }
+
+  /** Other words by which people look for a view. */
+  private static String words(String view) {
+    return switch (view) {
+      case MotionView.ID -> text("wordsForMotion");
+      case TimelineView.ID -> text("wordsForTimeline");
+      case WhatIfView.ID -> text("wordsForWhatIf");
+      default -> "";
+    };
   }
 
   private static String keysOf(Dockable panel) {

@@ -14,6 +14,7 @@ import java.util.function.BooleanSupplier;
  * @param enabled whether it can be done now
  * @param run does it, on the dispatch thread
  * @param mark whether it has something on or off; nothing for one that is just done
+ * @param words by which people look for it beside those of the title; empty for none
  */
 public record Action(
     String id,
@@ -21,7 +22,8 @@ public record Action(
     String keys,
     BooleanSupplier enabled,
     Runnable run,
-    Optional<Mark> mark) {
+    Optional<Mark> mark,
+    String words) {
 
   /** How an action that has something on or off is marked. */
   public sealed interface Mark {
@@ -37,7 +39,7 @@ public record Action(
 
   /** An action that is just done. */
   public Action(String id, String title, String keys, BooleanSupplier enabled, Runnable run) {
-    this(id, title, keys, enabled, run, Optional.empty());
+    this(id, title, keys, enabled, run, Optional.empty(), "");
   }
 
   /** An action that can always be done. */
@@ -47,11 +49,21 @@ public record Action(
 
   /** This one, which turns over what is {@code on} or off. */
   public Action checked(BooleanSupplier on) {
-    return new Action(id, title, keys, enabled, run, Optional.of(new Mark.Check(on)));
+    return new Action(id, title, keys, enabled, run, Optional.of(new Mark.Check(on)), words);
   }
 
   /** This one, which chooses one of several; {@code on} says whether it is the chosen one. */
   public Action chosen(BooleanSupplier on) {
-    return new Action(id, title, keys, enabled, run, Optional.of(new Mark.Choice(on)));
+    return new Action(id, title, keys, enabled, run, Optional.of(new Mark.Choice(on)), words);
+  }
+
+  /** This one, which people find by other words as well. */
+  public Action foundBy(String others) {
+    return new Action(id, title, keys, enabled, run, mark, others);
+  }
+
+  /** All by which it is found. */
+  public String found() {
+    return words.isEmpty() ? title : title + ", " + words;
   }
 }

@@ -112,7 +112,7 @@ public final class CommandPalette {
   }
 
   private void filter() {
-    List<Action> found = FuzzyMatch.filter(query.getText(), actions.all(), Action::title);
+    List<Action> found = FuzzyMatch.filter(query.getText(), actions.all(), Action::found);
     model.clear();
     // What can be done comes first.
     model.addAll(found.stream().filter(each -> each.enabled().getAsBoolean()).toList());

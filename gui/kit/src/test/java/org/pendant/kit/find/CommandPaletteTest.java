@@ -10,6 +10,8 @@ import java.awt.Container;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JList;
@@ -44,6 +46,45 @@ final class CommandPaletteTest {
     } finally {
       frame.dispose();
     }
+  }
+
+  @Test
+  void anActionIsFoundByOtherWordsThanThoseOfItsTitleInAnyOrder() {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "there is no display");
+    ActionTable actions = new ActionTable(new MemorySettings());
+    Action show = Action.of("view.motion", "Show Motion", "", () -> {});
+    actions.add(Action.of("view.log", "Show Log", "", () -> {}));
+    actions.add(show.foundBy("explain, why, slow"));
+    JFrame frame = new JFrame("palette");
+    JPanel under = new JPanel();
+    frame.add(under);
+    try {
+      new CommandPalette(actions, under).open();
+      assertEquals(List.of("view.motion"), found(frame, "slow motion"));
+      assertEquals(List.of("view.motion"), found(frame, "explain"));
+      assertEquals(List.of("view.log", "view.motion"), found(frame, "show"));
+    } finally {
+      frame.dispose();
+    }
+  }
+
+  /** Ids of what the palette shows for a query. */
+  private static List<String> found(JFrame frame, String typed) {
+    parts(frame)
+        .filter(CommandPaletteTest::isQuery)
+        .map(JTextField.class::cast)
+        .forEach(query -> query.setText(typed));
+    JList<?> list =
+        parts(frame)
+            .filter(part -> "palette-list".equals(part.getName()))
+            .map(JList.class::cast)
+            .findAny()
+            .orElseThrow();
+    List<String> ids = new ArrayList<>();
+    for (int i = 0; i < list.getModel().getSize(); i++) {
+      ids.add(((Action) list.getModel().getElementAt(i)).id());
+    }
+    return ids;
   }
 
   @Test
