@@ -46,7 +46,12 @@ public record SafetySight(
     /** It is typed in a form and not applied yet. */
     PROPOSED,
     /** It has stopped the arm. */
-    TRIPPED
+    TRIPPED;
+
+    /** Whether its name must be seen, before those of places: it is what people look for now. */
+    public boolean named() {
+      return this == PROPOSED || this == TRIPPED;
+    }
   }
 
   /** A safety plane, and what it does. */

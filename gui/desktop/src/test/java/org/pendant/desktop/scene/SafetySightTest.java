@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.safety.Applies;
 import org.pendant.controller.safety.Axis;
@@ -146,6 +147,13 @@ final class SafetySightTest {
     SafetySight sight = sight(STANDARD, Optional.of(typed), Optional.empty(), false, NOTHING);
 
     assertTrue(sight.joints().contains(new SafetySight.Range(2, -2, 2, State.PROPOSED)));
+  }
+
+  @Test
+  void whatIsTypedOrHasStoppedTheArmIsNamedBeforeThePlacesOfAProgram() {
+    assertEquals(
+        List.of(State.PROPOSED, State.TRIPPED),
+        Stream.of(State.values()).filter(State::named).toList());
   }
 
   @Test

@@ -217,16 +217,14 @@ final class SceneOverlay {
   private void addSafety(List<LabelPlaces.Label> labels, PictureRequest shown) {
     SafetySight safety = shown.model().safety();
     for (SafetySight.Plane each : safety.planes()) {
-      boolean trips = each.state() == SafetySight.State.TRIPPED;
       Sheets.namePlaces(each.plane(), shown.model()).stream()
           .filter(place -> inSight(shown, place))
           .findFirst()
-          .ifPresent(place -> add(labels, shown, each.words(), place, -1, trips));
+          .ifPresent(place -> add(labels, shown, each.words(), place, -1, each.state().named()));
     }
     for (SafetySight.Range each : safety.joints()) {
-      boolean trips = each.state() == SafetySight.State.TRIPPED;
       Vector3 place = SafetyOutlines.namePlace(each, shown.model());
-      add(labels, shown, each.words(form.angle()), place, -1, trips);
+      add(labels, shown, each.words(form.angle()), place, -1, each.state().named());
     }
   }
 
