@@ -64,15 +64,26 @@ public record Camera(
 
   /** From the same direction, placed so that something fills the picture. */
   public Camera fitted(SceneBounds outline, double aspect) {
+    return fitted(outline, aspect, 0, 0);
+  }
+
+  /**
+   * As {@link #fitted(SceneBounds, double)}, clear of what covers the picture at its edges.
+   *
+   * @param topShare how much of its height is covered at the top, 0 to below 1
+   * @param bottomShare how much at the bottom; less than 1 with that at the top
+   */
+  public Camera fitted(SceneBounds outline, double aspect, double topShare, double bottomShare) {
     Camera camera = this;
     // Each turn corrects what the change of perspective by the one before has left.
     for (int i = 0; i < FITTING_TURNS; i++) {
-      camera = camera.fittedOnce(outline, aspect);
+      camera = camera.fittedOnce(outline, aspect, topShare, bottomShare);
     }
     return camera;
   }
 
-  private Camera fittedOnce(SceneBounds outline, double aspect) {
+  private Camera fittedOnce(
+      SceneBounds outline, double aspect, double topShare, double bottomShare) {
     double left = Double.POSITIVE_INFINITY;
     double right = Double.NEGATIVE_INFINITY;
     double bottom = Double.POSITIVE_INFINITY;
@@ -88,12 +99,14 @@ public record Camera(
       bottom = Math.min(bottom, y - pad);
       top = Math.max(top, y + pad);
     }
+    double high = (top - bottom) / (1 - topShare - bottomShare);
+    double factor = FITTING_MARGIN * Math.max((right - left) / aspect, high) / (2 * TANGENT);
+    // the middle of what is not covered is so far above that of the picture
+    double above = factor * TANGENT * (bottomShare - topShare);
     Vector3d target = vector(targetM);
     target.fma(distanceM * (left + right) / 2, right());
-    target.fma(distanceM * (bottom + top) / 2, up());
-    double factor = Math.max((right - left) / aspect, top - bottom) / (2 * TANGENT);
-    return new Camera(
-        vector(target), azimuthRad, elevationRad, FITTING_MARGIN * factor * distanceM, lens);
+    target.fma(distanceM * ((bottom + top) / 2 - above), up());
+    return new Camera(vector(target), azimuthRad, elevationRad, factor * distanceM, lens);
   }
 
   /** The distance that says how large something is seen. */

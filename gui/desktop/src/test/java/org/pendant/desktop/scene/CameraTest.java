@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.Random;
 import org.joml.Vector4f;
 import org.junit.jupiter.api.Test;
@@ -39,6 +40,29 @@ final class CameraTest {
   private static void assertSamePixel(double x, double y, double[] pixel, String message) {
     assertEquals(x, pixel[0], 0.05, message);
     assertEquals(y, pixel[1], 0.05, message);
+  }
+
+  @Test
+  void whatIsFittedIsClearOfWhatCoversThePicture() {
+    SceneBounds bounds =
+        new SceneBounds(
+            List.of(
+                new Ball(new Vector3(0, 0, 0), 0.1),
+                new Ball(new Vector3(0.5, 0.2, 0.8), 0.1),
+                new Ball(new Vector3(-0.2, -0.3, 0.4), 0.05)));
+    Random random = new Random(11);
+    for (int i = 0; i < 100; i++) {
+      Camera outside = random(random).zoomedTo(new Vector3(0.1, 0, 0.4), 5);
+      Camera camera = outside.fitted(bounds, WIDTH / HEIGHT, 0.1, 0.3);
+      double least = HEIGHT;
+      double most = 0;
+      for (Ball each : bounds.balls()) {
+        double y = pixel(camera, each.centreM())[1];
+        least = Math.min(least, y);
+        most = Math.max(most, y);
+      }
+      assertTrue(least > 0.1 * HEIGHT && most < 0.7 * HEIGHT, camera + ": " + least + " " + most);
+    }
   }
 
   @Test

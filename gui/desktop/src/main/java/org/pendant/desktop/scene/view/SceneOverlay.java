@@ -45,6 +45,10 @@ final class SceneOverlay {
   private static final double SAME_PLACE_EM = 0.3;
 
   private static final int MIN_WIDTH_FOR_LEGEND = 150;
+
+  /** Of a picture that is lower still, what is covered counts for no more. */
+  private static final double MAX_COVERED_SHARE = 0.3;
+
   private static final int SEEN_THROUGH = 215;
   private static final int OPAQUE = 255;
   private static final double NEAR_POINTER_EM = 1.2;
@@ -148,6 +152,21 @@ final class SceneOverlay {
     int high = legendThickness() + metrics.getHeight() + em / 2;
     return Optional.of(
         new Rectangle2D.Double(em / 2.0, height - em - high, wide + em, high + em / 2.0));
+  }
+
+  /** What is covered at the top, as a share of the height. */
+  double topShare(SceneModel model) {
+    return share(doorsBox(model).map(Rectangle2D::getMaxY).orElse(0.0));
+  }
+
+  /** What is covered at the bottom, as a share of the height. */
+  double bottomShare(SceneModel model) {
+    return share(
+        comparedBox(model).or(() -> legendBox(model)).map(box -> height - box.getY()).orElse(0.0));
+  }
+
+  private double share(double high) {
+    return height == 0 ? 0 : Math.min(MAX_COVERED_SHARE, high / height);
   }
 
   private void centred(String text, double x, int base) {

@@ -135,9 +135,7 @@ public final class SceneView extends JPanel implements LookFollower {
     model.ifPresent(
         shown -> {
           setCamera(
-              Camera.of(direction, SceneBounds.of(shown), aspect())
-                  .through(lens)
-                  .fitted(SceneBounds.of(shown), aspect()));
+              fitted(Camera.of(direction, SceneBounds.of(shown), aspect()).through(lens), shown));
           whole = true;
         });
   }
@@ -177,7 +175,7 @@ public final class SceneView extends JPanel implements LookFollower {
 
   /** Shows all of the robot, from the same direction. */
   public void fit() {
-    model.ifPresent(shown -> change(current -> current.fitted(SceneBounds.of(shown), aspect())));
+    model.ifPresent(shown -> change(current -> fitted(current, shown)));
     whole = camera.isPresent();
   }
 
@@ -405,6 +403,21 @@ public final class SceneView extends JPanel implements LookFollower {
 
   private static int pixels(double length) {
     return Math.clamp(Math.round(length), 1, OffscreenScene.MAX_PX);
+  }
+
+  /** Placed so that all of the robot is seen beside what is written over the picture. */
+  private Camera fitted(Camera from, SceneModel shown) {
+    Graphics graphics = getGraphics();
+    if (graphics == null) {
+      return from.fitted(SceneBounds.of(shown), aspect());
+    }
+    SceneOverlay overlay =
+        new SceneOverlay((Graphics2D) graphics, getWidth(), getHeight(), marks.form());
+    Camera fitted =
+        from.fitted(
+            SceneBounds.of(shown), aspect(), overlay.topShare(shown), overlay.bottomShare(shown));
+    graphics.dispose();
+    return fitted;
   }
 
   private double aspect() {
