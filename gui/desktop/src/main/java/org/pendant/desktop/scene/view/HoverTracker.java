@@ -104,7 +104,8 @@ final class HoverTracker extends MouseAdapter {
     leave();
   }
 
-  private void leave() {
+  /** The pointer is elsewhere, or where it is in the picture is not known. */
+  void leave() {
     pointer = Optional.empty();
     tell(Optional.empty());
   }

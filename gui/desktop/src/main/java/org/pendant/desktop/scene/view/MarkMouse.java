@@ -27,6 +27,7 @@ final class MarkMouse extends MouseAdapter {
   private IntConsumer lineChosen = line -> {};
   private DoubleConsumer momentChosen = timeS -> {};
   private List<LabelPlaces.Placed> labels = List.of();
+  private Optional<Point> pointer = Optional.empty();
   private Optional<MarkTarget> target = Optional.empty();
 
   /** Nobody listens yet. */
@@ -99,21 +100,22 @@ final class MarkMouse extends MouseAdapter {
   @Override
   public void mouseMoved(MouseEvent event) {
     if (!view.pointerTaken()) {
-      look(Optional.of(event.getPoint()));
+      pointer = Optional.of(event.getPoint());
+      look(pointer);
     }
   }
 
   @Override
   public void mouseDragged(MouseEvent event) {
     if (target.isPresent() && !view.pointerTaken()) {
-      look(Optional.empty());
+      leave();
     }
   }
 
   @Override
   public void mouseExited(MouseEvent event) {
     if (!view.pointerTaken()) {
-      look(Optional.empty());
+      leave();
     }
   }
 
@@ -125,6 +127,19 @@ final class MarkMouse extends MouseAdapter {
           .filter(MarkMouse::leads)
           .ifPresent(this::choose);
     }
+  }
+
+  /** Another picture is shown: what the pointer was on may be elsewhere, or gone. */
+  void look() {
+    if (target.isPresent() && !view.pointerTaken()) {
+      look(pointer);
+    }
+  }
+
+  /** The picture has another size: where the pointer is in it is known when it moves again. */
+  void leave() {
+    pointer = Optional.empty();
+    look(pointer);
   }
 
   private static boolean leads(MarkTarget target) {

@@ -110,6 +110,8 @@ public final class SceneView extends JPanel implements LookFollower {
         new ComponentAdapter() {
           @Override
           public void componentResized(ComponentEvent event) {
+            hover.leave();
+            marks.leave();
             if (whole) {
               fit();
             }
@@ -351,6 +353,7 @@ public final class SceneView extends JPanel implements LookFollower {
     if (startedFor == window && hasColoursOfNow()) {
       picture = Optional.of(image);
       hover.look();
+      marks.look();
       repaint();
     }
   }
