@@ -152,7 +152,7 @@ public final class Call<H extends Host> {
   public double number(int index) throws ScriptError {
     int slot = firstArgument + index;
     if (registers.tags()[slot] > Registers.FLOAT) {
-      throw wrongKind(index, "a number");
+      throw wrongKind(index, FunctionTexts.text("aNumber"));
     }
     return registers.numbers()[slot];
   }
@@ -161,7 +161,7 @@ public final class Call<H extends Host> {
   public int integer(int index) throws ScriptError {
     double number = registers.numbers()[firstArgument + index];
     if (registers.tags()[firstArgument + index] > Registers.FLOAT || number != (int) number) {
-      throw wrongKind(index, "an int");
+      throw wrongKind(index, FunctionTexts.text("anInt"));
     }
     return (int) number;
   }
@@ -170,7 +170,7 @@ public final class Call<H extends Host> {
   public int integer(int index, int low, int high) throws ScriptError {
     int value = integer(index);
     if (value < low || value > high) {
-      throw refuse(index, "must be " + low + " to " + high);
+      throw refuse(index, FunctionTexts.text("range", low, high));
     }
     return value;
   }
@@ -179,7 +179,7 @@ public final class Call<H extends Host> {
   public boolean bool(int index) throws ScriptError {
     int slot = firstArgument + index;
     if (registers.tags()[slot] > Registers.BOOL) {
-      throw wrongKind(index, "a bool");
+      throw wrongKind(index, FunctionTexts.text("aBool"));
     }
     return registers.numbers()[slot] != 0;
   }
@@ -190,7 +190,7 @@ public final class Call<H extends Host> {
       charge(text.readCost() / BYTES_A_NS);
       return text.bytes();
     }
-    throw wrongKind(index, "a string");
+    throw wrongKind(index, FunctionTexts.text("aString"));
   }
 
   /** A string that is one of some words, in lower case: how a program writes it does not count. */
@@ -204,28 +204,28 @@ public final class Call<H extends Host> {
         && registers.objects()[slot] instanceof PoseValue pose) {
       return pose.pose();
     }
-    throw wrongKind(index, "a pose");
+    throw wrongKind(index, FunctionTexts.text("aPose"));
   }
 
   public ListValue list(int index) throws ScriptError {
     if (value(index) instanceof ListValue list) {
       return list;
     }
-    throw wrongKind(index, "a list");
+    throw wrongKind(index, FunctionTexts.text("aList"));
   }
 
   public MatrixValue matrix(int index) throws ScriptError {
     if (value(index) instanceof MatrixValue matrix) {
       return matrix;
     }
-    throw wrongKind(index, "a matrix");
+    throw wrongKind(index, FunctionTexts.text("aMatrix"));
   }
 
   public StructValue struct(int index) throws ScriptError {
     if (value(index) instanceof StructValue struct) {
       return struct;
     }
-    throw wrongKind(index, "a struct");
+    throw wrongKind(index, FunctionTexts.text("aStruct"));
   }
 
   /** A list of numbers of exactly {@code length}, or of any length when that is negative. */
@@ -240,7 +240,9 @@ public final class Call<H extends Host> {
       }
       return numbers;
     }
-    throw wrongKind(index, length < 0 ? "a list of numbers" : "a list of " + length + " numbers");
+    throw wrongKind(
+        index,
+        length < 0 ? FunctionTexts.text("numbers") : FunctionTexts.text("countOfNumbers", length));
   }
 
   /** Six joint values from a list of six numbers. */
@@ -261,9 +263,10 @@ public final class Call<H extends Host> {
 
   /** The refusal of argument {@code index}: {@code sqrt: f is -1, must not be negative}. */
   public ScriptError refuse(int index, String expectation) {
-    return failure(
+    return new ScriptError(
         "value-out-of-range",
-        parameter(index) + " is " + shown(index) + unit(index) + ", " + expectation);
+        FunctionTexts.text(
+            "refused", builtin.name(), parameter(index), shown(index) + unit(index), expectation));
   }
 
   /** A blank and the unit of a number that has one. */
@@ -280,8 +283,16 @@ public final class Call<H extends Host> {
    * The refusal of argument {@code index} for its kind: {@code sqrt: f is string x, must be ...}.
    */
   public ScriptError wrongKind(int index, String expected) {
-    String found = given(index) ? kind(index).text() + " " + shown(index) : "missing";
-    return failure("wrong-type", parameter(index) + " is " + found + ", must be " + expected);
+    return new ScriptError(
+        "wrong-type",
+        given(index)
+            ? FunctionTexts.text(
+                "wrongKind",
+                builtin.name(),
+                parameter(index),
+                kind(index).text() + " " + shown(index),
+                expected)
+            : FunctionTexts.text("missing", builtin.name(), parameter(index), expected));
   }
 
   private String shown(int index) {

@@ -1,5 +1,7 @@
 package org.pendant.script.value;
 
+import static org.pendant.script.value.ValueTexts.text;
+
 import org.pendant.models.pose.Pose;
 
 /**
@@ -49,11 +51,7 @@ final class Access {
         return with(pose.pose(), component(place), element);
       }
       case MatrixValue matrix ->
-          throw new ScriptError(
-              "wrong-type",
-              "index is ["
-                  + place
-                  + "], an element of a matrix must be assigned with [row, column]");
+          throw new ScriptError("wrong-type", text("oneIndexForMatrix", place));
       default -> throw notIndexed(receiver);
     }
     return receiver;
@@ -73,9 +71,7 @@ final class Access {
     if (receiver instanceof StructValue struct) {
       return struct;
     }
-    throw new ScriptError(
-        "wrong-type",
-        "." + name + ": found " + Operators.described(receiver) + ", must be a struct");
+    throw new ScriptError("wrong-type", text("noStruct", name, Operators.described(receiver)));
   }
 
   private static PoseValue with(Pose pose, int component, Value element) throws ScriptError {
@@ -87,20 +83,14 @@ final class Access {
 
   private static ScriptError elementNotNumber(String receiver, Value element) {
     return new ScriptError(
-        "wrong-type",
-        receiver
-            + ": element cannot become "
-            + Operators.described(element)
-            + ", must be a number");
+        "wrong-type", text("elementNoNumber", receiver, Operators.described(element)));
   }
 
   private static MatrixValue matrix(Value receiver) throws ScriptError {
     if (receiver instanceof MatrixValue matrix) {
       return matrix;
     }
-    throw new ScriptError(
-        "wrong-type",
-        "[row, column]: found " + Operators.described(receiver) + ", must be a matrix");
+    throw new ScriptError("wrong-type", text("noMatrix", Operators.described(receiver)));
   }
 
   /** An int, or a float without fraction. */
@@ -113,9 +103,8 @@ final class Access {
     }
     throw new ScriptError(
         "wrong-type",
-        "index is "
-            + (index instanceof FloatValue ? index.text() : Operators.described(index))
-            + ", must be an int");
+        text(
+            "indexNoInt", index instanceof FloatValue ? index.text() : Operators.described(index)));
   }
 
   private static int component(int place) throws ScriptError {
@@ -124,10 +113,6 @@ final class Access {
   }
 
   private static ScriptError notIndexed(Value receiver) {
-    return new ScriptError(
-        "wrong-type",
-        "[index]: found "
-            + Operators.described(receiver)
-            + ", must be a list, pose, struct or matrix");
+    return new ScriptError("wrong-type", text("noElements", Operators.described(receiver)));
   }
 }

@@ -13,7 +13,7 @@ final class Assignment {
     }
     Optional<String> difference = StructValue.typeDifference(current, incoming);
     if (difference.isPresent()) {
-      throw new ScriptError("wrong-type", difference.get());
+      throw new ScriptError("wrong-type", difference.get().strip());
     }
     return replaced(current, incoming);
   }

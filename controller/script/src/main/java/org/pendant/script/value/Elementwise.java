@@ -1,5 +1,7 @@
 package org.pendant.script.value;
 
+import static org.pendant.script.value.ValueTexts.text;
+
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
 /**
@@ -49,13 +51,7 @@ final class Elementwise {
       throws ScriptError {
     if (a.length() != b.length()) {
       throw new ScriptError(
-          "wrong-length",
-          operator.text()
-              + ": the lists have "
-              + a.length()
-              + " and "
-              + b.length()
-              + " elements, must have equally many");
+          "wrong-length", text("listLengths", operator.text(), a.length(), b.length()));
     }
     boolean integers =
         a.elementKind() == ValueKind.INT
@@ -74,7 +70,8 @@ final class Elementwise {
   private static LongOperation sum(BinaryOperator operator, MatrixValue a, MatrixValue b)
       throws ScriptError {
     if (a.rows() != b.rows() || a.columns() != b.columns()) {
-      throw shape(operator, a, "a " + b.rows() + " x " + b.columns() + " matrix");
+      throw shape(
+          text("cannotCombine", operator.text(), Operators.described(a), Operators.described(b)));
     }
     return matrix(operator, a, b, a, a.integers() && b.integers());
   }
@@ -112,14 +109,11 @@ final class Elementwise {
   private static LongOperation product(MatrixValue left, MatrixValue right) throws ScriptError {
     if (left.columns() != right.rows()) {
       throw shape(
-          BinaryOperator.MULTIPLY,
-          left,
-          "a "
-              + right.rows()
-              + " x "
-              + right.columns()
-              + " matrix; the first must have as many"
-              + " columns as the second has rows");
+          text(
+              "cannotMultiplyMatrices",
+              BinaryOperator.MULTIPLY.text(),
+              Operators.described(left),
+              Operators.described(right)));
     }
     MatrixValue.check(left.rows(), right.columns());
     return new MatrixProduct(left, right);
@@ -129,16 +123,16 @@ final class Elementwise {
     int columns = left.columns();
     if (columns != right.length()) {
       throw shape(
-          BinaryOperator.MULTIPLY,
-          left,
-          "a list of " + right.length() + "; it must have one element a column");
+          text(
+              "cannotMultiplyList",
+              BinaryOperator.MULTIPLY.text(),
+              Operators.described(left),
+              right.length()));
     }
     return new MatrixProduct(left, right);
   }
 
-  private static ScriptError shape(BinaryOperator operator, MatrixValue left, String right) {
-    return new ScriptError(
-        "wrong-length",
-        operator.text() + ": cannot combine " + Operators.described(left) + " and " + right);
+  private static ScriptError shape(String message) {
+    return new ScriptError("wrong-length", message);
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.script.value;
 
+import static org.pendant.script.value.ValueTexts.text;
+
 import java.util.Optional;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 
@@ -36,7 +38,7 @@ final class ListLiterals {
       case STRING, POSE, STRUCT, HANDLE -> objects(elements);
       case NONE, MATRIX ->
           throw new ScriptError(
-              "wrong-type", "list: cannot hold " + Operators.described(elements[0]));
+              "wrong-type", text("listCannotHold", Operators.described(elements[0])));
     };
   }
 
@@ -62,8 +64,7 @@ final class ListLiterals {
     for (int i = 0; i < copies.length; i++) {
       Optional<String> difference = StructValue.typeDifference(elements[0], elements[i]);
       if (difference.isPresent()) {
-        throw new ScriptError(
-            "wrong-type", "list: all elements must have one type, element 0 " + difference.get());
+        throw new ScriptError("wrong-type", text("mixedElements", difference.get()));
       }
       copies[i] = elements[i].copy();
     }
@@ -78,29 +79,15 @@ final class ListLiterals {
   static LongOperation matrix(Value... rows) throws ScriptError {
     int columns = ((ListValue) rows[0]).length();
     if (columns == 0) {
-      throw new ScriptError("wrong-length", "matrix: row 0 is empty, must have a number a column");
+      throw new ScriptError("wrong-length", text("matrixWithoutColumns"));
     }
     NumberList[] lists = new NumberList[rows.length];
     for (int i = 0; i < rows.length; i++) {
       if (!(rows[i] instanceof NumberList row && row.elementKind().isNumber())) {
-        throw new ScriptError(
-            "wrong-type",
-            "matrix: row "
-                + i
-                + " is "
-                + Operators.described(rows[i])
-                + ", must be a list of numbers (lists of other lists do not exist)");
+        throw new ScriptError("wrong-type", text("matrixRowType", i, Operators.described(rows[i])));
       }
       if (row.length() != columns) {
-        throw new ScriptError(
-            "wrong-length",
-            "matrix: row "
-                + i
-                + " has "
-                + row.length()
-                + " elements, must have "
-                + columns
-                + " as row 0");
+        throw new ScriptError("wrong-length", text("matrixRowLength", i, row.length(), columns));
       }
       lists[i] = row;
     }
@@ -131,13 +118,6 @@ final class ListLiterals {
 
   private static ScriptError mixed(int index, String expected, Value found) {
     return new ScriptError(
-        "wrong-type",
-        "list: element "
-            + index
-            + " is "
-            + Operators.described(found)
-            + ", must be "
-            + expected
-            + " as element 0");
+        "wrong-type", text("mixedElement", index, Operators.described(found), expected));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.script.value;
 
+import static org.pendant.script.value.ValueTexts.text;
+
 import java.util.Arrays;
 
 /**
@@ -113,7 +115,7 @@ final class MatrixInverse implements LongOperation {
     double condition = normOfOriginal * norm();
     // not a number is no inverse either
     if (singular || !(1 / condition > MIN_RECIPROCAL_CONDITION)) {
-      throw new ScriptError("matrix-singular", "inv: m is singular, it has no inverse");
+      throw new ScriptError("matrix-singular", text("singular"));
     }
     return MatrixValue.owning(size, size, a, false);
   }

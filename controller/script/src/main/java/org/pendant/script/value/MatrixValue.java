@@ -40,14 +40,7 @@ public final class MatrixValue extends Container implements Value {
     if ((long) rows * columns > MAX_ELEMENTS) {
       throw new ScriptError(
           "too-large",
-          "matrix: "
-              + rows
-              + " rows and "
-              + columns
-              + " columns are "
-              + (long) rows * columns
-              + " elements, must be at most "
-              + MAX_ELEMENTS);
+          ValueTexts.text("matrixTooLarge", rows, columns, (long) rows * columns, MAX_ELEMENTS));
     }
   }
 
@@ -143,16 +136,7 @@ public final class MatrixValue extends Container implements Value {
   private int place(int row, int column) throws ScriptError {
     if (row < 0 || row >= rows || column < 0 || column >= columns) {
       throw new ScriptError(
-          "index-out-of-range",
-          "index is ["
-              + row
-              + ", "
-              + column
-              + "], the matrix has "
-              + rows
-              + " rows and "
-              + columns
-              + " columns");
+          "index-out-of-range", ValueTexts.text("matrixIndex", row, column, rows, columns));
     }
     return row * columns + column;
   }

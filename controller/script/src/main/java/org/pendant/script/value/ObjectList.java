@@ -242,7 +242,7 @@ public final class ObjectList extends Container implements ListValue {
   private void check(Value element) throws ScriptError {
     Optional<String> difference = StructValue.typeDifference(sample, element);
     if (difference.isPresent()) {
-      throw new ScriptError("wrong-type", "list element: " + difference.get());
+      throw new ScriptError("wrong-type", ValueTexts.text("listElement", difference.get()));
     }
   }
 

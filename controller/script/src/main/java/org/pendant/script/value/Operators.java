@@ -1,5 +1,7 @@
 package org.pendant.script.value;
 
+import static org.pendant.script.value.ValueTexts.text;
+
 import java.util.List;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 import org.pendant.models.text.FloatText;
@@ -65,7 +67,10 @@ public final class Operators {
       case MatrixValue matrix -> Elementwise.apply(BinaryOperator.SUBTRACT, Value.of(0), matrix);
       default ->
           throw new ScriptError(
-              "wrong-type", "-: cannot negate " + described(operand) + poseHint(operand, operand));
+              "wrong-type",
+              operand.kind() == ValueKind.POSE
+                  ? text("cannotNegatePose", described(operand))
+                  : text("cannotNegate", described(operand)));
     };
   }
 
@@ -90,9 +95,7 @@ public final class Operators {
       case IntValue i -> i.value() != 0;
       case FloatValue f -> f.value() != 0;
       case StringValue s -> s.length() != 0;
-      default ->
-          throw new ScriptError(
-              "wrong-type", where + ": found " + described(value) + ", must be a bool");
+      default -> throw new ScriptError("wrong-type", text("noBool", where, described(value)));
     };
   }
 
@@ -285,17 +288,12 @@ public final class Operators {
   }
 
   static ScriptError divisionByZero(BinaryOperator operator) {
-    return new ScriptError(
-        "division-by-zero", operator.text() + ": the divisor is 0, must be another number");
+    return new ScriptError("division-by-zero", text("divisionByZero", operator.text()));
   }
 
   static ScriptError integerOverflow(String operator, double result) {
     return new ScriptError(
-        "integer-overflow",
-        operator
-            + ": the result is "
-            + FloatText.of(result)
-            + ", an int must be -2147483648 to 2147483647");
+        "integer-overflow", text("integerOverflow", operator, FloatText.of(result)));
   }
 
   private static Value integer(String operator, long result) throws ScriptError {
@@ -313,9 +311,7 @@ public final class Operators {
   public static StringValue concatenated(StringValue left, StringValue right) throws ScriptError {
     int length = left.length() + right.length();
     if (length > MAX_STRING_LENGTH) {
-      throw new ScriptError(
-          "string-too-long",
-          "+: the string has " + length + " bytes, must have at most " + MAX_STRING_LENGTH);
+      throw new ScriptError("string-too-long", text("stringTooLong", length, MAX_STRING_LENGTH));
     }
     return left.followedBy(right);
   }
@@ -324,13 +320,7 @@ public final class Operators {
       throws ScriptError {
     if (!left.kind().isNumber() || !right.kind().isNumber()) {
       throw new ScriptError(
-          "wrong-type",
-          operator.text()
-              + ": cannot order "
-              + described(left)
-              + " and "
-              + described(right)
-              + ", both must be numbers");
+          "wrong-type", text("notOrdered", operator.text(), described(left), described(right)));
     }
     double a = number(left);
     double b = number(right);
@@ -355,26 +345,18 @@ public final class Operators {
   static ScriptError cannotCombine(BinaryOperator operator, Value left, Value right) {
     return new ScriptError(
         "wrong-type",
-        operator.text()
-            + ": cannot combine "
-            + described(left)
-            + " and "
-            + described(right)
-            + hint(operator, left, right));
+        text(
+            uncombined(operator, left, right), operator.text(), described(left), described(right)));
   }
 
-  private static String hint(BinaryOperator operator, Value left, Value right) {
+  /** The text for two values that an operator cannot combine, with what would be right. */
+  private static String uncombined(BinaryOperator operator, Value left, Value right) {
     boolean oneString = left.kind() == ValueKind.STRING ^ right.kind() == ValueKind.STRING;
     if (operator == BinaryOperator.ADD && oneString) {
-      return "; to_str makes a string of a value, str_cat joins any two";
+      return "cannotCombineString";
     }
-    return poseHint(left, right);
-  }
-
-  private static String poseHint(Value left, Value right) {
-    return left.kind() == ValueKind.POSE || right.kind() == ValueKind.POSE
-        ? "; poses are combined by pose_add, pose_sub, pose_trans and pose_inv"
-        : "";
+    boolean pose = left.kind() == ValueKind.POSE || right.kind() == ValueKind.POSE;
+    return pose ? "cannotCombinePose" : "cannotCombine";
   }
 
   /** What a value is, for messages: {@code a list of 3 int}, {@code a 2 x 3 matrix}. */
@@ -382,9 +364,9 @@ public final class Operators {
     return switch (value) {
       case ListValue list ->
           list.length() == 0
-              ? "an empty list"
-              : "a list of " + list.length() + " " + list.elementKind().text();
-      case MatrixValue matrix -> "a " + matrix.rows() + " x " + matrix.columns() + " matrix";
+              ? text("anEmptyList")
+              : text("aListOf", list.length(), list.elementKind().text());
+      case MatrixValue matrix -> text("matrixShape", matrix.rows(), matrix.columns());
       default -> value.kind().described();
     };
   }

@@ -56,17 +56,11 @@ public final class StructValue extends Container implements Value {
    */
   public StructValue checked() throws ScriptError {
     if (depth > MAX_DEPTH) {
-      throw new ScriptError(
-          "too-large",
-          "struct: structs stand " + depth + " deep in each other, must be at most " + MAX_DEPTH);
+      throw new ScriptError("too-large", ValueTexts.text("structTooDeep", depth, MAX_DEPTH));
     }
     if (allMembers > MAX_MEMBERS) {
       throw new ScriptError(
-          "too-large",
-          "struct: it has "
-              + allMembers
-              + " members with those of its members, must have at most "
-              + MAX_MEMBERS);
+          "too-large", ValueTexts.text("structTooLarge", allMembers, MAX_MEMBERS));
     }
     return this;
   }
@@ -111,8 +105,7 @@ public final class StructValue extends Container implements Value {
   public Value get(int index) throws ScriptError {
     if (index < 0 || index >= members.length) {
       throw new ScriptError(
-          "index-out-of-range",
-          "index is " + index + ", must be 0 to " + (members.length - 1) + " for this struct");
+          "index-out-of-range", ValueTexts.text("structIndex", index, members.length - 1));
     }
     return members[index];
   }
@@ -132,7 +125,8 @@ public final class StructValue extends Container implements Value {
     Value old = get(index);
     Optional<String> difference = typeDifference(old, value);
     if (difference.isPresent()) {
-      throw new ScriptError("wrong-type", "member " + names.get(index) + ": " + difference.get());
+      throw new ScriptError(
+          "wrong-type", ValueTexts.text("memberDiffers", names.get(index), difference.get()));
     }
     replace(index, value);
   }
@@ -183,20 +177,21 @@ public final class StructValue extends Container implements Value {
     int index = names.indexOf(name);
     if (index < 0) {
       throw new ScriptError(
-          "unknown-member", "no member " + name + ", there are " + String.join(", ", names));
+          "unknown-member", ValueTexts.text("unknownMember", name, String.join(", ", names)));
     }
     return index;
   }
 
   /**
    * Why a value of {@code found} cannot take the place of one of {@code expected}, empty when it
-   * can. Int and float are one type; structs need the same members in the same order, matrices the
-   * same shape. An empty list takes the place of any.
+   * can; it begins with a blank, to stand behind what it is about. Int and float are one type;
+   * structs need the same members in the same order, matrices the same shape. An empty list takes
+   * the place of any.
    */
   public static Optional<String> typeDifference(Value expected, Value found) {
     if (!expected.kind().accepts(found.kind())) {
       return Optional.of(
-          "is " + expected.kind().described() + ", cannot become " + found.kind().described());
+          ValueTexts.text("differs", "", expected.kind().described(), found.kind().described()));
     }
     // asked first, as it takes long to find that something does not have an interface
     if (!(expected instanceof Container)) {
@@ -208,12 +203,13 @@ public final class StructValue extends Container implements Value {
       }
       if (!a.names.equals(b.names)) {
         return Optional.of(
-            "has members " + String.join(", ", a.names) + ", not " + String.join(", ", b.names));
+            ValueTexts.text(
+                "differsInMembers", "", String.join(", ", a.names), String.join(", ", b.names)));
       }
       for (int i = 0; i < a.members.length; i++) {
         Optional<String> inner = typeDifference(a.members[i], b.members[i]);
         if (inner.isPresent()) {
-          return Optional.of("member " + a.names.get(i) + " " + inner.get());
+          return Optional.of(" member " + a.names.get(i) + inner.get());
         }
       }
     }
@@ -221,7 +217,7 @@ public final class StructValue extends Container implements Value {
         && found instanceof MatrixValue b
         && (a.rows() != b.rows() || a.columns() != b.columns())) {
       return Optional.of(
-          "is " + Operators.described(a) + ", cannot become " + Operators.described(b));
+          ValueTexts.text("differs", "", Operators.described(a), Operators.described(b)));
     }
     if (expected instanceof ListValue a && found instanceof ListValue b && b.length() > 0) {
       return elementDifference(a, b);
@@ -238,13 +234,11 @@ public final class StructValue extends Container implements Value {
   private static Optional<String> elementDifference(ListValue expected, ListValue found) {
     if (!expected.elementKind().accepts(found.elementKind())) {
       return Optional.of(
-          "is a list of "
-              + expected.elementKind().text()
-              + ", cannot become a list of "
-              + found.elementKind().text());
+          ValueTexts.text(
+              "differsInElements", "", expected.elementKind().text(), found.elementKind().text()));
     }
     if (expected instanceof ObjectList a && found instanceof ObjectList b) {
-      return typeDifference(a.sample(), b.sample()).map(text -> "element " + text);
+      return typeDifference(a.sample(), b.sample()).map(inner -> " element" + inner);
     }
     return Optional.empty();
   }

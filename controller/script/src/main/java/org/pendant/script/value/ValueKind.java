@@ -2,21 +2,23 @@ package org.pendant.script.value;
 
 /** Value kinds: the fundamental ones (manual 3 to 5). */
 public enum ValueKind {
-  NONE("none"),
-  BOOL("bool"),
-  INT("int"),
-  FLOAT("float"),
-  STRING("string"),
-  POSE("pose"),
-  LIST("list"),
-  MATRIX("matrix"),
-  STRUCT("struct"),
-  HANDLE("handle");
+  NONE("none", ""),
+  BOOL("bool", "aBool"),
+  INT("int", "anInt"),
+  FLOAT("float", "aFloat"),
+  STRING("string", "aString"),
+  POSE("pose", "aPose"),
+  LIST("list", "aList"),
+  MATRIX("matrix", "aMatrix"),
+  STRUCT("struct", "aStruct"),
+  HANDLE("handle", "aHandle");
 
   private final String text;
+  private final String article;
 
-  ValueKind(String text) {
+  ValueKind(String text, String article) {
     this.text = text;
+    this.article = article;
   }
 
   /** The name for messages. */
@@ -26,11 +28,7 @@ public enum ValueKind {
 
   /** The name with its article, e.g. {@code an int}; {@code None} has none. */
   public String described() {
-    return switch (this) {
-      case NONE -> "None";
-      case INT -> "an int";
-      default -> "a " + text;
-    };
+    return this == NONE ? "None" : ValueTexts.text(article);
   }
 
   public boolean isNumber() {
