@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -217,7 +219,7 @@ public final class ArmSurroundings implements LinkPairs {
       }
       case SceneObject.Rod rod ->
           new SolidShape.Rod(rod.poseInBase(), rod.radiusM(), rod.lengthM(), rod.capsule());
-      case SceneObject.Compound _ -> throw new IllegalArgumentException("has several pieces");
+      case SceneObject.Compound _ -> throw new IllegalArgumentException(text("severalPieces"));
       case SceneObject.Mesh mesh ->
           new SolidShape.Faces(mesh.poseInBase(), mesh.part().triangles());
       case SceneObject.Sphere ball -> {

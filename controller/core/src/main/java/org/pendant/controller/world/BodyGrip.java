@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.Optional;
 import org.pendant.cell.BodyHold;
 import org.pendant.cell.HoldLimits;
@@ -62,7 +64,7 @@ final class BodyGrip {
       frame12[11] = pointInBaseM.z();
       int body = among.there(object);
       if (among.bodies().held(body)) {
-        throw new IllegalArgumentException(object + " is held by a gripper, must be let go first");
+        throw new IllegalArgumentException(text("heldByGripper", object));
       }
       hold = Optional.of(among.bodies().hold(body, frame12, LIMITS));
       name = object;

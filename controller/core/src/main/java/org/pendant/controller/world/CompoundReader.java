@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -40,10 +42,7 @@ final class CompoundReader {
     fields.allow(Nearest::among, "type", NAME, "pose", "parts", MASS, DENSITY_KEY, "material");
     List<Json> all = fields.array("parts", BodyShape.Compound.MAX_PARTS);
     if (all.isEmpty()) {
-      throw fields
-          .required("parts")
-          .place()
-          .refusal("parts is empty, must have 1 to " + BodyShape.Compound.MAX_PARTS);
+      throw fields.required("parts").place().refusal(text("noParts", BodyShape.Compound.MAX_PARTS));
     }
     List<SceneObject> parts = new ArrayList<>();
     for (Json each : all) {
@@ -66,15 +65,10 @@ final class CompoundReader {
     for (int i = 0; i < parts.size(); i++) {
       boolean has = parts.get(i).massKg() > 0;
       if (whole && has) {
-        throw all.get(i)
-            .place()
-            .refusal(
-                "a part has a mass or a density, and the whole has one, must be one or the other");
+        throw all.get(i).place().refusal(text("massTwice"));
       }
       if (some && !has) {
-        throw all.get(i)
-            .place()
-            .refusal("a part has neither mass nor density, and others have: must be all or none");
+        throw all.get(i).place().refusal(text("someWithoutMass"));
       }
     }
   }
@@ -86,22 +80,19 @@ final class CompoundReader {
     }
     Json density = fields.required(DENSITY_KEY);
     if (fields.optional(MASS).isPresent()) {
-      throw density.place().refusal("density is there, and mass too, must be one or the other");
+      throw density.place().refusal(text("densityAndMass"));
     }
     double massKg = fields.number(DENSITY_KEY, DENSITY) * volumeM3;
     if (!SceneRange.MASS.holds(massKg)) {
       throw density
           .place()
           .refusal(
-              "density is "
-                  + density.described()
-                  + " kg/m^3, with which it weighs "
-                  + Range.number(new BigDecimal(massKg).round(new MathContext(3)).doubleValue())
-                  + " kg, must be "
-                  + Range.number(SceneRange.MASS.least())
-                  + " to "
-                  + Range.number(SceneRange.MASS.most())
-                  + " kg");
+              text(
+                  "densityRange",
+                  density.described(),
+                  Range.number(new BigDecimal(massKg).round(new MathContext(3)).doubleValue()),
+                  Range.number(SceneRange.MASS.least()),
+                  Range.number(SceneRange.MASS.most())));
     }
     return massKg;
   }
@@ -113,16 +104,14 @@ final class CompoundReader {
 
   /** A part, read as an object that has a name, and a mass where it has a density. */
   private SceneObject part(Json each, int number) throws JsonException {
-    JsonFields fields = new JsonFields(each, "a part");
+    JsonFields fields = new JsonFields(each, text("aPart"));
     Json.Text type = fields.text("type");
     if (type.value().equals("plane") || type.value().equals("compound")) {
-      throw type.place()
-          .refusal(
-              "type is " + type.described() + ", must be box, sphere, cylinder, capsule or mesh");
+      throw type.place().refusal(text("partType", type.described()));
     }
     Optional<Json> material = fields.optional("material");
     if (material.isPresent()) {
-      throw material.get().place().refusal("material is that of the whole, a part must have none");
+      throw material.get().place().refusal(text("partMaterial"));
     }
     Map<String, Json.Member> members = new LinkedHashMap<>(((Json.Members) each).byKey());
     members.putIfAbsent(
@@ -141,6 +130,6 @@ final class CompoundReader {
 
   private SceneObject object(Map<String, Json.Member> members, Json each) throws JsonException {
     Json whole = new Json.Members(members, each.place());
-    return objects.object(whole, new JsonFields(whole, "a part"));
+    return objects.object(whole, new JsonFields(whole, text("aPart")));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -247,7 +249,7 @@ public final class ContactWorld {
    */
   public void carry(String object, Vector3 pointInBaseM, Vector3 placeInBaseM) {
     if (free == null) {
-      throw new IllegalArgumentException("no object of the scene can move");
+      throw new IllegalArgumentException(text("nothingMoves"));
     }
     free.grip().pull(object, place.inCell(pointInBaseM), place.inCell(placeInBaseM));
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -65,8 +67,7 @@ final class FreeBodies {
     int firstLink = all.size();
     int pieces = firstLink + objects.stream().mapToInt(each -> each.pieces().size() - 1).sum();
     if (pieces > MAX_BODIES) {
-      throw new IllegalArgumentException(
-          "bodies: are " + pieces + ", may be at most " + MAX_BODIES);
+      throw new IllegalArgumentException(text("tooManyBodies", pieces, MAX_BODIES));
     }
     all.addAll(first.linkDescriptions(0));
     bodies = new RigidBodyWorld(all, 0, 0, -ArmDynamics.STANDARD_GRAVITY_M_PER_S2);
@@ -253,8 +254,7 @@ final class FreeBodies {
         return i;
       }
     }
-    throw new IllegalArgumentException(
-        "object is " + Json.quoted(name) + ", must be one with a mass that is in the cell");
+    throw new IllegalArgumentException(text("noSuchBody", Json.quoted(name)));
   }
 
   RigidBodyWorld bodies() {

@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.Optional;
 
 /**
@@ -30,7 +32,12 @@ public record LinkHit(
 
   /** Who has hit what, as in {@code the forearm has hit "fixture"}. */
   public String sentence() {
-    return THE + link + HAS_HIT + otherWords();
+    if (object) {
+      return text("linkHitObject", link, other);
+    }
+    return otherArm
+        .map(arm -> text("linkHitOtherArm", link, other, arm))
+        .orElseGet(() -> text("linkHitLink", link, other));
   }
 
   /** What it is in, as a sentence has it. */

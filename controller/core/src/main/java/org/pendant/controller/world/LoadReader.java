@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -29,7 +31,7 @@ public final class LoadReader {
   private LoadReader() {}
 
   public static Payload load(Json value) throws JsonException {
-    JsonFields fields = new JsonFields(value, "a load");
+    JsonFields fields = new JsonFields(value, text("aLoad"));
     fields.allow(Nearest::among, "mass", "cog", "inertia");
     double massKg = fields.number("mass", MASS);
     Vector3 cogM =
@@ -46,14 +48,7 @@ public final class LoadReader {
       i[k] = JsonFields.number("inertia[" + k + "]", six.get(k), k < 3 ? MOMENT : PRODUCT);
     }
     if (!possible(i[0], i[1], i[2], i[3], i[4], i[5])) {
-      throw inertia
-          .get()
-          .place()
-          .refusal(
-              "inertia is "
-                  + Arrays.toString(i)
-                  + " kg m\u00b2, which no body has: about any axis it must be at most the sum of"
-                  + " those about two axes across");
+      throw inertia.get().place().refusal(text("impossibleInertia", Arrays.toString(i)));
     }
     return new Payload(massKg, cogM.x(), cogM.y(), cogM.z(), i[0], i[1], i[2], i[3], i[4], i[5]);
   }

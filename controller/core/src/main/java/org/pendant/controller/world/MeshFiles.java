@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,7 +17,7 @@ public interface MeshFiles {
   /** No files: those of a text that is in no folder. */
   MeshFiles NONE =
       (name, unit) -> {
-        throw new IOException("cannot be read, the scene is in no folder");
+        throw new IOException(text("noFolder"));
       };
 
   /**
@@ -67,7 +69,7 @@ public interface MeshFiles {
           return mesh.triangles();
         }
       }
-      throw new IOException("is not there");
+      throw new IOException(text("fileNotThere"));
     };
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.AccessDeniedException;
@@ -57,21 +59,21 @@ record MeshFolder(Path folder) implements MeshFiles {
       Path root = folder.toRealPath();
       Path file = root.resolve(name).toRealPath();
       if (!file.startsWith(root)) {
-        throw new IOException("is a link that leads out of the folder of the scene");
+        throw new IOException(text("linkLeadsOut"));
       }
       if (!Files.isRegularFile(file)) {
-        throw new IOException("is not a file");
+        throw new IOException(text("notAFile"));
       }
       try (InputStream in = Files.newInputStream(file)) {
         // one more than it may have, so that its reader refuses it
         return in.readNBytes(MeshFile.MAX_BYTES + 1);
       }
     } catch (NoSuchFileException | NotDirectoryException e) {
-      throw new IOException("is not there", e);
+      throw new IOException(text("fileNotThere"), e);
     } catch (AccessDeniedException e) {
-      throw new IOException("cannot be read, no permission", e);
+      throw new IOException(text("noPermission"), e);
     } catch (InvalidPathException e) {
-      throw new IOException("is not a file name", e);
+      throw new IOException(text("notAFileName"), e);
     }
   }
 }

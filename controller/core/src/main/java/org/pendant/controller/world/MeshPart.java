@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -45,13 +47,10 @@ public record MeshPart(String file, MeshUnit unit, TriangleMesh triangles) {
             || file.indexOf(':') >= 0
             || List.of(file.split("/", -1)).contains("..");
     if (elsewhere) {
-      return Optional.of(
-          "mesh is "
-              + Json.quoted(file)
-              + ", must be a file in the folder of the scene or below, with / between folders");
+      return Optional.of(text("meshElsewhere", Json.quoted(file)));
     }
     return MeshFile.hasEnding(file)
         ? Optional.empty()
-        : Optional.of("mesh is " + Json.quoted(file) + ", " + MeshFile.MUST_END);
+        : Optional.of(text("meshEnding", Json.quoted(file), MeshFile.MUST_END));
   }
 }

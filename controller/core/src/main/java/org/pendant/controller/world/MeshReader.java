@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
@@ -13,8 +15,6 @@ import org.pendant.models.mesh.MeshUnit;
 
 /** Mesh reader: reads the meshes that a scene names, each file once. */
 final class MeshReader {
-  private static final String UNITS = "must be mm, cm, m or in";
-
   private final MeshFiles files;
   private final Map<Wanted, MeshPart> known = new HashMap<>();
 
@@ -49,14 +49,12 @@ final class MeshReader {
       if (MeshFile.unit(file).isPresent()) {
         return MeshFile.unit(file).get();
       }
-      throw whole
-          .place()
-          .refusal("unit is missing, " + UNITS + ": a mesh does not say what its numbers count");
+      throw whole.place().refusal(text("unitMissing"));
     }
     Json.Text word = object.text("unit");
     Optional<MeshUnit> unit = MeshUnit.of(word.value());
     if (unit.isEmpty()) {
-      throw word.place().refusal("unit is " + word.described() + ", " + UNITS);
+      throw word.place().refusal(text("unknownUnit", word.described()));
     }
     return unit.get();
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.Optional;
 import org.pendant.models.json.Json;
 
@@ -15,7 +17,7 @@ final class ObjectName {
     return name.isBlank()
             || name.length() > LONGEST
             || name.chars().anyMatch(Character::isISOControl)
-        ? Optional.of("name is " + Json.quoted(name) + ", must be 1 to " + LONGEST + " letters")
+        ? Optional.of(text("nameLength", Json.quoted(name), LONGEST))
         : Optional.empty();
   }
 

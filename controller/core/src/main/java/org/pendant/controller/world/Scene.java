@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -53,14 +55,13 @@ public record Scene(
     objects = List.copyOf(objects);
     toolPoints = List.copyOf(toolPoints);
     toolBodies = List.copyOf(toolBodies);
-    requireCount("objects", objects.size(), MAX_OBJECTS);
-    requireCount("tool points", toolPoints.size(), MAX_TOOL_POINTS);
-    requireCount("tool bodies", toolBodies.size(), MAX_TOOL_BODIES);
-    requireNames(objects, "object");
-    requireNames(toolBodies, "body of the tool");
+    requireCount("tooManyObjects", objects.size(), MAX_OBJECTS);
+    requireCount("tooManyToolPoints", toolPoints.size(), MAX_TOOL_POINTS);
+    requireCount("tooManyToolBodies", toolBodies.size(), MAX_TOOL_BODIES);
+    requireNames(objects, "objectTwice");
+    requireNames(toolBodies, "toolBodyTwice");
     if (load.isPresent() && ToolBody.weight(toolBodies).isPresent()) {
-      throw new IllegalArgumentException(
-          "load is there, and bodies of the tool have a mass, must be one or the other");
+      throw new IllegalArgumentException(text("loadAndToolMass"));
     }
     if (FreeBodies.any(objects)) {
       FreeBodies.require(objects, new SceneTool(toolPoints, toolBodies));
@@ -127,20 +128,18 @@ public record Scene(
     return new Scene(objects, load, toolPoints, toolBodies, pushAtTcpInBase, contact);
   }
 
-  private static void requireNames(List<SceneObject> all, String what) {
+  private static void requireNames(List<SceneObject> all, String refusalKey) {
     Set<String> names = new HashSet<>();
     for (SceneObject each : all) {
       if (!names.add(each.name())) {
-        throw new IllegalArgumentException(
-            "name is " + Json.quoted(each.name()) + " again, must be another for each " + what);
+        throw new IllegalArgumentException(text(refusalKey, Json.quoted(each.name())));
       }
     }
   }
 
-  private static void requireCount(String what, int count, int most) {
+  private static void requireCount(String refusalKey, int count, int most) {
     if (count > most) {
-      throw new IllegalArgumentException(
-          "scene has " + count + " " + what + ", must be at most " + most);
+      throw new IllegalArgumentException(text(refusalKey, count, most));
     }
   }
 }

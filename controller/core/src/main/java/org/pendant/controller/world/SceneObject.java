@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.cell.BodyShape;
@@ -209,26 +211,23 @@ public sealed interface SceneObject {
       }
       if (parts.isEmpty() || parts.size() > BodyShape.Compound.MAX_PARTS) {
         throw new IllegalArgumentException(
-            "parts: are " + parts.size() + ", must be 1 to " + BodyShape.Compound.MAX_PARTS);
+            text("partsCount", parts.size(), BodyShape.Compound.MAX_PARTS));
       }
       long weighed = parts.stream().filter(part -> part.massKg() > 0).count();
       if (wholeKg != 0 && weighed > 0) {
-        throw new IllegalArgumentException("mass is that of the whole, and parts have one too");
+        throw new IllegalArgumentException(text("massOfWhole"));
       }
       if (weighed > 0 && weighed < parts.size()) {
-        throw new IllegalArgumentException(
-            "parts: " + weighed + " of " + parts.size() + " have a mass, must be all or none");
+        throw new IllegalArgumentException(text("partsWithMass", weighed, parts.size()));
       }
       SceneRange.requireMass(wholeKg);
       SceneRange.requireMass(parts.stream().mapToDouble(SceneObject::massKg).sum());
       for (SceneObject part : parts) {
         if (part instanceof Plane || part instanceof Compound) {
-          throw new IllegalArgumentException(
-              "parts: must be boxes, spheres, cylinders, capsules and meshes");
+          throw new IllegalArgumentException(text("partsShapes"));
         }
         if (!SceneRange.holds(Poses.trans(poseInBase, part.poseInBase()))) {
-          throw new IllegalArgumentException(
-              part.name() + " is beyond where it may be, must be -10 to 10 m along each axis");
+          throw new IllegalArgumentException(text("beyondPlace", part.name()));
         }
         if (wholeKg > 0 && part instanceof Mesh mesh) {
           var _ = new MeshBody(mesh.part().triangles());
@@ -262,7 +261,7 @@ public sealed interface SceneObject {
         }
         case Sphere ball -> 4 * Math.PI / 3 * ball.radiusM() * ball.radiusM() * ball.radiusM();
         case Mesh mesh -> mesh.part().triangles().volumeM3();
-        case Plane _, Compound _ -> throw new IllegalArgumentException("has no volume of its own");
+        case Plane _, Compound _ -> throw new IllegalArgumentException(text("noVolume"));
       };
     }
 

@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -58,7 +60,7 @@ public final class SceneReader {
   }
 
   private Scene scene(Json root) throws JsonException {
-    JsonFields fields = new JsonFields(root, "a scene");
+    JsonFields fields = new JsonFields(root, text("aScene"));
     fields.allow(
         Nearest::among,
         "objects",
@@ -96,7 +98,7 @@ public final class SceneReader {
     Json.Text word = scene.text("links");
     Optional<LinkContact> contact = LinkContact.of(word.value());
     if (contact.isEmpty()) {
-      throw word.place().refusal("links is " + word.described() + ", must be stop or pass");
+      throw word.place().refusal(text("linksWord", word.described()));
     }
     return contact.get();
   }
@@ -106,7 +108,7 @@ public final class SceneReader {
     if (value.isEmpty()) {
       return Wrench.ZERO;
     }
-    JsonFields fields = new JsonFields(value.get(), "a push");
+    JsonFields fields = new JsonFields(value.get(), text("aPush"));
     fields.allow(Nearest::among, "force", "torque");
     Vector3 force = vectorOrZero(fields, "force");
     Vector3 torque = vectorOrZero(fields, "torque");
@@ -123,34 +125,26 @@ public final class SceneReader {
   SceneObject object(Json each, JsonFields fields) throws JsonException {
     Json.Text type = fields.text("type");
     return switch (type.value()) {
-      case "plane" -> plane(new JsonFields(each, "a plane"));
-      case "box" -> box(new JsonFields(each, "a box"));
-      case "sphere" -> sphere(new JsonFields(each, "a sphere"));
-      case "cylinder", "capsule" -> rod(new JsonFields(each, "a " + type.value()));
-      case "mesh" -> mesh(each, new JsonFields(each, "a mesh"));
-      case "compound" -> compound(new JsonFields(each, "a compound"));
-      default ->
-          throw type.place()
-              .refusal(
-                  "type is "
-                      + type.described()
-                      + ", must be plane, box, sphere, cylinder, capsule, mesh or compound");
+      case "plane" -> plane(new JsonFields(each, text("aPlane")));
+      case "box" -> box(new JsonFields(each, text("aBox")));
+      case "sphere" -> sphere(new JsonFields(each, text("aSphere")));
+      case "cylinder", "capsule" ->
+          rod(
+              new JsonFields(
+                  each, text(type.value().equals("capsule") ? "aCapsule" : "aCylinder")));
+      case "mesh" -> mesh(each, new JsonFields(each, text("aMesh")));
+      case "compound" -> compound(new JsonFields(each, text("aCompound")));
+      default -> throw type.place().refusal(text("objectType", type.described()));
     };
   }
 
   private void add(Json each) throws JsonException {
-    JsonFields fields = new JsonFields(each, "an object of the scene");
+    JsonFields fields = new JsonFields(each, text("sceneObject"));
     SceneObject object = object(each, fields);
     Json.Text name = fields.text("name");
     FilePosition first = places.putIfAbsent(object.name(), name.place());
     if (first != null) {
-      throw name.place()
-          .refusal(
-              "name is "
-                  + name.described()
-                  + " as in line "
-                  + first.line()
-                  + ", must be another for each object");
+      throw name.place().refusal(text("nameTwice", name.described(), first.line()));
     }
     objects.add(object);
   }
@@ -205,7 +199,7 @@ public final class SceneReader {
       throw fields
           .required("mass")
           .place()
-          .refusal(part.file() + ": " + e.getMessage() + "; without a mass it stands still");
+          .refusal(text("standsWithoutMass", part.file(), e.getMessage()));
     }
   }
 
@@ -250,7 +244,7 @@ public final class SceneReader {
     if (value.isEmpty()) {
       return Material.DEFAULT;
     }
-    JsonFields fields = new JsonFields(value.get(), "a material");
+    JsonFields fields = new JsonFields(value.get(), text("aMaterial"));
     fields.allow(Nearest::among, "stiffness", "damping", "friction", "restitution");
     return new Material(
         fields.number("stiffness", Material.STIFFNESS, Material.DEFAULT.stiffnessNPerM()),

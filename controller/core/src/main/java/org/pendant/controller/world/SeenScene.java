@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import org.pendant.models.pose.Pose;
 
 /** Seen scene: a scene as it is seen from the base of an arm that stands somewhere in it. */
@@ -27,8 +29,7 @@ public final class SeenScene {
     try {
       return moved(object);
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException(
-          "object \"" + object.name() + "\" is too far from this base: " + e.getMessage(), e);
+      throw new IllegalArgumentException(text("tooFar", object.name(), e.getMessage()), e);
     }
   }
 

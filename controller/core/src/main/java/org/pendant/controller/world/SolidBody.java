@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import org.pendant.cell.BodyShape;
 import org.pendant.models.pose.Pose;
 
@@ -18,7 +20,7 @@ record SolidBody(BodyShape shape, Pose inFrame) {
   static SolidBody of(SceneObject object) {
     return switch (object) {
       case SceneObject.Plane _ -> throw new IllegalArgumentException("a plane is no body");
-      case SceneObject.Compound _ -> throw new IllegalArgumentException("has several pieces");
+      case SceneObject.Compound _ -> throw new IllegalArgumentException(text("severalPieces"));
       case SceneObject.Box box ->
           new SolidBody(
               new BodyShape.Box(box.sizeM().x(), box.sizeM().y(), box.sizeM().z()),

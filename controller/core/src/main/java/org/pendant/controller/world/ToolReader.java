@@ -1,5 +1,7 @@
 package org.pendant.controller.world;
 
+import static org.pendant.controller.world.WorldTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.language.check.Nearest;
@@ -30,22 +32,22 @@ public final class ToolReader {
     List<ToolPoint> points = new ArrayList<>();
     List<SceneObject> bodies = new ArrayList<>();
     for (Json each : fields.array("tool", Scene.MAX_TOOL_POINTS + Scene.MAX_TOOL_BODIES)) {
-      JsonFields part = new JsonFields(each, "a part of the tool");
+      JsonFields part = new JsonFields(each, text("toolPart"));
       if (part.optional("type").isPresent()) {
         bodies.add(reader.body(each, part, bodies));
-        requireCount(each, "bodies", bodies.size(), Scene.MAX_TOOL_BODIES);
+        requireCount(each, "moreBodies", bodies.size(), Scene.MAX_TOOL_BODIES);
       } else {
-        points.add(point(new JsonFields(each, "a tool point")));
-        requireCount(each, "points", points.size(), Scene.MAX_TOOL_POINTS);
+        points.add(point(new JsonFields(each, text("toolPoint"))));
+        requireCount(each, "morePoints", points.size(), Scene.MAX_TOOL_POINTS);
       }
     }
     return new SceneTool(points, bodies);
   }
 
-  private static void requireCount(Json each, String what, int count, int most)
+  private static void requireCount(Json each, String refusalKey, int count, int most)
       throws JsonException {
     if (count > most) {
-      throw each.place().refusal("tool has more than " + most + " " + what);
+      throw each.place().refusal(text(refusalKey, most));
     }
   }
 
@@ -54,16 +56,11 @@ public final class ToolReader {
     SceneObject body = objects.object(each, fields);
     if (body instanceof SceneObject.Plane || body instanceof SceneObject.Compound) {
       Json.Text type = fields.text("type");
-      throw type.place()
-          .refusal(
-              "type is "
-                  + type.described()
-                  + ", must be box, sphere, cylinder, capsule or mesh on the flange");
+      throw type.place().refusal(text("toolBodyType", type.described()));
     }
     if (before.stream().anyMatch(other -> other.name().equals(body.name()))) {
       Json.Text name = fields.text("name");
-      throw name.place()
-          .refusal("name is " + name.described() + " again, must be another for each body");
+      throw name.place().refusal(text("bodyTwice", name.described()));
     }
     try {
       var _ = new ToolBody(body);
