@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.MissingResourceException;
 import java.util.Properties;
+import java.util.function.UnaryOperator;
 
 /**
  * What a package says to people, in one language. The texts are properties in UTF-8, in the folder
@@ -15,7 +16,8 @@ import java.util.Properties;
  * folder is no package: its files can be read from modules that open none.
  *
  * <p>{@code {0}} to {@code {9}} in a text stand for what the program puts there, as it reads as a
- * string. There is no other syntax: an apostrophe is one, and numbers stay as they are, which is
+ * string; {@code {0*}} in a translation for what is an English text itself and must be translated
+ * before. There is no other syntax: an apostrophe is one, and numbers stay as they are, which is
  * why this is not {@link java.text.MessageFormat}.
  */
 public final class Texts {
@@ -23,10 +25,12 @@ public final class Texts {
 
   private final String name;
   private final Properties texts;
+  private final UnaryOperator<String> translate;
 
-  private Texts(String name, Properties texts) {
+  private Texts(String name, Properties texts, UnaryOperator<String> translate) {
     this.name = name;
     this.texts = texts;
+    this.translate = translate;
   }
 
   /**
@@ -35,6 +39,15 @@ public final class Texts {
    */
   public static Texts of(Class<?> owner) {
     return of(owner, Language.ofProcess());
+  }
+
+  /**
+   * The same, of a package that says what others have said in English.
+   *
+   * @param translate says that in the language of the process; asked for places {@code {0*}}
+   */
+  public static Texts of(Class<?> owner, UnaryOperator<String> translate) {
+    return of(owner, Language.ofProcess(), translate);
   }
 
   /**
@@ -52,6 +65,11 @@ public final class Texts {
    * @throws MissingResourceException if it says nothing
    */
   public static Texts of(Class<?> owner, Language language) {
+    return of(owner, language, UnaryOperator.identity());
+  }
+
+  /** The same, of a package that says what others have said in English. */
+  static Texts of(Class<?> owner, Language language, UnaryOperator<String> translate) {
     String name = owner.getPackageName().substring(ROOT.length());
     Properties texts = new Properties();
     if (!read(owner, name, texts)) {
@@ -60,7 +78,7 @@ public final class Texts {
     if (language != Language.ENGLISH) {
       read(owner, name + "_" + language.code(), texts);
     }
-    return new Texts(name, texts);
+    return new Texts(name, texts, translate);
   }
 
   private static boolean read(Class<?> owner, String name, Properties into) {
@@ -86,20 +104,24 @@ public final class Texts {
     if (text == null) {
       throw new MissingResourceException("no text " + key + " of " + name, name, key);
     }
-    return values.length == 0 ? text : filled(text, values);
+    return values.length == 0 ? text : filled(text, values, translate);
   }
 
-  private static String filled(String text, Object[] values) {
+  private static String filled(String text, Object[] values, UnaryOperator<String> translate) {
     StringBuilder filled = new StringBuilder(text.length() + 16 * values.length);
     int from = 0;
     for (int at = text.indexOf('{'); at >= 0; at = text.indexOf('{', from)) {
       int index = at + 2 < text.length() ? text.charAt(at + 1) - '0' : -1;
-      boolean place = index >= 0 && index < values.length && text.charAt(at + 2) == '}';
-      filled.append(text, from, place ? at : at + 1);
-      if (place) {
+      boolean place = index >= 0 && index < values.length;
+      boolean plain = place && text.startsWith("}", at + 2);
+      boolean translated = place && text.startsWith("*}", at + 2);
+      filled.append(text, from, plain || translated ? at : at + 1);
+      if (plain) {
         filled.append(values[index]);
+      } else if (translated) {
+        filled.append(translate.apply(String.valueOf(values[index])));
       }
-      from = place ? at + 3 : at + 1;
+      from = plain ? at + 3 : translated ? at + 4 : at + 1;
     }
     return filled.append(text, from, text.length()).toString();
   }

@@ -29,6 +29,15 @@ class TextsTest {
   }
 
   @Test
+  void aValueThatIsATextItselfIsTranslatedWhereTheLanguageSaysSo() {
+    Texts said =
+        Texts.of(TextsTest.class, Language.GERMAN, text -> text.equals("full") ? "voll" : text);
+    assertEquals("disk full: voll (full)", said.get("failed", "full"));
+    assertEquals("disk full: full (full)", german.get("failed", "full"));
+    assertEquals("disk full: full", english.get("failed", "full"));
+  }
+
+  @Test
   void apostrophesAndBracesThatAreNoPlacesStayAndValuesAreNotReadAgain() {
     assertEquals("It isn't {x} {2}, {", english.get("odd", "{x}"));
     assertEquals("It isn't {1} {2}, {", english.get("odd", "{1}"));

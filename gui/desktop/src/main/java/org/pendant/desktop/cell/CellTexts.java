@@ -1,10 +1,11 @@
 package org.pendant.desktop.cell;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class CellTexts {
-  private static final Texts TEXTS = Texts.of(CellTexts.class);
+  private static final Texts TEXTS = Texts.of(CellTexts.class, Messages::shown);
 
   private CellTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.debug;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class DebugTexts {
-  private static final Texts TEXTS = Texts.of(DebugTexts.class);
+  private static final Texts TEXTS = Texts.of(DebugTexts.class, Messages::shown);
 
   private DebugTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.editor;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class EditorTexts {
-  private static final Texts TEXTS = Texts.of(EditorTexts.class);
+  private static final Texts TEXTS = Texts.of(EditorTexts.class, Messages::shown);
 
   private EditorTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.help;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class HelpViewTexts {
-  private static final Texts TEXTS = Texts.of(HelpViewTexts.class);
+  private static final Texts TEXTS = Texts.of(HelpViewTexts.class, Messages::shown);
 
   private HelpViewTexts() {}
 

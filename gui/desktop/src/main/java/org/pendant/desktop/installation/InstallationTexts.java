@@ -1,10 +1,11 @@
 package org.pendant.desktop.installation;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class InstallationTexts {
-  private static final Texts TEXTS = Texts.of(InstallationTexts.class);
+  private static final Texts TEXTS = Texts.of(InstallationTexts.class, Messages::shown);
 
   private InstallationTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.io;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class IoTexts {
-  private static final Texts TEXTS = Texts.of(IoTexts.class);
+  private static final Texts TEXTS = Texts.of(IoTexts.class, Messages::shown);
 
   private IoTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.lines;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class LineTexts {
-  private static final Texts TEXTS = Texts.of(LineTexts.class);
+  private static final Texts TEXTS = Texts.of(LineTexts.class, Messages::shown);
 
   private LineTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.log;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class LogTexts {
-  private static final Texts TEXTS = Texts.of(LogTexts.class);
+  private static final Texts TEXTS = Texts.of(LogTexts.class, Messages::shown);
 
   private LogTexts() {}
 

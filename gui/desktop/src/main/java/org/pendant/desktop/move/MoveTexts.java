@@ -1,10 +1,11 @@
 package org.pendant.desktop.move;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class MoveTexts {
-  private static final Texts TEXTS = Texts.of(MoveTexts.class);
+  private static final Texts TEXTS = Texts.of(MoveTexts.class, Messages::shown);
 
   private MoveTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.plot;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class PlotTexts {
-  private static final Texts TEXTS = Texts.of(PlotTexts.class);
+  private static final Texts TEXTS = Texts.of(PlotTexts.class, Messages::shown);
 
   private PlotTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.ports;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class PortsTexts {
-  private static final Texts TEXTS = Texts.of(PortsTexts.class);
+  private static final Texts TEXTS = Texts.of(PortsTexts.class, Messages::shown);
 
   private PortsTexts() {}
 

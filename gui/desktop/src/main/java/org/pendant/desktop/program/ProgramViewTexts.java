@@ -1,10 +1,11 @@
 package org.pendant.desktop.program;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class ProgramViewTexts {
-  private static final Texts TEXTS = Texts.of(ProgramViewTexts.class);
+  private static final Texts TEXTS = Texts.of(ProgramViewTexts.class, Messages::shown);
 
   private ProgramViewTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.scene;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class SceneTexts {
-  private static final Texts TEXTS = Texts.of(SceneTexts.class);
+  private static final Texts TEXTS = Texts.of(SceneTexts.class, Messages::shown);
 
   private SceneTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.session;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class SessionTexts {
-  private static final Texts TEXTS = Texts.of(SessionTexts.class);
+  private static final Texts TEXTS = Texts.of(SessionTexts.class, Messages::shown);
 
   private SessionTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.shell;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class ShellTexts {
-  private static final Texts TEXTS = Texts.of(ShellTexts.class);
+  private static final Texts TEXTS = Texts.of(ShellTexts.class, Messages::shown);
 
   private ShellTexts() {}
 

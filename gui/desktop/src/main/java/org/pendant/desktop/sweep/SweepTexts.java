@@ -1,10 +1,11 @@
 package org.pendant.desktop.sweep;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class SweepTexts {
-  private static final Texts TEXTS = Texts.of(SweepTexts.class);
+  private static final Texts TEXTS = Texts.of(SweepTexts.class, Messages::shown);
 
   private SweepTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.tests;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class TestsTexts {
-  private static final Texts TEXTS = Texts.of(TestsTexts.class);
+  private static final Texts TEXTS = Texts.of(TestsTexts.class, Messages::shown);
 
   private TestsTexts() {}
 

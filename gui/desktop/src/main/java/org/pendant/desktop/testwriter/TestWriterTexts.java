@@ -1,10 +1,11 @@
 package org.pendant.desktop.testwriter;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class TestWriterTexts {
-  private static final Texts TEXTS = Texts.of(TestWriterTexts.class);
+  private static final Texts TEXTS = Texts.of(TestWriterTexts.class, Messages::shown);
 
   private TestWriterTexts() {}
 

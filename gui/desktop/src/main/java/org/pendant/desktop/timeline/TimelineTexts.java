@@ -1,10 +1,11 @@
 package org.pendant.desktop.timeline;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class TimelineTexts {
-  private static final Texts TEXTS = Texts.of(TimelineTexts.class);
+  private static final Texts TEXTS = Texts.of(TimelineTexts.class, Messages::shown);
 
   private TimelineTexts() {}
 

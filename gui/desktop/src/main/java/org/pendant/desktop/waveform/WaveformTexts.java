@@ -1,10 +1,11 @@
 package org.pendant.desktop.waveform;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class WaveformTexts {
-  private static final Texts TEXTS = Texts.of(WaveformTexts.class);
+  private static final Texts TEXTS = Texts.of(WaveformTexts.class, Messages::shown);
 
   private WaveformTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.whatif;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class WhatIfTexts {
-  private static final Texts TEXTS = Texts.of(WhatIfTexts.class);
+  private static final Texts TEXTS = Texts.of(WhatIfTexts.class, Messages::shown);
 
   private WhatIfTexts() {}
 

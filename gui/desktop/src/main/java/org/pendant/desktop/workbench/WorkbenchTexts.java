@@ -1,10 +1,11 @@
 package org.pendant.desktop.workbench;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class WorkbenchTexts {
-  private static final Texts TEXTS = Texts.of(WorkbenchTexts.class);
+  private static final Texts TEXTS = Texts.of(WorkbenchTexts.class, Messages::shown);
 
   private WorkbenchTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.editor.text;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class ScriptTexts {
-  private static final Texts TEXTS = Texts.of(ScriptTexts.class);
+  private static final Texts TEXTS = Texts.of(ScriptTexts.class, Messages::shown);
 
   private ScriptTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.program.form;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class FormTexts {
-  private static final Texts TEXTS = Texts.of(FormTexts.class);
+  private static final Texts TEXTS = Texts.of(FormTexts.class, Messages::shown);
 
   private FormTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.scene.gl;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class GraphicsTexts {
-  private static final Texts TEXTS = Texts.of(GraphicsTexts.class);
+  private static final Texts TEXTS = Texts.of(GraphicsTexts.class, Messages::shown);
 
   private GraphicsTexts() {}
 

@@ -1,10 +1,11 @@
 package org.pendant.desktop.scene.view;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class PictureTexts {
-  private static final Texts TEXTS = Texts.of(PictureTexts.class);
+  private static final Texts TEXTS = Texts.of(PictureTexts.class, Messages::shown);
 
   private PictureTexts() {}
 

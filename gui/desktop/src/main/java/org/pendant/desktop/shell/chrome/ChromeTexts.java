@@ -1,10 +1,11 @@
 package org.pendant.desktop.shell.chrome;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class ChromeTexts {
-  private static final Texts TEXTS = Texts.of(ChromeTexts.class);
+  private static final Texts TEXTS = Texts.of(ChromeTexts.class, Messages::shown);
 
   private ChromeTexts() {}
 

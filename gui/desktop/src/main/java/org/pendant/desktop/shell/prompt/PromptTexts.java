@@ -1,10 +1,11 @@
 package org.pendant.desktop.shell.prompt;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class PromptTexts {
-  private static final Texts TEXTS = Texts.of(PromptTexts.class);
+  private static final Texts TEXTS = Texts.of(PromptTexts.class, Messages::shown);
 
   private PromptTexts() {}
 

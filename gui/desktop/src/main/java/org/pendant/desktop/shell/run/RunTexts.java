@@ -1,10 +1,11 @@
 package org.pendant.desktop.shell.run;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class RunTexts {
-  private static final Texts TEXTS = Texts.of(RunTexts.class);
+  private static final Texts TEXTS = Texts.of(RunTexts.class, Messages::shown);
 
   private RunTexts() {}
 

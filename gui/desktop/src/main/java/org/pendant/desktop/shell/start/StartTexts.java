@@ -1,10 +1,11 @@
 package org.pendant.desktop.shell.start;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class StartTexts {
-  private static final Texts TEXTS = Texts.of(StartTexts.class);
+  private static final Texts TEXTS = Texts.of(StartTexts.class, Messages::shown);
 
   private StartTexts() {}
 
