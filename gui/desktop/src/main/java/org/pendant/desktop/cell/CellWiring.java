@@ -17,6 +17,7 @@ import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.SignalGroup;
+import org.pendant.desktop.text.Messages;
 
 /**
  * Cell wiring: what of the devices of a cell is wired to which signals of the controller;
@@ -105,7 +106,11 @@ record CellWiring(List<Box> boxes) {
                 number.isPresent() ? encoder((int) number.getAsDouble()) : ""));
       }
     }
-    return new Box(device.name(), kind.title(), ports.isEmpty() ? kind.reached() : "", ports);
+    return new Box(
+        device.name(),
+        Messages.shown(kind.title()),
+        ports.isEmpty() ? Messages.shown(kind.reached()) : "",
+        ports);
   }
 
   private static WirePort port(
@@ -113,7 +118,7 @@ record CellWiring(List<Box> boxes) {
     return new WirePort(
         device.name(),
         field.key(),
-        field.title(),
+        Messages.shown(field.title()),
         field.help(),
         way,
         field.required(),

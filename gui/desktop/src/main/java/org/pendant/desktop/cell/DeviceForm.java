@@ -25,6 +25,7 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.DeviceHandles;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.PoseRows;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Measure;
@@ -174,52 +175,69 @@ final class DeviceForm {
     switch (field) {
       case DeviceField.Flag flag ->
           form.check(
-              flag.title(),
-              flag.title() + ": " + flag.help(),
+              Messages.shown(flag.title()),
+              Messages.shown(flag.title()) + ": " + Messages.shown(flag.help()),
               device -> part.get.apply(device).flag(flag.key(), flag.standing()),
               (device, on) ->
                   part.change(device, text -> text.withFlag(flag.key(), on, flag.standing())));
       case DeviceField.Amount amount -> addAmount(amount, part);
       case DeviceField.Wire wire -> addWire(wire, part);
       case DeviceField.Place place ->
-          addAxes(place.title(), place.help(), place.key(), place.range(), part);
+          addAxes(
+              Messages.shown(place.title()),
+              Messages.shown(place.help()),
+              place.key(),
+              place.range(),
+              part);
       case DeviceField.Direction way ->
-          addAxes(way.title(), way.help(), way.key(), way.range(), part);
+          addAxes(
+              Messages.shown(way.title()),
+              Messages.shown(way.help()),
+              way.key(),
+              way.range(),
+              part);
       case DeviceField.Choice choice -> addChoice(choice, part);
       case DeviceField.Words words ->
           form.text(
-              words.title(),
-              words.title() + ": " + words.help(),
+              Messages.shown(words.title()),
+              Messages.shown(words.title()) + ": " + Messages.shown(words.help()),
               "",
               device -> part.get.apply(device).text(words.key()),
               (device, typed) ->
                   part.change(device, text -> text.withText(words.key(), typed.strip())));
       case DeviceField.Values values ->
           form.text(
-              values.title(),
-              text("valuesSuchAs", values.title(), values.help(), values.example()),
+              Messages.shown(values.title()),
+              text(
+                  "valuesSuchAs",
+                  Messages.shown(values.title()),
+                  Messages.shown(values.help()),
+                  values.example()),
               values.example(),
               device -> part.get.apply(device).values(values.key()),
               (device, typed) -> part.change(device, text -> text.withValues(values.key(), typed)));
       case DeviceField.Subject subject ->
           form.choice(
-              subject.title(),
-              subject.title() + ": " + subject.help(),
+              Messages.shown(subject.title()),
+              Messages.shown(subject.title()) + ": " + Messages.shown(subject.help()),
               device -> subjects(subject, scene.get()),
               name -> name,
               device -> part.get.apply(device).text(subject.key()),
               (device, name) -> part.change(device, text -> text.withText(subject.key(), name)));
       case DeviceField.Subjects subjects ->
           form.text(
-              subjects.title(),
-              text("withCommasBetween", subjects.title(), subjects.help()),
+              Messages.shown(subjects.title()),
+              text(
+                  "withCommasBetween",
+                  Messages.shown(subjects.title()),
+                  Messages.shown(subjects.help())),
               text("allObjects"),
               device -> String.join(", ", part.get.apply(device).list(subjects.key())),
               (device, names) ->
                   part.change(device, text -> text.withList(subjects.key(), names(names))));
       case DeviceField.Spot spot -> addSpot(spot, part);
       case DeviceField.Group group -> {
-        form.heading(group.title() + ": " + group.help());
+        form.heading(Messages.shown(group.title()) + ": " + Messages.shown(group.help()));
         Part inner = part.inner(group.key());
         form.naming(inner.name + "-");
         group.fields().forEach(each -> addRow(each, inner));
@@ -247,8 +265,8 @@ final class DeviceForm {
   /** A row for the way, and the fields of each that are there while it is chosen. */
   private void addChoice(DeviceField.Choice choice, Part part) {
     form.choice(
-        choice.title(),
-        choice.title() + ": " + choice.help(),
+        Messages.shown(choice.title()),
+        Messages.shown(choice.title()) + ": " + Messages.shown(choice.help()),
         device -> choice.ways(),
         DeviceField.Choice.Way::title,
         device -> way(choice, part.get.apply(device)),
@@ -299,7 +317,7 @@ final class DeviceForm {
   private void addSpot(DeviceField.Spot spot, Part part) {
     form.check(
         spot.without(),
-        spot.title() + ": " + spot.help(),
+        Messages.shown(spot.title()) + ": " + Messages.shown(spot.help()),
         device -> part.get.apply(device).pose(spot.key()).isEmpty(),
         (device, on) ->
             part.change(
@@ -322,7 +340,7 @@ final class DeviceForm {
   private void addAmount(DeviceField.Amount amount, Part part) {
     Measure usual = measure(amount.range());
     form.optionalNumber(
-        amount.title(),
+        Messages.shown(amount.title()),
         () -> hint(amount, measures.of(usual)),
         usual,
         amount.standing(),
@@ -362,11 +380,11 @@ final class DeviceForm {
     return standing.isPresent()
         ? text(
             "hintWithStanding",
-            amount.title(),
-            amount.help(),
+            Messages.shown(amount.title()),
+            Messages.shown(amount.help()),
             span,
             unit.words(standing.getAsDouble()))
-        : text("hint", amount.title(), amount.help(), span);
+        : text("hint", Messages.shown(amount.title()), Messages.shown(amount.help()), span);
   }
 
   private static String span(Range range, Measure unit) {
@@ -381,8 +399,8 @@ final class DeviceForm {
 
   private void addWire(DeviceField.Wire wire, Part part) {
     form.choice(
-        wire.title(),
-        wire.title() + ": " + wire.help(),
+        Messages.shown(wire.title()),
+        Messages.shown(wire.title()) + ": " + Messages.shown(wire.help()),
         device -> withOthers(wire, others.get(), device.name()),
         this::words,
         device -> part.get.apply(device).text(wire.key()),

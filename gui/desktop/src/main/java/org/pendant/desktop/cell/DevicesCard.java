@@ -16,6 +16,7 @@ import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.io.DeviceRow;
 import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Items;
@@ -54,7 +55,8 @@ final class DevicesCard {
             this::words);
     Map<String, Supplier<DeviceText>> kinds = new LinkedHashMap<>();
     for (DeviceKind kind : DeviceKind.ALL) {
-      kinds.put(kind.title(), () -> DeviceForm.fresh(kind, devices(), draft.scene()));
+      kinds.put(
+          Messages.shown(kind.title()), () -> DeviceForm.fresh(kind, devices(), draft.scene()));
     }
     items.adders(text("add"), kinds);
     form =
@@ -82,7 +84,11 @@ final class DevicesCard {
 
   private String words(DeviceText device) {
     String now = doing.getOrDefault(device.name(), "");
-    return device.name() + "  (" + device.title() + ")" + (now.isEmpty() ? "" : "  \u2013 " + now);
+    return device.name()
+        + "  ("
+        + Messages.shown(device.title())
+        + ")"
+        + (now.isEmpty() ? "" : "  \u2013 " + now);
   }
 
   /** Shows what devices are at, with lengths in this unit. */

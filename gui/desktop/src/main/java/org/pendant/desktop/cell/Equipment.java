@@ -13,6 +13,7 @@ import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.SceneWriter;
+import org.pendant.desktop.text.Messages;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFile;
 import org.pendant.models.json.JsonValues;
@@ -131,7 +132,7 @@ final class Equipment {
       var _ = EquipmentReader.read(FILE, bytes(SceneWriter.write(scene, members)));
       return "";
     } catch (JsonException e) {
-      return PLACED.matcher(e.getMessage()).replaceFirst("$3");
+      return Messages.shown(PLACED.matcher(e.getMessage()).replaceFirst("$3"));
     }
   }
 
@@ -166,8 +167,11 @@ final class Equipment {
     Matcher parts = PLACED.matcher(message);
     return parts.matches()
         ? text("placedProblem")
-            .formatted(Integer.parseInt(parts.group(1)) - above, parts.group(2), parts.group(3))
-        : message;
+            .formatted(
+                Integer.parseInt(parts.group(1)) - above,
+                parts.group(2),
+                Messages.shown(parts.group(3)))
+        : Messages.shown(message);
   }
 
   private static ByteArrayInputStream bytes(String text) {

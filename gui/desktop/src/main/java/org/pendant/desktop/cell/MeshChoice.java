@@ -13,6 +13,7 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.MeshPart;
 import org.pendant.controller.world.SceneObject;
+import org.pendant.desktop.text.Messages;
 import org.pendant.models.mesh.MeshException;
 import org.pendant.models.mesh.MeshFile;
 import org.pendant.models.mesh.MeshLook;
@@ -82,10 +83,10 @@ record MeshChoice(Optional<Path> folder, Optional<Path> file, Optional<MeshUnit>
                   .orElse(text("notTheSurfaceOfASolid")));
       return new Facts(
           lines,
-          look.problem().map(why -> name + ": " + why).orElse(""),
+          look.problem().map(why -> name + ": " + Messages.shown(why)).orElse(""),
           look.mesh().map(mesh -> new MeshPart(name, of, mesh)));
     } catch (IOException | MeshException | IllegalArgumentException e) {
-      return new Facts(List.of(), name + ": " + e.getMessage(), Optional.empty());
+      return new Facts(List.of(), name + ": " + Messages.shown(e.getMessage()), Optional.empty());
     }
   }
 

@@ -24,6 +24,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.world.MeshPart;
 import org.pendant.desktop.session.SavedProgram;
 import org.pendant.desktop.session.SceneDraft;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.Background;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
@@ -184,7 +185,9 @@ final class MeshDialog {
     } else if (now.missing().isEmpty() && now.knownUnit().isPresent()) {
       facts.say(text("reading"));
       Background.run(
-          now::look, found -> found(now, found), failed -> fileProblem.say(failed.getMessage()));
+          now::look,
+          found -> found(now, found),
+          failed -> fileProblem.say(Messages.shown(failed.getMessage())));
     } else if (now.missing().isEmpty()) {
       facts.say(text("withAUnitItCanBe"));
     }
@@ -196,7 +199,7 @@ final class MeshDialog {
     }
     known = found;
     facts.say(String.join("\n", found.lines()));
-    fileProblem.say(found.problem());
+    fileProblem.say(Messages.shown(found.problem()));
     if (adding) {
       finish(of);
     }
@@ -227,7 +230,7 @@ final class MeshDialog {
     try {
       massKg = MeshChoice.massKg(mass.getText(), part);
     } catch (IllegalArgumentException e) {
-      massProblem.say(e.getMessage());
+      massProblem.say(Messages.shown(e.getMessage()));
       mass.requestFocusInWindow();
       return;
     }

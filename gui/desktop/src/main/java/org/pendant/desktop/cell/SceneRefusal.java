@@ -8,6 +8,7 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneFile;
+import org.pendant.desktop.text.Messages;
 
 /** Scene refusal: why there cannot be a scene. */
 final class SceneRefusal {
@@ -30,9 +31,9 @@ final class SceneRefusal {
               FILE, SceneWriter.write(scene, equipment), MeshFiles.of(scene, draft.meshesOfArms()));
       return "";
     } catch (IllegalArgumentException e) {
-      return e.getMessage();
+      return Messages.shown(e.getMessage());
     } catch (IOException e) {
-      return e.getMessage().replaceFirst("^" + FILE + ":\\d+:\\d+: ", "");
+      return Messages.shown(e.getMessage().replaceFirst("^" + FILE + ":\\d+:\\d+: ", ""));
     }
   }
 }

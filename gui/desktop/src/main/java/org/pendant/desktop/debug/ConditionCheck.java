@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.CharacterOffsets;
 import org.pendant.language.service.Completion;
@@ -109,7 +110,7 @@ public final class ConditionCheck {
                 GuestExpression.of(source, catalogue, line, ByteText.asBytes(each))
                     .problem()
                     .stream())
-        .map(found -> ByteText.decoded(found.message()))
+        .map(found -> Messages.shown(ByteText.decoded(found.message())))
         .findFirst()
         .orElse("");
   }

@@ -8,6 +8,7 @@ import java.util.function.IntFunction;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.desktop.editor.Execution;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;
@@ -152,7 +153,7 @@ final class HeldProgram {
                         new Execution(
                             started.toNow(failed.failure().line()),
                             Execution.State.FAILED,
-                            ByteText.decoded(failed.failure().message())))
+                            Messages.shown(ByteText.decoded(failed.failure().message()))))
                     : Optional.empty());
   }
 }

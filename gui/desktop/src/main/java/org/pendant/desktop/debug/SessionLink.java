@@ -9,6 +9,7 @@ import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.value.ScriptError;
 
@@ -47,7 +48,7 @@ final class SessionLink implements DebugLink {
                         () -> {
                           Optional<String> why = reply.complaint();
                           if (why.isPresent()) {
-                            refusal.accept(ByteText.decoded(why.get()));
+                            refusal.accept(Messages.shown(ByteText.decoded(why.get())));
                           } else {
                             answer.accept(found.join());
                           }

@@ -3,6 +3,7 @@ package org.pendant.desktop.debug;
 import static org.pendant.desktop.debug.DebugTexts.text;
 
 import java.util.function.IntFunction;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.PauseReason;
@@ -42,7 +43,8 @@ final class StopText {
       case PauseReason.ConditionFailed failed ->
           text("theConditionFailed", ByteText.decoded(failed.message()));
       case PauseReason.Stepped(), PauseReason.PauseRequested() -> "";
-      case PauseReason.Failed failed -> ByteText.decoded(failed.failure().message());
+      case PauseReason.Failed failed ->
+          Messages.shown(ByteText.decoded(failed.failure().message()));
     };
   }
 }

@@ -3,6 +3,7 @@ package org.pendant.desktop.debug;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.debug.Variable;
@@ -44,7 +45,7 @@ record ValueReader(Debugger debugger, Map<ValueKey, Integer> unfolded) {
       }
       return new ValueNode(variable, parts, "");
     } catch (ScriptError e) {
-      return ValueNode.failed(variable, ByteText.decoded(e.getMessage()));
+      return ValueNode.failed(variable, Messages.shown(ByteText.decoded(e.getMessage())));
     }
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.settings.Settings;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Debugger;
@@ -115,7 +116,8 @@ final class Watches {
           debugger.evaluate(scope.thread(), scope.depth(), ByteText.asBytes(expression));
       return reader.read(scope, List.of(value));
     } catch (ScriptError e) {
-      return List.of(ValueNode.failed(blank(expression), ByteText.decoded(e.getMessage())));
+      return List.of(
+          ValueNode.failed(blank(expression), Messages.shown(ByteText.decoded(e.getMessage()))));
     }
   }
 }

@@ -18,6 +18,7 @@ import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.Edit;
 import org.pendant.desktop.editor.text.Problem;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.QuickFix;
 import org.pendant.language.source.ByteText;
@@ -113,7 +114,7 @@ final class FixMenu {
     Point pointer = info == null ? new Point() : info.getLocation();
     BiConsumer<QuickFix, List<Edit>> item =
         (fix, edits) -> {
-          JMenuItem entry = new StillItem(ByteText.decoded(fix.title()), pointer);
+          JMenuItem entry = new StillItem(Messages.shown(ByteText.decoded(fix.title())), pointer);
           entry.addActionListener(event -> area.make(edits));
           menu.add(entry);
         };

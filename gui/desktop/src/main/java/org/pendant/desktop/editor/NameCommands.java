@@ -12,6 +12,7 @@ import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.language.service.RenameResult;
 import org.pendant.language.source.ByteText;
@@ -145,7 +146,8 @@ final class NameCommands {
       return;
     }
     switch (result) {
-      case RenameResult.Refused refused -> prompt.refuse(ByteText.decoded(refused.reason()));
+      case RenameResult.Refused refused ->
+          prompt.refuse(Messages.shown(ByteText.decoded(refused.reason())));
       case RenameResult.Renamed renamed -> {
         prompt.close();
         area.make(analysed.edits(renamed.edits()));

@@ -22,6 +22,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.editor.text.FileSearch;
 import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.editor.text.SearchQuery;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -292,7 +293,7 @@ public final class PlacesView implements View {
     if (number != searches) {
       return; // another search has begun
     }
-    String found = result.sentence();
+    String found = Messages.shown(result.sentence());
     String told =
         stop.get()
             ? text("cancelled", found)

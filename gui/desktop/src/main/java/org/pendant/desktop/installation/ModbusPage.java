@@ -12,6 +12,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
@@ -62,8 +63,7 @@ final class ModbusPage implements Page {
         .<ModbusKind>choice(
             text("kind"),
             now -> KINDS,
-            kind ->
-                kind.words().substring(0, 1).toUpperCase(Locale.ROOT) + kind.words().substring(1),
+            kind -> capital(Messages.shown(kind.words())),
             ModbusSetup::kind,
             (m, kind) ->
                 new ModbusSetup(m.name(), m.device(), m.unit(), kind, m.address(), m.updateHz()))
@@ -131,6 +131,10 @@ final class ModbusPage implements Page {
       return text("theDeviceRefusesIt", signal.deviceError());
     }
     return signal.valid() ? text("connected") : text("waitingForTheDevice");
+  }
+
+  private static String capital(String words) {
+    return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
   }
 
   private static void say(JLabel label, String text) {

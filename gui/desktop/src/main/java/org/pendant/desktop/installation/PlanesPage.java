@@ -17,6 +17,7 @@ import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.PartsForm;
@@ -165,7 +166,7 @@ final class PlanesPage implements Page {
       try {
         return draft.refusal(with(next));
       } catch (IllegalArgumentException e) {
-        return e.getMessage();
+        return Messages.shown(e.getMessage());
       }
     }
 

@@ -14,6 +14,7 @@ import javax.swing.SwingConstants;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.theme.Palette;
@@ -97,7 +98,7 @@ final class AnalogRow {
       tell("");
       value.selectAll();
     } catch (IllegalArgumentException e) {
-      tell(e.getMessage());
+      tell(Messages.shown(e.getMessage()));
     }
   }
 

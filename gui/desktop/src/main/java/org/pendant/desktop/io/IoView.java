@@ -22,6 +22,7 @@ import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
@@ -169,7 +170,7 @@ public final class IoView implements View {
       problem.setText("");
       field.putClientProperty("JComponent.outline", null);
     } catch (IllegalArgumentException e) {
-      problem.setText(e.getMessage());
+      problem.setText(Messages.shown(e.getMessage()));
       problem.setForeground(Palette.error());
       field.putClientProperty("JComponent.outline", "error");
     }

@@ -10,6 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.theme.Palette;
@@ -28,7 +29,7 @@ final class MemoryCard {
 
   MemoryCard(Memory memory, Forcing forcing, SignalLabels labels) {
     list = new MemoryList(memory, forcing, labels);
-    card = new TitledCard(memory.title(), "[grow,fill]");
+    card = new TitledCard(Messages.shown(memory.title()), "[grow,fill]");
     String name = memory.id();
     table = new MemoryTable("io-" + name, list, this::tell);
     scroll =

@@ -14,6 +14,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.table.TableLook;
 
@@ -41,7 +42,7 @@ final class MemoryTable extends JTable {
       String name, MemoryTableModel model, MemoryList list, Consumer<String> problem) {
     super(model);
     this.model = model;
-    TableLook.apply(this, name, list.memory().title());
+    TableLook.apply(this, name, Messages.shown(list.memory().title()));
     setDefaultRenderer(Object.class, new MemoryCell());
     setDefaultEditor(Object.class, new Editor(name, list, problem));
     setCellSelectionEnabled(true);
@@ -160,7 +161,7 @@ final class MemoryTable extends JTable {
         try {
           list.check(field.getText());
         } catch (IllegalArgumentException e) {
-          tell(e.getMessage());
+          tell(Messages.shown(e.getMessage()));
           return false;
         }
       }

@@ -5,6 +5,7 @@ import static org.pendant.desktop.io.IoTexts.text;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.table.AbstractTableModel;
+import org.pendant.desktop.text.Messages;
 
 /** Memory table model: the rows of a {@link MemoryList} for a table. */
 @SuppressWarnings("serial") // never written to a stream
@@ -99,7 +100,7 @@ final class MemoryTableModel extends AbstractTableModel {
       try {
         list.set(index(row), value.toString());
       } catch (IllegalArgumentException e) {
-        refuse.accept(e.getMessage());
+        refuse.accept(Messages.shown(e.getMessage()));
       }
     }
   }

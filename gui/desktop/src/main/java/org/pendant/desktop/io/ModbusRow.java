@@ -8,6 +8,7 @@ import org.pendant.controller.external.ModbusErrors;
 import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusReading;
 import org.pendant.controller.modbus.ModbusSignalState;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.source.ByteText;
 
 /**
@@ -34,7 +35,7 @@ record ModbusRow(
         ByteText.decoded(signal.name()),
         text(
             "modbusPlace",
-            exchange.kind().words(),
+            Messages.shown(exchange.kind().words()),
             exchange.readAddress(),
             exchange.unit(),
             ByteText.decoded(exchange.device().toString())),

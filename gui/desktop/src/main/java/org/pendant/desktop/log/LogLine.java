@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.SentenceUnits;
 import org.pendant.language.source.ByteText;
@@ -57,8 +58,7 @@ record LogLine(
         entry.level(),
         source,
         entry.code(),
-        (controller.isEmpty() ? "" : controller + ": ")
-            + ByteText.decoded(entry.text()).stripTrailing(),
+        (controller.isEmpty() ? "" : controller + ": ") + words(entry).stripTrailing(),
         entry.place(),
         controller);
   }
@@ -77,6 +77,14 @@ record LogLine(
             place,
             controller)
         : this;
+  }
+
+  /**
+   * What programs and clients wrote stays; what the controller says is in the window's language.
+   */
+  private static String words(LogEntry entry) {
+    String text = ByteText.decoded(entry.text());
+    return entry.origin() == LogEntry.Origin.SCRIPT ? text : Messages.shown(text);
   }
 
   /** The first line of the text; a mark at its end says that there are more. */

@@ -3,6 +3,7 @@ package org.pendant.desktop.move;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.DisplayUnit;
 
 /**
@@ -75,7 +76,7 @@ final class Draft {
       problems[index] = check.problem(index, value).orElse("");
       values[index] = value;
     } catch (IllegalArgumentException e) {
-      problems[index] = e.getMessage();
+      problems[index] = Messages.shown(e.getMessage());
     }
   }
 

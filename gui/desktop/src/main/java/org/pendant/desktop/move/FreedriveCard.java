@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.freedrive.FreeAxes;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
@@ -129,6 +130,6 @@ final class FreedriveCard {
     }
     status.say(presenter.status());
     warning.say(presenter.warning());
-    reason.say(presenter.reason());
+    reason.say(Messages.shown(presenter.reason()));
   }
 }

@@ -3,8 +3,9 @@ package org.pendant.desktop.move;
 import static org.pendant.desktop.move.MoveTexts.text;
 
 import java.util.List;
-import java.util.regex.Pattern;
 import org.pendant.desktop.session.StateWords;
+import org.pendant.desktop.text.Messages;
+import org.pendant.desktop.text.NumberedJoints;
 
 /** Joint names: the joints by name instead of number. */
 final class JointNames {
@@ -28,8 +29,6 @@ final class JointNames {
   private static final List<String> IDS =
       List.of("base", "shoulder", "elbow", "wrist-1", "wrist-2", "wrist-3");
 
-  private static final Pattern NUMBERED = Pattern.compile("\\bjoint ([0-5])\\b");
-
   private JointNames() {}
 
   /** The name of a joint, 0 to 5. */
@@ -49,10 +48,7 @@ final class JointNames {
 
   /** What the controller says, as a sentence with names for {@code joint 0} to {@code joint 5}. */
   static String sentence(String reason) {
-    String named =
-        NUMBERED
-            .matcher(reason)
-            .replaceAll(found -> NAMES_IN_SENTENCES.get(Integer.parseInt(found.group(1))));
+    String named = NumberedJoints.named(Messages.shown(reason), NAMES_IN_SENTENCES::get);
     return reason.isEmpty() ? "" : text("sentence", StateWords.capital(named));
   }
 }

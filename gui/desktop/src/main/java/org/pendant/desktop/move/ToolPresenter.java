@@ -15,6 +15,7 @@ import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.world.Vector3;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.language.source.ByteText;
@@ -139,7 +140,7 @@ final class ToolPresenter {
 
   /** Keeps the TCP that is shown under a name; answers why not, empty if it does. */
   String keep(String wanted) {
-    String problem = tcp.valid() ? NamedTools.problem(wanted) : tcp.problem();
+    String problem = Messages.shown(tcp.valid() ? NamedTools.problem(wanted) : tcp.problem());
     if (problem.isEmpty()) {
       named.keep(wanted, form.pose(tcp.values()));
     }

@@ -17,6 +17,7 @@ import org.pendant.controller.quantity.PhysicalUnit;
 import org.pendant.controller.quantity.StateQuantities;
 import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.ScreenUnit;
 
 /** Chart quantities: what can be drawn, in the order of the list; script variables come first. */
@@ -108,8 +109,8 @@ public final class ChartQuantities {
           new ChartQuantity(
               id,
               state.group(),
-              component.title(),
-              label(state.group(), component.title()),
+              Messages.shown(component.title()),
+              Messages.shown(label(state.group(), component.title())),
               unit.symbol(),
               value(state, i, unit.scale()),
               () -> names.apply(id.replace('_', '-')),
@@ -147,7 +148,7 @@ public final class ChartQuantities {
   private static String hint(StateQuantity quantity) {
     List<String> fields = quantity.fieldEach() ? List.of() : quantity.rtdeNames();
     return Stream.concat(
-            Stream.of(quantity.explanation()).filter(text -> !text.isEmpty()),
+            Stream.of(Messages.shown(quantity.explanation())).filter(text -> !text.isEmpty()),
             fields.stream().map(name -> "RTDE: " + name))
         .collect(Collectors.joining("; "));
   }

@@ -24,6 +24,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.ports.PortsState.Trouble;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -122,7 +123,7 @@ public final class PortsView implements View {
       TitledCard.named(field, "ports-" + each.word(), each.meaning());
       field.getDocument().addDocumentListener(new Typed(() -> typed(each, field)));
       field.addActionListener(event -> act(presenter::toggle));
-      JLabel label = new JLabel(each.title());
+      JLabel label = new JLabel(Messages.shown(each.title()));
       label.setLabelFor(field);
       fields.put(each, field);
       top.add(label);

@@ -16,6 +16,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
@@ -120,7 +121,8 @@ final class IncompleteBar extends JPanel {
   /** A message that begins with the name of its node needs that once. */
   private String text(NodeProblem problem) {
     String name = label.apply(problem.key());
-    return problem.message().startsWith(name) ? problem.message() : name + ": " + problem.message();
+    String message = Messages.shown(problem.message());
+    return message.startsWith(name) ? message : name + ": " + message;
   }
 
   /** Node and message. */

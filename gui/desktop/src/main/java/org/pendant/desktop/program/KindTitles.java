@@ -2,6 +2,7 @@ package org.pendant.desktop.program;
 
 import static org.pendant.desktop.program.ProgramViewTexts.text;
 
+import org.pendant.desktop.text.Messages;
 import org.pendant.project.program.NodeKind;
 
 /** Kind titles: what kinds of nodes are called in the language of the window. */
@@ -52,7 +53,7 @@ final class KindTitles {
       case EVENT -> text("eventKind");
       case SUB_PROGRAM -> text("subProgramKind");
       case MOVE_JOINT, MOVE_LINEAR, MOVE_PROCESS, CIRCLE_MOVE, MAIN_PROGRAM, CONTRIBUTED, UNKNOWN ->
-          kind.title();
+          Messages.shown(kind.title());
     };
   }
 }

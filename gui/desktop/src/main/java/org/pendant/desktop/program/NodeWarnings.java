@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.editor.text.Problem;
+import org.pendant.desktop.text.Messages;
 import org.pendant.project.program.check.NodeProblem;
 import org.pendant.project.program.script.GeneratedScript;
 
@@ -45,7 +46,7 @@ final class NodeWarnings {
       if (key != 0) {
         found
             .computeIfAbsent(key, _ -> new ArrayList<>())
-            .add(new NodeProblem(key, "", each.message(), false));
+            .add(new NodeProblem(key, "", Messages.shown(each.message()), false));
       }
     }
     warnings = found;

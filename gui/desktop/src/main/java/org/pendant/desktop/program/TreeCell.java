@@ -22,6 +22,7 @@ import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
 import org.pendant.desktop.editor.LineNote;
 import org.pendant.desktop.editor.text.RichText;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.icon.SvgIcon;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.check.NodeProblem;
@@ -283,7 +284,10 @@ final class TreeCell extends JLabel implements ListCellRenderer<TreeRow> {
 
   /** What a row says where the pointer rests on it. */
   static String tip(String label, List<NodeProblem> problems, Optional<LineNote> note) {
-    String text = problems.isEmpty() ? label : label + " \u2013 " + problems.getFirst().message();
+    String text =
+        problems.isEmpty()
+            ? label
+            : label + " \u2013 " + Messages.shown(problems.getFirst().message());
     return note.map(took -> RichText.lines(text + "\n" + took.whole())).orElse(text);
   }
 

@@ -22,6 +22,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.theme.Card;
@@ -85,7 +86,7 @@ final class Notices extends JPanel {
    */
   void ask(String name, String text, List<Choice> choices) {
     close(name);
-    Notice notice = new Notice(name, text, choices);
+    Notice notice = new Notice(name, Messages.shown(text), choices);
     open.put(name, notice);
     JPanel framed = new JPanel(new BorderLayout());
     framed.setBorder(

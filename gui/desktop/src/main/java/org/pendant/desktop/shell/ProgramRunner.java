@@ -23,6 +23,7 @@ import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.Background;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
@@ -261,7 +262,7 @@ final class ProgramRunner {
     int runLine = source.line(start);
     int line = script.lines().toShown(runLine);
     long count = loadResult.diagnostics().stream().filter(Diagnostic::isError).count();
-    String message = ByteText.decoded(error.get().message());
+    String message = Messages.shown(ByteText.decoded(error.get().message()));
     tell.accept(
         text(
             "cannotRunAt",

@@ -7,6 +7,7 @@ import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionTable;
@@ -121,6 +122,6 @@ final class ShellWorkbench implements Workbench {
 
   @Override
   public void notify(String text, BooleanSupplier holds) {
-    tell.accept(text, holds);
+    tell.accept(Messages.shown(text), holds);
   }
 }

@@ -14,6 +14,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.move.JogHold;
 import org.pendant.desktop.session.RobotSession;
 import org.pendant.desktop.shell.start.StartArm;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.Background;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
@@ -133,7 +134,7 @@ final class StartMove implements StartArm {
       case Ending.Finished finished -> "";
       case Ending.Halted halted -> "";
       case Ending.Stopped stopped -> text("theMoveWasStopped");
-      case Ending.Failed failed -> ByteText.decoded(failed.failure().message());
+      case Ending.Failed failed -> Messages.shown(ByteText.decoded(failed.failure().message()));
     };
   }
 
@@ -158,6 +159,6 @@ final class StartMove implements StartArm {
 
   @Override
   public String heldBecause() {
-    return ByteText.decoded(hold.reason());
+    return Messages.shown(ByteText.decoded(hold.reason()));
   }
 }

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.pendant.desktop.sweep.DraftParameter.Part;
+import org.pendant.desktop.text.Messages;
 import org.pendant.sweep.plan.ParameterRange;
 import org.pendant.sweep.plan.ParameterTarget;
 import org.pendant.sweep.plan.ParameterValue;
@@ -351,7 +352,7 @@ final class DraftCheck {
       try {
         RowCondition.parse(each, table.columns());
       } catch (IllegalArgumentException e) {
-        wrong("limits", e.getMessage());
+        wrong("limits", Messages.shown(e.getMessage()));
       }
     }
   }

@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.pendant.controller.disk.AtomicFile;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.Background;
 import org.pendant.models.arm.ArmLibrary;
 import org.pendant.sweep.Sweep;
@@ -108,7 +109,7 @@ final class SweepPresenter {
 
   /** What went wrong last; empty for nothing. */
   String trouble() {
-    return trouble;
+    return Messages.shown(trouble);
   }
 
   /** Whether files are being read. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
+import org.pendant.desktop.text.Messages;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestPlace;
@@ -168,7 +169,7 @@ final class TestWords {
     StringJoiner lines = new StringJoiner("\n");
     Optional<TestFailure> failure = result.failure();
     if (failure.isPresent()) {
-      lines.add(failure.get().message());
+      lines.add(Messages.shown(failure.get().message()));
       failure.get().place().ifPresent(place -> lines.add(text("atPlace", at(place))));
       failure.get().stack().forEach(place -> lines.add(text("calledFrom", at(place))));
     } else if (result.status() == TestStatus.SKIPPED) {

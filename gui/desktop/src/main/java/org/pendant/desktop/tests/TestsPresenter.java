@@ -15,6 +15,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.Background;
 import org.pendant.recording.compare.TrackCurves;
 import org.pendant.testing.SuiteResult;
@@ -259,7 +260,7 @@ final class TestsPresenter {
 
   /** Why tests could not be found; empty where they could. */
   String trouble() {
-    return trouble;
+    return Messages.shown(trouble);
   }
 
   /** How many tests of this run have ended. */

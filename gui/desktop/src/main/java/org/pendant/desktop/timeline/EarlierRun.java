@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import org.pendant.controller.disk.FileTrouble;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingFile;
@@ -69,6 +70,9 @@ public final class EarlierRun {
     workbench.show(TimelineView.ID);
     lookBack.jump(difference.get().nowS());
     workbench.notify(
-        text("comparedWithTheLastRun", name, difference.get().words(place, MAX_VALUES)));
+        text(
+            "comparedWithTheLastRun",
+            name,
+            Messages.shown(difference.get().words(place, MAX_VALUES))));
   }
 }

@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.world.LinkHit;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.Column;
 import org.pendant.recording.ColumnTrace;
@@ -132,7 +133,7 @@ record Tracks(
     for (RecordingMark mark : marks) {
       Matcher sentence = HIT.matcher(ByteText.decoded(mark.text()));
       if (mark.kind() == RecordingMark.Kind.PROTECTIVE_STOP && sentence.find()) {
-        hits.add(new Hit(mark.timeS(), sentence.group(1)));
+        hits.add(new Hit(mark.timeS(), Messages.shown(sentence.group(1))));
       }
     }
     return hits;
@@ -187,7 +188,8 @@ record Tracks(
           case PROGRAM_STARTED -> text("programStarts", text);
           case PROGRAM_ENDED -> text("programEnds", text);
           case PROGRAM_FAILED -> text("theProgramFails", text);
-          case LABEL, PROTECTIVE_STOP, SAFETY_STOP, ERROR -> text;
+          case LABEL -> text;
+          case PROTECTIVE_STOP, SAFETY_STOP, ERROR -> Messages.shown(text);
           case MESSAGE -> text("messageMark", text);
         };
     return mark.line() > 0 ? text("withLine", what, mark.line()) : what;
@@ -246,7 +248,7 @@ record Tracks(
   }
 
   private static String words(LogEntry warning) {
-    String text = ByteText.decoded(warning.text());
+    String text = Messages.shown(ByteText.decoded(warning.text()));
     int line = warning.place().map(ScriptPlace::line).orElse(0);
     return line > 0 ? text("withLine", text, line) : text;
   }

@@ -1,11 +1,10 @@
 package org.pendant.desktop.unit;
 
-import org.pendant.desktop.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */
 final class UnitTexts {
-  private static final Texts TEXTS = Texts.of(UnitTexts.class, Messages::shown);
+  private static final Texts TEXTS = Texts.of(UnitTexts.class);
 
   private UnitTexts() {}
 

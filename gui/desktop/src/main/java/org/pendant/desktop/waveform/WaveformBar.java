@@ -21,6 +21,7 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.InputChange;
 import org.pendant.controller.io.SignalBank;
+import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.Squeeze;
 
@@ -235,7 +236,7 @@ final class WaveformBar extends JPanel {
       complain.accept("");
     } catch (IllegalArgumentException e) {
       field.putClientProperty("JComponent.outline", "error");
-      complain.accept(e.getMessage());
+      complain.accept(Messages.shown(e.getMessage()));
     }
   }
 

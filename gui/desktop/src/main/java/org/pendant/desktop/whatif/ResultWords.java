@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.pendant.desktop.text.Messages;
 import org.pendant.recording.whatif.Peak;
 import org.pendant.recording.whatif.VariantOutcome;
 
@@ -68,8 +69,8 @@ final class ResultWords {
           run.reachedS() > 0
               ? String.format(Locale.ROOT, text("reached"), run.reachedS())
               : String.format(Locale.ROOT, text("repeats"), PERCENT * run.repeated());
-      case VariantResult.Done(var outcome) -> capital(outcome.words());
-      case VariantResult.Refused(String reason) -> reason;
+      case VariantResult.Done(var outcome) -> capital(Messages.shown(outcome.words()));
+      case VariantResult.Refused(String reason) -> Messages.shown(reason);
     };
   }
 

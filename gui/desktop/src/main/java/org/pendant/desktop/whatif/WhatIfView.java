@@ -26,6 +26,7 @@ import javax.swing.event.DocumentListener;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -339,7 +340,7 @@ public final class WhatIfView implements View {
     WhatIfPresenter.Start start = presenter.start();
     run.setText(start.words());
     run.getAccessibleContext().setAccessibleName(start.words());
-    from.setText(start.refusal().isEmpty() ? ofOther() : start.refusal());
+    from.setText(start.refusal().isEmpty() ? ofOther() : Messages.shown(start.refusal()));
     from.setForeground(Palette.quiet());
     from.setVisible(!from.getText().isEmpty());
   }

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.service.CharacterOffsets;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.FoldingRange;
@@ -185,6 +186,7 @@ public final class AnalysedText {
     TextSpan span = span(diagnostic.range());
     int line = analysis.source().line(diagnostic.range().start());
     int column = span.start() - (text.lastIndexOf('\n', span.start() - 1) + 1) + 1;
-    return new Problem(diagnostic, span, line, column, ByteText.decoded(diagnostic.message()));
+    return new Problem(
+        diagnostic, span, line, column, Messages.shown(ByteText.decoded(diagnostic.message())));
   }
 }

@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.function.Function;
 import org.pendant.controller.installation.Installation;
+import org.pendant.desktop.text.Messages;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
@@ -124,7 +125,7 @@ final class FormPresenter {
     try {
       value = number.parse(typed);
     } catch (IllegalArgumentException refused) {
-      return refused.getMessage();
+      return Messages.shown(refused.getMessage());
     }
     String refusal = number.refusal(value);
     if (refusal.isEmpty()) {
@@ -237,8 +238,9 @@ final class FormPresenter {
     List<String> messages = new ArrayList<>();
     if (key.isPresent()) {
       for (NodeProblem each : host.problems(key.getAsLong())) {
-        if (at(shown, each).isEmpty() && !messages.contains(each.message())) {
-          messages.add(each.message());
+        String message = Messages.shown(each.message());
+        if (at(shown, each).isEmpty() && !messages.contains(message)) {
+          messages.add(message);
         }
       }
     }

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.LongFunction;
 import org.pendant.controller.message.LogEntry;
+import org.pendant.desktop.text.Messages;
 import org.pendant.language.source.ByteText;
 
 /** Recent messages: the last few lines of the log. */
@@ -42,7 +43,8 @@ final class RecentMessages {
   }
 
   private static Message message(LogEntry entry) {
-    String text = ByteText.decoded(entry.text());
+    String written = ByteText.decoded(entry.text());
+    String text = entry.origin() == LogEntry.Origin.SCRIPT ? written : Messages.shown(written);
     return new Message(
         String.format(Locale.ROOT, "%.3f", entry.timeS()),
         entry.level(),

@@ -13,6 +13,7 @@ import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.ProgramPhase;
 import org.pendant.desktop.session.RunTime;
 import org.pendant.desktop.session.StateWords;
+import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.language.source.ByteText;
@@ -120,7 +121,7 @@ record RunFacts(
     return program.ending().stream()
         .filter(Ending.Failed.class::isInstance)
         .map(Ending.Failed.class::cast)
-        .map(failed -> ByteText.decoded(failed.failure().message()))
+        .map(failed -> Messages.shown(ByteText.decoded(failed.failure().message())))
         .collect(Collectors.joining());
   }
 

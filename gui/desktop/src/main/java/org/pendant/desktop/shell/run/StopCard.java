@@ -7,8 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
@@ -16,6 +14,8 @@ import org.pendant.controller.state.StopPlace;
 import org.pendant.controller.world.Contact;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.session.StopAdvice;
+import org.pendant.desktop.text.Messages;
+import org.pendant.desktop.text.NumberedJoints;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.SentenceUnits;
 
@@ -38,10 +38,6 @@ public record StopCard(
           text("ofWrist1"),
           text("ofWrist2"),
           text("ofWrist3"));
-
-  /** Joints in sentences of the controller by their numbers; names that people gave are quoted. */
-  private static final Pattern IN_SENTENCE =
-      Pattern.compile("\"[^\"]*\"|\\bjoint (?<joint>[0-5])\\b");
 
   /** Codes of stops because the arm could not come to rest before a limit any more. */
   private static final Set<Integer> TRAVEL = Set.of(150, 151, 152);
@@ -108,7 +104,7 @@ public record StopCard(
         new Fact(text("robotTime"), BigDecimal.valueOf(Math.round(stop.timeS() * 1000), 3) + " s"));
     return new StopCard(
         StateWords.capital(StateWords.of(stop.mode())) + " " + stop.codeText(),
-        StateWords.capital(words(stop.sentence(), form)),
+        StateWords.capital(words(Messages.shown(stop.sentence()), form)),
         facts,
         place.map(StopPlace::line).orElse(0),
         withWhatItTouched(touched, StopAdvice.of(stop.code())));
@@ -125,15 +121,6 @@ public record StopCard(
 
   /** A sentence of the controller with joints by name and numbers in the units of the screens. */
   private static String words(String sentence, PoseForm form) {
-    String named =
-        IN_SENTENCE
-            .matcher(sentence)
-            .replaceAll(
-                found ->
-                    Matcher.quoteReplacement(
-                        found.group("joint") == null
-                            ? found.group()
-                            : JOINTS.get(Integer.parseInt(found.group("joint")))));
-    return SentenceUnits.in(named, form);
+    return SentenceUnits.in(NumberedJoints.named(sentence, JOINTS::get), form);
   }
 }
