@@ -65,7 +65,7 @@ final class TextBundles {
 
   /** Names of the bundles that the window translates by, as the list of the desktop has them. */
   static List<String> translatedByTheWindow() throws IOException {
-    Path list = ROOT.resolve("gui/desktop/src/main/resources/org/pendant/desktop/text/bundles.txt");
+    Path list = ROOT.resolve("gui/desktop/src/main/resources/texts/bundles.txt");
     try (Stream<String> lines = Files.lines(list)) {
       return lines.filter(line -> !line.startsWith("#")).toList();
     }

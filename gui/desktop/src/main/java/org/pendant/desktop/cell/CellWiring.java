@@ -17,7 +17,7 @@ import org.pendant.controller.device.DeviceSetup;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.wire.CellSignal;
 import org.pendant.controller.wire.SignalGroup;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 
 /**
  * Cell wiring: what of the devices of a cell is wired to which signals of the controller;

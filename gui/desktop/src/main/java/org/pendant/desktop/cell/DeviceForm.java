@@ -25,13 +25,13 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.scene.DeviceHandles;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.PoseRows;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.Measures;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.json.Range;
 import org.pendant.models.pose.Pose;
 

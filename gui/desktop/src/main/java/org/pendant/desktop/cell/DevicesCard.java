@@ -16,12 +16,12 @@ import org.pendant.controller.device.DeviceState;
 import org.pendant.controller.world.Vector3;
 import org.pendant.desktop.io.DeviceRow;
 import org.pendant.desktop.session.SceneDraft;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.DisplayUnit;
 import org.pendant.desktop.unit.RotationChoice;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measures;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 
 /** Devices card: grippers, doors and sensors of the cell, and a form for the chosen one. */
 final class DevicesCard {

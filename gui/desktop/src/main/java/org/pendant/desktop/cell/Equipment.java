@@ -13,7 +13,7 @@ import org.pendant.controller.box.EquipmentReader;
 import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneObject;
 import org.pendant.controller.world.SceneWriter;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFile;
 import org.pendant.models.json.JsonValues;

@@ -13,7 +13,7 @@ import org.pendant.controller.world.Material;
 import org.pendant.controller.world.MeshFiles;
 import org.pendant.controller.world.MeshPart;
 import org.pendant.controller.world.SceneObject;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.mesh.MeshException;
 import org.pendant.models.mesh.MeshFile;
 import org.pendant.models.mesh.MeshLook;

@@ -8,7 +8,7 @@ import org.pendant.controller.world.Scene;
 import org.pendant.controller.world.SceneWriter;
 import org.pendant.desktop.session.SceneDraft;
 import org.pendant.desktop.session.SceneFile;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 
 /** Scene refusal: why there cannot be a scene. */
 final class SceneRefusal {

@@ -8,7 +8,7 @@ import java.util.function.IntFunction;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.ProgramStatus;
 import org.pendant.desktop.editor.Execution;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.Debugger;

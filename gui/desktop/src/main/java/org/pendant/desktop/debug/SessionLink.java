@@ -9,7 +9,7 @@ import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.command.Command;
 import org.pendant.controller.command.Reply;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.value.ScriptError;
 

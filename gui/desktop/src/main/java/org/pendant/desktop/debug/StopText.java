@@ -3,7 +3,7 @@ package org.pendant.desktop.debug;
 import static org.pendant.desktop.debug.DebugTexts.text;
 
 import java.util.function.IntFunction;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.DebugState;
 import org.pendant.script.debug.PauseReason;

@@ -3,7 +3,7 @@ package org.pendant.desktop.debug;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Debugger;
 import org.pendant.script.debug.Variable;

@@ -18,8 +18,8 @@ import org.pendant.desktop.editor.text.AnalysedText;
 import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.Edit;
 import org.pendant.desktop.editor.text.Problem;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.WorkQueue;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.service.QuickFix;
 import org.pendant.language.source.ByteText;
 

@@ -12,8 +12,8 @@ import org.pendant.desktop.editor.text.AnalysisSchedule;
 import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.editor.text.TextSpan;
 import org.pendant.desktop.session.ProgramDocument;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.background.WorkQueue;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.service.RenameResult;
 import org.pendant.language.source.ByteText;
 

@@ -22,12 +22,12 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.desktop.editor.text.FileSearch;
 import org.pendant.desktop.editor.text.Place;
 import org.pendant.desktop.editor.text.SearchQuery;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
 import org.pendant.kit.background.WorkQueue;
 import org.pendant.kit.background.WorkerThread;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /**

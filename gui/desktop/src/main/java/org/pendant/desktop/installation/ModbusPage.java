@@ -12,10 +12,10 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.ModbusSetup;
 import org.pendant.controller.modbus.ModbusSignalState;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 
 /** Modbus page: signals at Modbus devices. */
 final class ModbusPage implements Page {

@@ -17,11 +17,11 @@ import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.Items;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.form.PartsForm;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.models.pose.Pose;
 import org.pendant.models.pose.Transforms;
 

@@ -14,9 +14,9 @@ import javax.swing.SwingConstants;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.AnalogDomain;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** Analog row: one analog signal in a card: name, value, domain, and a slider below. */

@@ -22,7 +22,6 @@ import org.pendant.controller.io.RegisterDirection;
 import org.pendant.controller.io.RegisterKind;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
@@ -32,6 +31,7 @@ import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WrappingRow;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** I/O view: the screen of signals and readings. */

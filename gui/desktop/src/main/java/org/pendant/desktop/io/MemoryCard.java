@@ -10,9 +10,9 @@ import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.layout.InnerScroll;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** Memory card: the registers of one kind and direction, or the flags. */

@@ -14,9 +14,9 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.table.TableLook;
+import org.pendant.kit.text.Messages;
 
 /**
  * Memory table: a {@link MemoryList} on the screen. Space or a click on it changes a level; a

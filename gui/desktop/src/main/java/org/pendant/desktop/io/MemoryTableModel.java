@@ -5,7 +5,7 @@ import static org.pendant.desktop.io.IoTexts.text;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.table.AbstractTableModel;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 
 /** Memory table model: the rows of a {@link MemoryList} for a table. */
 @SuppressWarnings("serial") // never written to a stream

@@ -8,7 +8,7 @@ import org.pendant.controller.external.ModbusErrors;
 import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusReading;
 import org.pendant.controller.modbus.ModbusSignalState;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 
 /**

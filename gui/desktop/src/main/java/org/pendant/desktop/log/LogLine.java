@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.SentenceUnits;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.function.ScriptPlace;
 

@@ -3,8 +3,8 @@ package org.pendant.desktop.move;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.kit.text.Messages;
 
 /**
  * Draft: numbers that show what the robot has, until the user types over one: then all of them stay

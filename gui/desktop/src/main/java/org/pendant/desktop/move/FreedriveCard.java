@@ -12,10 +12,10 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.freedrive.FreeAxes;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.HoldButton;
 import org.pendant.kit.form.Remark;
 import org.pendant.kit.layout.TitledCard;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /**

@@ -3,9 +3,9 @@ package org.pendant.desktop.move;
 import static org.pendant.desktop.move.MoveTexts.text;
 
 import java.util.List;
+import org.pendant.desktop.session.NumberedJoints;
 import org.pendant.desktop.session.StateWords;
-import org.pendant.desktop.text.Messages;
-import org.pendant.desktop.text.NumberedJoints;
+import org.pendant.kit.text.Messages;
 
 /** Joint names: the joints by name instead of number. */
 final class JointNames {

@@ -17,8 +17,8 @@ import org.pendant.controller.quantity.PhysicalUnit;
 import org.pendant.controller.quantity.StateQuantities;
 import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.ScreenUnit;
+import org.pendant.kit.text.Messages;
 
 /** Chart quantities: what can be drawn, in the order of the list; script variables come first. */
 public final class ChartQuantities {

@@ -24,7 +24,6 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.command.service.PortWishes;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.ports.PortsState.Trouble;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -33,6 +32,7 @@ import org.pendant.kit.layout.SettledScroll;
 import org.pendant.kit.layout.TitledCard;
 import org.pendant.kit.layout.Typed;
 import org.pendant.kit.layout.WideContent;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 
 /** Ports view: the panel that opens the ports, and shows who is connected. */

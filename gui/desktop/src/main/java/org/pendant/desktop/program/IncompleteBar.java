@@ -16,7 +16,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;

@@ -2,7 +2,7 @@ package org.pendant.desktop.program;
 
 import static org.pendant.desktop.program.ProgramViewTexts.text;
 
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.project.program.NodeKind;
 
 /** Kind titles: what kinds of nodes are called in the language of the window. */

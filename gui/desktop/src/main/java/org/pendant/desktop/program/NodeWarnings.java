@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.editor.text.Problem;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.project.program.check.NodeProblem;
 import org.pendant.project.program.script.GeneratedScript;
 

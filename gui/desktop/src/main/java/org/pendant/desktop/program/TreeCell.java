@@ -22,8 +22,8 @@ import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.LineIcon;
 import org.pendant.desktop.editor.LineNote;
 import org.pendant.desktop.editor.text.RichText;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.icon.SvgIcon;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Palette;
 import org.pendant.project.program.check.NodeProblem;
 

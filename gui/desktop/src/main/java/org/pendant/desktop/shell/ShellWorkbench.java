@@ -7,12 +7,12 @@ import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.pendant.desktop.session.RobotSession;
-import org.pendant.desktop.text.Messages;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.ActionTable;
 import org.pendant.kit.dock.DockFrame;
 import org.pendant.kit.settings.Settings;
+import org.pendant.kit.text.Messages;
 
 /** Workbench of the shell: the window as its views see it. */
 final class ShellWorkbench implements Workbench {

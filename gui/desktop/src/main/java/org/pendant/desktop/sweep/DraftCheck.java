@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.pendant.desktop.sweep.DraftParameter.Part;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.sweep.plan.ParameterRange;
 import org.pendant.sweep.plan.ParameterTarget;
 import org.pendant.sweep.plan.ParameterValue;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.testing.SuiteResult;
 import org.pendant.testing.TestFailure;
 import org.pendant.testing.TestPlace;

@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 import org.pendant.controller.io.SignalBank;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.world.LinkHit;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.source.ByteText;
 import org.pendant.recording.Column;
 import org.pendant.recording.ColumnTrace;

@@ -21,9 +21,9 @@ import net.miginfocom.swing.MigLayout;
 import org.pendant.controller.io.AnalogBank;
 import org.pendant.controller.io.InputChange;
 import org.pendant.controller.io.SignalBank;
-import org.pendant.desktop.text.Messages;
 import org.pendant.kit.form.Measure;
 import org.pendant.kit.layout.Squeeze;
+import org.pendant.kit.text.Messages;
 
 /** Waveform bar: the fields and buttons above the rows. */
 @SuppressWarnings("serial") // never written to a stream

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.recording.whatif.Peak;
 import org.pendant.recording.whatif.VariantOutcome;
 

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.language.service.CharacterOffsets;
 import org.pendant.language.service.Completion;
 import org.pendant.language.service.FoldingRange;

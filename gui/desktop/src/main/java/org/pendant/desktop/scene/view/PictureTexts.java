@@ -1,6 +1,6 @@
 package org.pendant.desktop.scene.view;
 
-import org.pendant.desktop.text.Messages;
+import org.pendant.kit.text.Messages;
 import org.pendant.text.Texts;
 
 /** What this package says to people. */

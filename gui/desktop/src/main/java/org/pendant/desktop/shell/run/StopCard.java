@@ -12,12 +12,12 @@ import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.controller.state.StopPlace;
 import org.pendant.controller.world.Contact;
+import org.pendant.desktop.session.NumberedJoints;
 import org.pendant.desktop.session.StateWords;
 import org.pendant.desktop.session.StopAdvice;
-import org.pendant.desktop.text.Messages;
-import org.pendant.desktop.text.NumberedJoints;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.SentenceUnits;
+import org.pendant.kit.text.Messages;
 
 /**
  * Stop card: everything to know about the stop that keeps the arm at rest.

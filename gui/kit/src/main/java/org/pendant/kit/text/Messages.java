@@ -1,4 +1,4 @@
-package org.pendant.desktop.text;
+package org.pendant.kit.text;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -11,9 +11,10 @@ import org.pendant.text.Language;
 import org.pendant.text.Translations;
 
 /**
- * What the modules below the window say, in the language of the window: what the controller writes
- * into its log, why the arm stopped, what is wrong with a program, labels of nodes and devices. All
- * of that is English until it is shown. What people have written themselves is not shown by this.
+ * What is said below the window, in the language of the window: lines of a log, why something was
+ * refused, labels of what there is. All of that is English until it is shown. What people have
+ * written themselves is not shown by this. The program lists the bundles that such messages are
+ * made from in its resource {@code texts/bundles.txt}.
  */
 public final class Messages {
   /** Messages whose translation is remembered, since what is painted asks again and again. */
@@ -42,7 +43,7 @@ public final class Messages {
 
   /** Names of the bundles that messages come from. */
   static List<String> bundles() {
-    try (InputStream in = Messages.class.getResourceAsStream("bundles.txt")) {
+    try (InputStream in = Messages.class.getResourceAsStream("/texts/bundles.txt")) {
       String list = new String(in.readAllBytes(), StandardCharsets.UTF_8);
       return list.lines().filter(line -> !line.startsWith("#")).toList();
     } catch (IOException e) {

@@ -1,17 +1,14 @@
-package org.pendant.desktop.text;
+package org.pendant.desktop.session;
 
 import java.util.function.IntFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.pendant.text.Texts;
 
 /** Joints by their number in what the controller says: people know them by their names. */
 public final class NumberedJoints {
   private static final Pattern NUMBERED =
       Pattern.compile(
-          "\"[^\"]*\"|(?<!\\w)"
-              + Texts.of(NumberedJoints.class).get("numbered", "([0-5])")
-              + "(?![\\w.])");
+          "\"[^\"]*\"|(?<!\\w)" + SessionTexts.text("numberedJoint", "([0-5])") + "(?![\\w.])");
 
   private NumberedJoints() {}
 
