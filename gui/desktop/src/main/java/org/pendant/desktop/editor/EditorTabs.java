@@ -130,6 +130,7 @@ final class EditorTabs extends JTabbedPane {
       programs.select(current().program());
       // By arrow keys people go on to the next tab.
       if (!isFocusOwner() || EventQueue.getCurrentEvent() instanceof MouseEvent) {
+        validate(); // the pane gives keys to the first button of the tab when it is laid out next
         current().area().requestFocusInWindow();
       }
     }

@@ -39,6 +39,12 @@ import org.pendant.desktop.session.ProgramDocument;
 @Tag("slow")
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
 final class EditorTabsTest {
+  /** This tab shows the script of a tree, with buttons above it. */
+  private static final int TREE = 2;
+
+  private static final String SCRIPTS = ProgramDocument.SCRIPT;
+  private static final String TREES = ProgramDocument.TREE;
+
   private EditorWindow window;
   private JTabbedPane tabs;
 
@@ -47,7 +53,8 @@ final class EditorTabsTest {
     assumeFalse(GraphicsEnvironment.isHeadless(), "a window needs a display");
     List<ProgramDocument> programs =
         IntStream.range(0, 8)
-            .mapToObj(i -> ProgramDocument.untitled("program_" + i + ".script", ""))
+            .mapToObj(
+                i -> ProgramDocument.untitled("program_" + i + (i == TREE ? TREES : SCRIPTS), ""))
             .toList();
     EventQueue.invokeAndWait(
         () -> {
@@ -67,9 +74,25 @@ final class EditorTabsTest {
 
   @Test
   void keysGoToTheTextOfATabThatIsClicked() throws Exception {
+    click(1);
+    await(1);
+    awaitKeysIn(window.editor().current().area());
+  }
+
+  @Test
+  void keysGoToTheTextAndNotToTheButtonsAboveItFromAnotherText() throws Exception {
+    EventQueue.invokeAndWait(() -> window.editor().current().area().requestFocusInWindow());
+    awaitKeysIn(window.editor().current().area());
+    click(TREE);
+    await(TREE);
+    EventQueue.invokeAndWait(tabs::validate);
+    awaitKeysIn(window.editor().current().area());
+  }
+
+  private void click(int index) throws Exception {
     EventQueue.invokeAndWait(
         () -> {
-          Rectangle tab = tabs.getBoundsAt(1);
+          Rectangle tab = tabs.getBoundsAt(index);
           Point at = new Point(tab.x + tab.width / 4, tab.y + tab.height / 2);
           tabs.dispatchEvent(
               new MouseEvent(
@@ -83,8 +106,6 @@ final class EditorTabsTest {
                   false,
                   MouseEvent.BUTTON1));
         });
-    await(1);
-    awaitKeysIn(window.editor().current().area());
   }
 
   private static void awaitKeysIn(Component component) throws Exception {
