@@ -24,7 +24,9 @@ import java.util.Properties;
  * text stand in it in their order, and what is between them are the values. Of several texts that
  * fit, the one that leaves least to values is taken. A place {@code {0*}} in a translation takes a
  * value that is a text itself, such as the name of a joint or a sentence within a sentence, and
- * says that in the other language too; one without the star takes it as it is.
+ * says that in the other language too; one without the star takes it as it is. What stands before
+ * {@code ": "}, as a file or a place does, and sentences between {@code "; "} are looked at by
+ * themselves where no text has them together.
  */
 public final class Translations {
   /** Texts within texts that are followed. */
@@ -116,9 +118,38 @@ public final class Translations {
         best = other.values() < best.values() ? other : best;
       }
     }
+    best = better(ofSentences(message, depth), best);
+    best = better(ofPlace(message, depth), best);
     return best.values() < message.length() || message.indexOf('\n') < 0
         ? best
         : ofLines(message, depth);
+  }
+
+  private static Said better(Optional<Said> other, Said than) {
+    return other.filter(each -> each.values() < than.values()).orElse(than);
+  }
+
+  private Optional<Said> ofSentences(String message, int depth) {
+    int end = message.indexOf("; ");
+    if (end < 0) {
+      return Optional.empty();
+    }
+    Said first = said(message.substring(0, end), depth + 1);
+    Said rest = said(message.substring(end + 2), depth + 1);
+    return Optional.of(
+        new Said(first.text() + "; " + rest.text(), first.values() + 2 + rest.values()));
+  }
+
+  /** A text behind a name of what it is about, such as {@code robot.json:3: the end is missing}. */
+  private Optional<Said> ofPlace(String message, int depth) {
+    int end = message.indexOf(": ");
+    if (end < 0) {
+      return Optional.empty();
+    }
+    String place = message.substring(0, end);
+    Said rest = said(message.substring(end + 2), depth + 1);
+    return Optional.of(
+        new Said(plain.getOrDefault(place, place) + ": " + rest.text(), end + 2 + rest.values()));
   }
 
   private Said said(Translated text, List<String> values, int depth) {

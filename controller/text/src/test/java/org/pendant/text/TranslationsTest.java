@@ -47,6 +47,13 @@ class TranslationsTest {
   }
 
   @Test
+  void aTextBehindAPlaceAndTextsBesideEachOtherAreSaid() {
+    assertEquals("arm.json:3: Ellbogen", german.of("arm.json:3: elbow"));
+    assertEquals("base wird abgelehnt; Ellbogen", german.of("base is refused; elbow"));
+    assertEquals("picked: 3; of 7", german.of("picked: 3; of 7"));
+  }
+
+  @Test
   void linesOfSeveralTextsAreSaidOneByOne() {
     assertEquals("Ellbogen\nmine\nBasisgelenk\n", german.of("elbow\nmine\nbase joint\n"));
   }
