@@ -32,8 +32,7 @@ final class ByteSource {
 
   private void need(int count) throws MalformedBytes {
     if (count > bytes.remaining()) {
-      throw new MalformedBytes(
-          count + " bytes are announced where " + bytes.remaining() + " are left");
+      throw new MalformedBytes(RecordingTexts.text("bytesAnnounced", count, bytes.remaining()));
     }
   }
 
@@ -45,7 +44,7 @@ final class ByteSource {
   boolean bool() throws MalformedBytes {
     int value = byteOf();
     if (value > 1) {
-      throw new MalformedBytes("a truth value is " + value + ", must be 0 or 1");
+      throw new MalformedBytes(RecordingTexts.text("truthValue", value));
     }
     return value == 1;
   }
@@ -59,7 +58,7 @@ final class ByteSource {
         return value;
       }
     }
-    throw new MalformedBytes("a whole number has no end");
+    throw new MalformedBytes(RecordingTexts.text("endlessNumber"));
   }
 
   long whole() throws MalformedBytes {
@@ -71,7 +70,7 @@ final class ByteSource {
   int integer() throws MalformedBytes {
     long value = whole();
     if (value != (int) value) {
-      throw new MalformedBytes("a whole number is " + value + ", must have 32 bits");
+      throw new MalformedBytes(RecordingTexts.text("numberNot32Bits", value));
     }
     return (int) value;
   }
@@ -80,7 +79,7 @@ final class ByteSource {
   int upTo(int most) throws MalformedBytes {
     long value = unsigned();
     if (value < 0 || value > most) {
-      throw new MalformedBytes("a number is " + value + ", must be 0 to " + most);
+      throw new MalformedBytes(RecordingTexts.text("numberOutside", value, most));
     }
     return (int) value;
   }
@@ -89,8 +88,7 @@ final class ByteSource {
   int count(int leastBytes) throws MalformedBytes {
     long value = unsigned();
     if (value < 0 || value > bytes.remaining() / leastBytes) {
-      throw new MalformedBytes(
-          value + " things are announced where " + bytes.remaining() + " bytes are left");
+      throw new MalformedBytes(RecordingTexts.text("thingsAnnounced", value, bytes.remaining()));
     }
     return (int) value;
   }
@@ -116,7 +114,8 @@ final class ByteSource {
     try {
       return Enum.valueOf(type, name);
     } catch (IllegalArgumentException e) {
-      throw new MalformedBytes("'" + shown(name) + "' is no " + type.getSimpleName());
+      throw new MalformedBytes(
+          RecordingTexts.text("noConstant", shown(name), type.getSimpleName()));
     }
   }
 
@@ -128,7 +127,7 @@ final class ByteSource {
     long number = unsigned();
     if (number != 0) {
       if (number < 0 || number > known.size()) {
-        throw new MalformedBytes("text " + number + " of " + known.size() + " is meant");
+        throw new MalformedBytes(RecordingTexts.text("noSuchText", number, known.size()));
       }
       return known.get((int) number - 1);
     }
@@ -159,7 +158,7 @@ final class ByteSource {
   void deeper() throws MalformedBytes {
     depth++;
     if (depth > DEEPEST) {
-      throw new MalformedBytes("values are nested deeper than " + DEEPEST);
+      throw new MalformedBytes(RecordingTexts.text("nestedTooDeep", DEEPEST));
     }
   }
 

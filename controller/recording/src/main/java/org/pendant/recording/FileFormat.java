@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -92,12 +94,12 @@ final class FileFormat {
   static Header readHeader(ByteSource in) throws MalformedBytes {
     String robotId = in.text();
     if (!ArmLibrary.ids().contains(robotId)) {
-      throw new MalformedBytes("its robot is not known here");
+      throw new MalformedBytes(text("unknownRobot"));
     }
     int framesPerSecond = in.upTo(Integer.MAX_VALUE);
     if (framesPerSecond != FrameTime.FRAMES_PER_SECOND) {
       throw new MalformedBytes(
-          "it has " + framesPerSecond + " frames a second, must be " + FrameTime.FRAMES_PER_SECOND);
+          text("framesPerSecond", framesPerSecond, FrameTime.FRAMES_PER_SECOND));
     }
     List<String> found = new ArrayList<>();
     int groups = in.count(2);
@@ -109,14 +111,14 @@ final class FileFormat {
       found.add(in.text());
     }
     if (!found.equals(columns())) {
-      throw new MalformedBytes("it has other columns than those of version " + VERSION);
+      throw new MalformedBytes(text("otherColumns", VERSION));
     }
     // older files end earlier, as there was nothing more that could be said
     String calibration = in.left() == 0 ? "" : in.text();
     String ownArm = in.left() == 0 ? "" : in.text();
     String origin = in.left() == 0 ? "" : in.text();
     if (!origin.isEmpty() && !origin.equals(RTDE)) {
-      throw new MalformedBytes("where it comes from is not known here");
+      throw new MalformedBytes(text("unknownOrigin"));
     }
     ArmDescription arm = ownArm.isEmpty() ? ArmLibrary.load(robotId) : ownArm(robotId, ownArm);
     return new Header(
@@ -127,13 +129,14 @@ final class FileFormat {
   private static ArmDescription ownArm(String robotId, String text) throws MalformedBytes {
     try {
       ArmDescription arm =
-          ArmFile.read("its arm", new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+          ArmFile.read(
+              text("itsArm"), new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
       if (!arm.id().equals(robotId)) {
-        throw new MalformedBytes("its arm is a " + arm.id() + ", must be a " + robotId);
+        throw new MalformedBytes(text("itsArmIsAnother", arm.id(), robotId));
       }
       return arm;
     } catch (JsonException e) {
-      throw new MalformedBytes("its arm cannot be read: " + e.getMessage());
+      throw new MalformedBytes(text("armUnreadable", e.getMessage()));
     }
   }
 
@@ -141,7 +144,7 @@ final class FileFormat {
     try {
       return CalibrationFile.ofText(text);
     } catch (CalibrationTrouble e) {
-      throw new MalformedBytes("its calibration cannot be read: " + e.getMessage());
+      throw new MalformedBytes(text("calibrationUnreadable", e.getMessage()));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.state.ProgramStatus;
@@ -200,7 +202,7 @@ final class ProgramForms {
           String waitsFor = in.text();
           List<ThreadSnapshot.Level> stack = LEVELS.read(in);
           if (stack.isEmpty()) {
-            throw new MalformedBytes("thread " + id + " has no calls");
+            throw new MalformedBytes(text("threadWithoutCalls", id));
           }
           return new ThreadSnapshot(id, name, waitsFor, stack);
         }

@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.io.UncheckedIOException;
@@ -134,14 +136,14 @@ public final class RecordingFile {
         Block block = next.get();
         blocks++;
         if (blocks > MAX_BLOCKS) {
-          throw refused("it has more than " + MAX_BLOCKS + " blocks");
+          throw refused(text("tooManyBlocks", MAX_BLOCKS));
         }
         if (block.kind() == FileFormat.PROGRAM) {
           texts = texts.with(program(block, in, texts));
         } else {
           Segment segment = segment(block, in);
           if (!stretches.isEmpty() && segment.firstFrame() < last) {
-            throw at(block, "its frame " + segment.firstFrame() + " follows frame " + last);
+            throw at(block, text("framesOutOfOrder", segment.firstFrame(), last));
           }
           stretches.add(new InFile(stretches.size(), block, segment.firstFrame()));
           lastCount = segment.published();
@@ -150,15 +152,13 @@ public final class RecordingFile {
         next = nextBlock(in);
       }
       if (stretches.isEmpty()) {
-        throw refused("it ends before its first whole block");
+        throw refused(text("noWholeBlock"));
       }
       Optional<String> warning = Optional.empty();
       if (next.isPresent()) {
         last = lastFrame(next.get(), in, last);
       } else {
-        warning =
-            Optional.of(
-                file.getFileName() + " is cut off: it ends at " + Recording.timeS(last) + " s");
+        warning = Optional.of(text("cutOff", file.getFileName(), Recording.timeS(last)));
       }
       Snapshots snapshots = new Snapshots(header.arm(), new ForwardKinematics(header.arm()));
       return new Opened(
@@ -170,7 +170,7 @@ public final class RecordingFile {
   private RandomAccessFile reading() throws IOException {
     file.getFileSystem().provider().checkAccess(file, AccessMode.READ);
     if (Files.isDirectory(file)) {
-      throw new FileSystemException(file.toString(), null, "it is a folder");
+      throw new FileSystemException(file.toString(), null, text("isFolder"));
     }
     return new RandomAccessFile(file.toFile(), "r");
   }
@@ -180,7 +180,7 @@ public final class RecordingFile {
   }
 
   private RecordingException at(Block block, String why) {
-    return refused("block at byte " + block.place() + ": " + why);
+    return refused(text("blockRefused", block.place(), why));
   }
 
   private FileFormat.Header header(RandomAccessFile in) throws IOException {
@@ -188,33 +188,28 @@ public final class RecordingFile {
     boolean whole = fill(in, bytes);
     if (!Arrays.equals(
         bytes, 0, FileFormat.MAGIC.length, FileFormat.MAGIC, 0, FileFormat.MAGIC.length)) {
-      throw refused("is no recording of Pendant");
+      throw refused(text("noRecording"));
     }
     if (!whole) {
-      throw refused("it ends in its header");
+      throw refused(text("endsInHeader"));
     }
     ByteBuffer start = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     start.position(FileFormat.MAGIC.length);
     int version = start.getInt();
     if (version != FileFormat.VERSION) {
-      throw refused("is of version " + version + ", must be " + FileFormat.VERSION);
+      throw refused(text("otherVersion", version, FileFormat.VERSION));
     }
     int length = start.getInt();
     int checksum = start.getInt();
     if (length < 0 || length > FileFormat.MAX_HEADER_BYTES) {
-      throw refused(
-          "its header has "
-              + length
-              + " bytes, at most "
-              + FileFormat.MAX_HEADER_BYTES
-              + " can be");
+      throw refused(text("headerTooLong", length, FileFormat.MAX_HEADER_BYTES));
     }
     byte[] header = new byte[length];
     if (!fill(in, header)) {
-      throw refused("it ends in its header");
+      throw refused(text("endsInHeader"));
     }
     if (RecordingWriter.checksum(header, length) != checksum) {
-      throw refused("the checksum of its header does not fit");
+      throw refused(text("headerChecksum"));
     }
     try {
       return FileFormat.readHeader(new ByteSource(header));
@@ -233,20 +228,14 @@ public final class RecordingFile {
     ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     Block block = new Block(header.get(), header.getInt(), header.getInt(), header.getInt(), place);
     if (block.kind() < FileFormat.FRAMES || block.kind() > FileFormat.END) {
-      throw at(block, "its kind is " + block.kind() + ", must be 1 to " + FileFormat.END);
+      throw at(block, text("blockKind", block.kind(), FileFormat.END));
     }
     if (block.inflated() < 0
         || block.inflated() > FileFormat.MAX_BLOCK_BYTES
         || block.deflated() < 0
         || block.deflated() > FileFormat.MAX_BLOCK_BYTES + FileFormat.MAX_BLOCK_BYTES / 100
         || block.inflated() / FileFormat.MAX_RATIO > block.deflated()) {
-      throw at(
-          block,
-          "its lengths are "
-              + block.deflated()
-              + " and "
-              + block.inflated()
-              + " bytes, which cannot be");
+      throw at(block, text("blockLengths", block.deflated(), block.inflated()));
     }
     return in.length() - in.getFilePointer() < block.deflated()
         ? Optional.empty()
@@ -257,20 +246,20 @@ public final class RecordingFile {
     byte[] deflated = new byte[block.deflated()];
     in.seek(block.place() + FileFormat.BLOCK_HEADER);
     if (!fill(in, deflated)) {
-      throw at(block, "it has become shorter");
+      throw at(block, text("blockShorter"));
     }
     if (RecordingWriter.checksum(deflated, block.deflated()) != block.checksum()) {
-      throw at(block, "its checksum does not fit");
+      throw at(block, text("blockChecksum"));
     }
     byte[] bytes = new byte[block.inflated()];
     try (Inflater inflater = new Inflater()) {
       inflater.setInput(deflated);
       int length = inflater.inflate(bytes);
       if (length != bytes.length || (!inflater.finished() && inflater.inflate(new byte[1]) > 0)) {
-        throw at(block, "it does not have the length that it says");
+        throw at(block, text("blockLength"));
       }
     } catch (DataFormatException e) {
-      throw at(block, "it cannot be inflated, " + e.getMessage());
+      throw at(block, text("blockNotInflated", e.getMessage()));
     }
     return bytes;
   }
@@ -313,7 +302,7 @@ public final class RecordingFile {
       String sourceName = bytes.text();
       if (bytes.bool()) {
         if (texts.all().isEmpty()) {
-          throw new MalformedBytes("it repeats a program that is not there");
+          throw new MalformedBytes(text("repeatsNoProgram"));
         }
         return new RecordedProgram(frame, name, texts.all().getLast().source());
       }
@@ -327,8 +316,7 @@ public final class RecordingFile {
     try {
       long frame = new ByteSource(inflated(end, in)).whole();
       if (frame < last || frame - last > MAX_FRAMES_AT_REST) {
-        throw new MalformedBytes(
-            "the last frame is " + frame + ", must be " + last + " or at most a year later");
+        throw new MalformedBytes(text("lastFrameOutside", frame, last));
       }
       return frame;
     } catch (MalformedBytes e) {

@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -116,13 +118,7 @@ public final class RecordingWriter implements Closeable {
   private void writeBlock(int kind, ByteSink sink) throws IOException {
     if (sink.size() > FileFormat.MAX_BLOCK_BYTES) {
       throw new IOException(
-          "up to frame "
-              + lastFrame
-              + " there are "
-              + sink.size()
-              + " bytes to be kept at once, at most "
-              + FileFormat.MAX_BLOCK_BYTES
-              + " can be");
+          text("tooMuchAtOnce", lastFrame, sink.size(), FileFormat.MAX_BLOCK_BYTES));
     }
     byte[] deflated = new byte[sink.size() + 64 + sink.size() / 1000];
     deflater.reset();

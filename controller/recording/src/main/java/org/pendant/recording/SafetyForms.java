@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.util.Optional;
 import java.util.OptionalInt;
 import org.pendant.controller.box.BaseLight;
@@ -121,7 +123,7 @@ final class SafetyForms {
 
   private static OptionalInt joint(int number) throws MalformedBytes {
     if (number >= Joints.COUNT) {
-      throw new MalformedBytes("joint is " + number + ", must be below " + Joints.COUNT);
+      throw new MalformedBytes(text("jointOutside", number, Joints.COUNT));
     }
     return number < 0 ? OptionalInt.empty() : OptionalInt.of(number);
   }

@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.util.Arrays;
 
 /**
@@ -75,11 +77,10 @@ final class SegmentBytes {
     long firstFrame = in.whole();
     int count = in.count(3);
     if (firstFrame < 0 || firstFrame > MAX_FRAMES) {
-      throw new MalformedBytes("its first frame is " + firstFrame + ", must be 0 to " + MAX_FRAMES);
+      throw new MalformedBytes(text("firstFrameOutside", firstFrame, MAX_FRAMES));
     }
     if (count < 1 || count > Segment.MAX_ENTRIES) {
-      throw new MalformedBytes(
-          "it has " + count + " entries, must have 1 to " + Segment.MAX_ENTRIES);
+      throw new MalformedBytes(text("entriesOutside", count, Segment.MAX_ENTRIES));
     }
     int[] frames = new int[count];
     int[] numberMasks = new int[count];
@@ -90,7 +91,7 @@ final class SegmentBytes {
     for (int i = 0; i < count; i++) {
       frame += in.upTo(Integer.MAX_VALUE);
       if (frame > Integer.MAX_VALUE) {
-        throw new MalformedBytes("a block has " + frame + " frames");
+        throw new MalformedBytes(text("blockFrames", frame));
       }
       frames[i] = (int) frame;
       numberMasks[i] = in.upTo(NumberGroup.ALL);
@@ -99,16 +100,15 @@ final class SegmentBytes {
       parts += Integer.bitCount(partMasks[i]);
     }
     if (frames[0] != 0 || numberMasks[0] != NumberGroup.ALL || partMasks[0] != SnapshotPart.ALL) {
-      throw new MalformedBytes("the first entry of a block is not whole");
+      throw new MalformedBytes(text("firstEntryNotWhole"));
     }
     if (numbers > Segment.MAX_NUMBERS) {
-      throw new MalformedBytes(
-          "a block has " + numbers + " numbers, at most " + Segment.MAX_NUMBERS + " can be");
+      throw new MalformedBytes(text("blockNumbers", numbers, Segment.MAX_NUMBERS));
     }
     double[] values = readNumbers(numberMasks, numbers, in);
     Object[] objects = readParts(partMasks, parts, in);
     if (in.left() > 0) {
-      throw new MalformedBytes(in.left() + " bytes are left behind a block");
+      throw new MalformedBytes(text("bytesLeft", in.left()));
     }
     return Segment.full(firstFrame, frames, numberMasks, partMasks, values, objects);
   }

@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.language.signature.Type;
@@ -118,8 +120,7 @@ final class ValueForm extends Form<Value> {
 
   private static Value checked(ValueKind wanted, Value element) throws MalformedBytes {
     if (element.kind() != wanted) {
-      throw new MalformedBytes(
-          "an element is " + element.kind().described() + ", must be " + wanted.described());
+      throw new MalformedBytes(text("elementKind", element.kind().described(), wanted.described()));
     }
     return element;
   }
@@ -129,14 +130,7 @@ final class ValueForm extends Form<Value> {
     int rows = in.count(1);
     int columns = in.count(1);
     if ((long) rows * columns > in.left() / Double.BYTES) {
-      throw new MalformedBytes(
-          "a matrix of "
-              + rows
-              + " x "
-              + columns
-              + " is announced where "
-              + in.left()
-              + " bytes are left");
+      throw new MalformedBytes(text("matrixAnnounced", rows, columns, in.left()));
     }
     double[] numbers = new double[rows * columns];
     for (int i = 0; i < numbers.length; i++) {

@@ -1,5 +1,7 @@
 package org.pendant.recording;
 
+import static org.pendant.recording.RecordingTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -107,7 +109,7 @@ final class VariableForms {
     for (int i = 0; i < count; i++) {
       if (in.bool()) {
         if (i >= before.size()) {
-          throw new MalformedBytes("variable " + i + " is as one that is not there");
+          throw new MalformedBytes(text("sameAsNoVariable", i));
         }
         now.add(before.get(i));
       } else {

@@ -1,5 +1,7 @@
 package org.pendant.recording.compare;
 
+import static org.pendant.recording.compare.CompareTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -45,12 +47,19 @@ public record FirstDifference(
   }
 
   /** What is compared, and how its values are written. */
-  private record Compared(String name, Column column, String unit) {
-    String values(double now, double before) {
-      return name + " " + text(now) + ", was " + text(before);
+  private record Compared(String key, Object part, Column column, String unit) {
+    /** What has no parts. */
+    static Compared whole(String key, Column column) {
+      return new Compared(key, "", column, "");
     }
 
-    private String text(double value) {
+    String values(double now, double before) {
+      return part.equals("")
+          ? text(key, shown(now), shown(before))
+          : text(key, part, shown(now), shown(before));
+    }
+
+    private String shown(double value) {
       return unit.isEmpty()
           ? Long.toString(Math.round(value))
           : String.format(Locale.ROOT, "%.9g %s", value, unit);
@@ -123,27 +132,27 @@ public record FirstDifference(
 
   private static List<Compared> decisions() {
     List<Compared> all = new ArrayList<>();
-    all.add(new Compared("line", Column.line(), ""));
-    all.add(new Compared("program (0 stopped, 1 running, 2 paused)", Column.programState(), ""));
+    all.add(Compared.whole("lineWas", Column.line()));
+    all.add(Compared.whole("programWas", Column.programState()));
     for (SignalBank bank : SignalBank.values()) {
       for (int i = 0; i < bank.size(); i++) {
         Signal signal = new Signal(bank, i);
-        all.add(new Compared(signal.toString(), Column.digital(signal), ""));
+        all.add(new Compared("signalWas", signal, Column.digital(signal), ""));
       }
     }
-    addJoints(all, "target position", "target_q", "rad");
+    addJoints(all, "targetPositionWas", "target_q", "rad");
     return all;
   }
 
   private static List<Compared> readings() {
     List<Compared> all = new ArrayList<>();
-    addJoints(all, "position", "actual_q", "rad");
+    addJoints(all, "positionWas", "actual_q", "rad");
     return all;
   }
 
-  private static void addJoints(List<Compared> all, String name, String quantity, String unit) {
+  private static void addJoints(List<Compared> all, String key, String quantity, String unit) {
     for (int i = 0; i < Joints.COUNT; i++) {
-      all.add(new Compared(name + " of joint " + i, Column.of(quantity, i), unit));
+      all.add(new Compared(key, i, Column.of(quantity, i), unit));
     }
   }
 
@@ -174,7 +183,7 @@ public record FirstDifference(
       return Optional.empty();
     }
     boolean longer = now.frames() > before.frames();
-    String ended = longer ? "the program runs on, it ended there" : "the program ends, it ran on";
+    String ended = longer ? text("runsOn") : CompareTexts.text("endsEarlier");
     return Optional.of(at(now, before, common, List.of(ended), false));
   }
 
@@ -230,31 +239,24 @@ public record FirstDifference(
    * @param most how many of the values that differ are told, at most
    */
   public String words(IntFunction<String> place, int most) {
-    StringBuilder words = new StringBuilder();
-    words.append(
-        String.format(
-            Locale.ROOT,
-            "%s first %.3f s after the start, in %s",
-            measured ? "the same but for readings, which differ" : "differs",
-            sinceStartS,
-            place.apply(line)));
-    if (lineBefore != line) {
+    String timeS = String.format(Locale.ROOT, "%.3f", sinceStartS);
+    String values = String.join("; ", what.subList(0, Math.min(most, what.size())));
+    String told = what.size() > most ? text("andMore", values, what.size() - most) : values;
+    String words;
+    if (lineBefore == line) {
+      words = text(measured ? "readingsDiffer" : "differs", timeS, place.apply(line), told);
+    } else {
       boolean same = textLine.isEmpty() || lineBefore < textLine.getAsInt();
       String before = same ? place.apply(lineBefore) : line(lineBefore);
-      words.append(" (was in ").append(before).append(')');
+      String key = measured ? "readingsDifferElsewhere" : "differsElsewhere";
+      words = text(key, timeS, place.apply(line), before, told);
     }
-    words.append(": ").append(String.join("; ", what.subList(0, Math.min(most, what.size()))));
-    if (what.size() > most) {
-      words.append("; and ").append(what.size() - most).append(" more");
-    }
-    if (textLine.isPresent()) {
-      words.append(". The texts of the programs differ from ");
-      words.append(place.apply(textLine.getAsInt())).append(" on");
-    }
-    return words.toString();
+    return textLine.isPresent()
+        ? text("textsDiffer", words, place.apply(textLine.getAsInt()))
+        : words;
   }
 
   private static String line(int line) {
-    return "line " + line;
+    return text("line", line);
   }
 }

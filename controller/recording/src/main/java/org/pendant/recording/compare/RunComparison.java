@@ -1,5 +1,7 @@
 package org.pendant.recording.compare;
 
+import static org.pendant.recording.compare.CompareTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -130,18 +132,11 @@ public record RunComparison(
       figures.add(new Figure("duration", "s", realS, oursS, error));
       figures.add(middle);
     } else {
-      notes.add(
-          "the recording "
-              + (start.isPresent() ? "ends" : "begins")
-              + " in motion: there is no duration");
+      notes.add(text(start.isPresent() ? "endsInMotion" : "beginsInMotion"));
     }
     start.ifPresent(figures::add);
     stop.ifPresent(figures::add);
-    notes.add(
-        String.format(
-            Locale.ROOT,
-            "time 0 of the recording is %.4f s of Pendant's run",
-            recorded.firstS() + shiftS));
+    notes.add(text("timeZero", String.format(Locale.ROOT, "%.4f", recorded.firstS() + shiftS)));
     return figures;
   }
 

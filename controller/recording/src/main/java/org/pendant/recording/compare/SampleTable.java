@@ -1,5 +1,7 @@
 package org.pendant.recording.compare;
 
+import static org.pendant.recording.compare.CompareTexts.text;
+
 import java.io.IOException;
 import java.io.Reader;
 import java.util.ArrayList;
@@ -71,8 +73,7 @@ public final class SampleTable {
   }
 
   private Read read() throws IOException, MalformedTable {
-    List<Cell> first =
-        lines.next().orElseThrow(() -> lines.wrong(1, "the file is empty, expected a table"));
+    List<Cell> first = lines.next().orElseThrow(() -> lines.wrong(1, text("fileEmpty")));
     boolean headless = number(first.getFirst().text()).isPresent();
     roles =
         headless
@@ -80,7 +81,7 @@ public final class SampleTable {
             : first.stream().map(cell -> ColumnRole.of(cell.text())).toList();
     Optional<List<Cell>> cells = headless ? Optional.of(first) : lines.next();
     if (cells.isEmpty()) {
-      throw lines.wrong(1, "there are no rows below the headings");
+      throw lines.wrong(1, text("noRows"));
     }
     chooseQuantities(cells.get());
     Optional<ColumnRole.Time> clock = clock();
@@ -89,11 +90,10 @@ public final class SampleTable {
     for (long index = 0; cells.isPresent(); index++) {
       if (cells.get().size() != roles.size()) {
         if (lines.cut()) {
-          notes.add("the last line is cut off and left out");
+          notes.add(text("lastLineCut"));
           break;
         }
-        throw lines.wrong(
-            1, "the line has " + cells.get().size() + " cells, must have " + roles.size());
+        throw lines.wrong(1, text("cellCount", cells.get().size(), roles.size()));
       }
       double timeS = timeS(cells.get(), clock, index);
       if (Double.isNaN(originS)) {
@@ -103,11 +103,10 @@ public final class SampleTable {
       cells = lines.next();
     }
     if (skipped > 0) {
-      notes.add(skipped + " rows repeat a time or lack a joint and are left out");
+      notes.add(text("rowsLeftOut", skipped));
     }
     if (builder.rows() < 2) {
-      throw lines.wrong(
-          1, "there are " + builder.rows() + " rows of all joints, must be 2 or more");
+      throw lines.wrong(1, text("tooFewRows", builder.rows()));
     }
     return new Read(builder.build(), notes);
   }
@@ -117,12 +116,7 @@ public final class SampleTable {
     int arrays = first.size() - ROS2_HEADER_CELLS;
     int joints = arrays / JointArray.values().length;
     if (joints < Joints.COUNT || arrays % JointArray.values().length != 0) {
-      throw lines.wrong(
-          1,
-          "there are no headings, and "
-              + first.size()
-              + " cells; without headings 3 + 4 for each joint are expected, as ros2 topic echo"
-              + " --csv writes /joint_states");
+      throw lines.wrong(1, text("noHeadings", first.size()));
     }
     List<ColumnRole> all = new ArrayList<>();
     all.add(new ColumnRole.StampSeconds());
@@ -174,32 +168,20 @@ public final class SampleTable {
         placeOf.put(each.name(), size);
         size += each.size();
       } else if (components > 0) {
-        notes.add(
-            SampledQuantity.name(each)
-                + " has "
-                + components
-                + " of "
-                + each.size()
-                + " columns and is left out");
+        notes.add(text("quantityLeftOut", SampledQuantity.name(each), components, each.size()));
       }
     }
     quantities = chosen;
     row = new double[size];
     if (!placeOf.containsKey("actual_q") && !placeOf.containsKey("target_q")) {
-      throw lines.wrong(
-          1,
-          "there is neither actual_q_0 to actual_q_5 nor target_q_0 to target_q_5, nor the position"
-              + " of a ROS joint state");
+      throw lines.wrong(1, text("noPositions"));
     }
     boolean arrays =
         roles.stream()
             .anyMatch(
                 role -> role instanceof ColumnRole.Element || role instanceof ColumnRole.Whole);
     if (arrays && !hasNames()) {
-      throw lines.wrong(
-          1,
-          "the names of the joints are missing: a joint state has its joints in any order, the"
-              + " column name says which");
+      throw lines.wrong(1, text("noJointNames"));
     }
   }
 
@@ -227,10 +209,7 @@ public final class SampleTable {
             .map(ColumnRole.Time.class::cast)
             .max((a, b) -> Integer.compare(a.rank(), b.rank()));
     if (best.isEmpty() && periodS.isEmpty()) {
-      throw lines.wrong(
-          1,
-          "there is no column of times (timestamp, time_s, time, or the stamp of a ROS message);"
-              + " --frequency says how often a row was written");
+      throw lines.wrong(1, text("noTimes"));
     }
     return best;
   }
@@ -262,8 +241,7 @@ public final class SampleTable {
 
   private void add(List<Cell> cells, double timeS, Samples.Builder builder) throws MalformedTable {
     if (builder.rows() > 0 && timeS < builder.lastS()) {
-      throw lines.wrong(
-          1, "the time is " + timeS + " s, must not be before the " + builder.lastS() + " s above");
+      throw lines.wrong(1, text("timeGoesBack", timeS, builder.lastS()));
     }
     Arrays.fill(row, Double.NaN);
     int[] joints = joints(cells);
@@ -293,7 +271,7 @@ public final class SampleTable {
       return;
     }
     if ((long) (builder.rows() + 1) * row.length > MAX_NUMBERS) {
-      throw lines.wrong(1, "the table has more than " + MAX_NUMBERS + " numbers, record fewer");
+      throw lines.wrong(1, text("tableTooLarge", MAX_NUMBERS));
     }
     builder.add(timeS, row);
   }
@@ -348,7 +326,7 @@ public final class SampleTable {
   private double needed(Cell cell) throws MalformedTable {
     OptionalDouble number = number(cell.text());
     if (number.isEmpty() || !Double.isFinite(number.getAsDouble())) {
-      throw lines.wrong(cell.column(), "there is '" + shown(cell.text()) + "', expected a number");
+      throw lines.wrong(cell.column(), text("expectedNumber", shown(cell.text())));
     }
     return number.getAsDouble();
   }

@@ -78,10 +78,10 @@ final class TableLines {
         return;
       }
       if (c == 0) {
-        throw wrong(line.length() + 1, "there is a zero byte, expected a table of text");
+        throw wrong(line.length() + 1, CompareTexts.text("zeroByte"));
       }
       if (line.length() == MAX_LINE_CHARS) {
-        throw wrong(1, "the line has more than " + MAX_LINE_CHARS + " letters");
+        throw wrong(1, CompareTexts.text("lineTooLong", MAX_LINE_CHARS));
       }
       if (c != '\r' && !(number == 1 && line.isEmpty() && c == BYTE_ORDER_MARK)) {
         line.append((char) c);

@@ -1,5 +1,7 @@
 package org.pendant.recording.compare;
 
+import static org.pendant.recording.compare.CompareTexts.text;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -185,19 +187,18 @@ public final class TrackComparison {
     int most = joint;
     Curve curve =
         new Curve(
-            "Joint " + most,
+            text("joint", most),
             "\u00b0",
             (track, at) -> Math.toDegrees(track.at(at).target().get(most)));
     add(
         frame,
         Optional.of(curve),
-        String.format(
-            Locale.ROOT,
-            "at %.3f s the target of joint %d is %.3f°, was %.3f° (may differ by %s° and %s s)",
-            timeS(frame),
+        text(
+            "jointApart",
+            seconds(frame),
             joint,
-            Math.toDegrees(one.get(joint)),
-            Math.toDegrees(other.get(joint)),
+            decimals(3, Math.toDegrees(one.get(joint))),
+            decimals(3, Math.toDegrees(other.get(joint))),
             plain(deg),
             plain(tolerance.seconds())));
   }
@@ -208,14 +209,12 @@ public final class TrackComparison {
     add(
         frame,
         Optional.of(curveOfTcp(one, other)),
-        String.format(
-            Locale.ROOT,
-            "at %.3f s the target of the TCP is %s mm, was %s mm: %.2f mm apart (may differ by %s"
-                + " mm and %s s)",
-            timeS(frame),
+        text(
+            "tcpApart",
+            seconds(frame),
             place(one),
             place(other),
-            tcpMm(one, other),
+            decimals(2, tcpMm(one, other)),
             plain(mm),
             plain(tolerance.seconds())));
   }
@@ -278,12 +277,7 @@ public final class TrackComparison {
         add(
             one.frame(),
             curve,
-            String.format(
-                Locale.ROOT,
-                "at %.3f s %s goes %s, did not",
-                timeS(one.frame()),
-                signal,
-                word(one)));
+            text(one.on() ? "goesOn" : "goesOff", seconds(one.frame()), signal));
         return;
       }
       Switch other = theirs.get(i);
@@ -291,12 +285,7 @@ public final class TrackComparison {
         add(
             other.frame(),
             curve,
-            String.format(
-                Locale.ROOT,
-                "at %.3f s %s does not go %s, did",
-                timeS(other.frame()),
-                signal,
-                word(other)));
+            text(other.on() ? "doesNotGoOn" : "doesNotGoOff", seconds(other.frame()), signal));
         return;
       }
       Switch one = ours.get(i);
@@ -304,36 +293,34 @@ public final class TrackComparison {
         add(
             Math.min(one.frame(), other.frame()),
             curve,
-            String.format(
-                Locale.ROOT,
-                "%s goes %s at %.3f s, did at %.3f s (may differ by %s s)",
+            text(
+                one.on() ? "goesOnAt" : "goesOffAt",
                 signal,
-                word(one),
-                timeS(one.frame()),
-                timeS(other.frame()),
+                seconds(one.frame()),
+                seconds(other.frame()),
                 plain(tolerance.seconds())));
         return;
       }
     }
   }
 
-  private static String word(Switch change) {
-    return change.on() ? "on" : "off";
+  private static String seconds(long frame) {
+    return decimals(3, timeS(frame));
+  }
+
+  private static String decimals(int count, double number) {
+    return String.format(Locale.ROOT, "%." + count + "f", number);
   }
 
   private void texts() {
     List<Text> ours = now.texts();
     List<Text> theirs = before.texts();
     for (int i = 0; i < Math.max(ours.size(), theirs.size()); i++) {
-      String one = i < ours.size() ? quoted(ours.get(i)) : "nothing more";
-      String other = i < theirs.size() ? quoted(theirs.get(i)) : "nothing more";
+      String one = i < ours.size() ? quoted(ours.get(i)) : text("nothingMore");
+      String other = i < theirs.size() ? quoted(theirs.get(i)) : text("nothingMore");
       if (!one.equals(other)) {
         long frame = (i < ours.size() ? ours : theirs).get(i).frame();
-        add(
-            frame,
-            Optional.empty(),
-            String.format(
-                Locale.ROOT, "at %.3f s the log says %s, said %s", timeS(frame), one, other));
+        add(frame, Optional.empty(), text("logSays", seconds(frame), one, other));
         return;
       }
     }
@@ -348,11 +335,10 @@ public final class TrackComparison {
       add(
           Math.min(now.lastFrame(), before.lastFrame()),
           Optional.empty(),
-          String.format(
-              Locale.ROOT,
-              "the test takes %.3f s, took %.3f s (may differ by %s s)",
-              timeS(now.lastFrame()),
-              timeS(before.lastFrame()),
+          text(
+              "testTakes",
+              seconds(now.lastFrame()),
+              seconds(before.lastFrame()),
               plain(tolerance.seconds())));
     }
   }

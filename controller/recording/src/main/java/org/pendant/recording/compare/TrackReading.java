@@ -1,5 +1,7 @@
 package org.pendant.recording.compare;
 
+import static org.pendant.recording.compare.CompareTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -52,20 +54,20 @@ final class TrackReading {
       ended = line(lines.get(i), within.length > 3);
     }
     if (!ended || places.isEmpty() || tcps.isEmpty() == within.length > 3) {
-      throw new MalformedTrack("ends too early");
+      throw new MalformedTrack(text("endsTooEarly"));
     }
     return new RunTrack(samples(), switches, texts, frame, new RunTrack.Within(deg, mm));
   }
 
   private String word(int line) throws MalformedTrack {
     if (line >= lines.size()) {
-      throw new MalformedTrack("ends too early");
+      throw new MalformedTrack(text("endsTooEarly"));
     }
     return lines.get(line);
   }
 
   private MalformedTrack wrong() {
-    return new MalformedTrack("line " + number + " is no line of a golden recording");
+    return new MalformedTrack(text("noLine", number));
   }
 
   private double number(String text) throws MalformedTrack {

@@ -59,11 +59,11 @@ public final class TrackText {
   public static RunTrack read(byte[] bytes) throws MalformedTrack {
     String text = new String(bytes, StandardCharsets.UTF_8);
     if (!text.startsWith(MARK)) {
-      throw new MalformedTrack("is no golden recording");
+      throw new MalformedTrack(CompareTexts.text("noGoldenRecording"));
     }
     List<String> lines = text.lines().toList();
     if (!lines.getFirst().equals(MARK + VERSION)) {
-      throw new MalformedTrack("is of a later version of Pendant");
+      throw new MalformedTrack(CompareTexts.text("laterVersion"));
     }
     return new TrackReading(lines).track();
   }

@@ -1,5 +1,7 @@
 package org.pendant.recording.fit;
 
+import static org.pendant.recording.fit.FitTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -81,9 +83,7 @@ public record ArmFit(
         withPayload.or(
             () -> load(model, gravity, motion, Optional.of(given.orElse(assumed)), assumed, notes));
     if (!motion.hasMoments()) {
-      notes.add(
-          "no moments of the target were recorded (target_moment): payload and rotor inertias are"
-              + " not looked for");
+      notes.add(text("noMoments"));
     }
     List<Actuator> drives = new ArrayList<>(model.actuators());
     List<OptionalDouble> rotors = new ArrayList<>();
@@ -126,9 +126,7 @@ public record ArmFit(
     return switch (LoadFit.of(model, gravity, motion.samples(), given, assumed)) {
       case LoadFit.Found found -> Optional.of(found);
       case LoadFit.Refused refused -> {
-        String what =
-            given.isEmpty() ? "the payload is not found: " : "rotor inertias are not found: ";
-        notes.add(what + refused.reason());
+        notes.add(text(given.isEmpty() ? "payloadNotFound" : "rotorsNotFound", refused.reason()));
         yield Optional.empty();
       }
     };
@@ -174,14 +172,7 @@ public record ArmFit(
 
   private static Actuator withLag(Actuator drive, double lagS, int joint, List<String> notes) {
     if (!(lagS >= 0 && lagS <= Actuator.MAX_LAG_S)) {
-      notes.add(
-          "joint "
-              + joint
-              + " lags by "
-              + 1000 * lagS
-              + " ms, which is not from 0 to "
-              + 1000 * Actuator.MAX_LAG_S
-              + " ms: its lag stays as it was");
+      notes.add(text("jointLag", joint, 1000 * lagS, 1000 * Actuator.MAX_LAG_S));
       return drive;
     }
     return new Actuator(

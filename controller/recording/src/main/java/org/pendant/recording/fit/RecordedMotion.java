@@ -1,5 +1,7 @@
 package org.pendant.recording.fit;
 
+import static org.pendant.recording.fit.FitTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -95,11 +97,9 @@ final class RecordedMotion {
   /** What is missing, as part of a sentence; empty if nothing is. */
   Optional<String> lacks() {
     if (!all(q) || !all(qd)) {
-      return Optional.of("joint positions (target_q and target_qd, or actual_q)");
+      return Optional.of(text("jointPositions"));
     }
-    return current().isPresent()
-        ? Optional.empty()
-        : Optional.of("currents (target_current, or actual_current)");
+    return current().isPresent() ? Optional.empty() : Optional.of(text("currents"));
   }
 
   /** Whether the moments of the target were recorded. */

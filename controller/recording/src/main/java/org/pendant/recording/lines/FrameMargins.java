@@ -1,5 +1,7 @@
 package org.pendant.recording.lines;
 
+import static org.pendant.recording.lines.LinesTexts.text;
+
 import java.util.List;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.safety.SafetyLimits;
@@ -150,8 +152,11 @@ public final class FrameMargins {
   public String part(Margin margin, int number) {
     return switch (margin) {
       case JOINT_SPEED, TORQUE, JOINT_LIMIT -> Worst.JOINTS.get(number);
-      case TOOL_SPEED -> "tool";
-      case PLANE -> safety.planes().get(number / 2).name() + (number % 2 == 1 ? ", elbow" : "");
+      case TOOL_SPEED -> text("tool");
+      case PLANE -> {
+        String plane = safety.planes().get(number / 2).name();
+        yield number % 2 == 1 ? text("elbowAtPlane", plane) : plane;
+      }
     };
   }
 }

@@ -3,25 +3,25 @@ package org.pendant.recording.lines;
 /** Margin: a limit that the arm keeps clear of, and in what its distance is told. */
 public enum Margin {
   /** Speed of a joint, as a share of what it can do; 1 is all of it. */
-  JOINT_SPEED(0, "joint speed", true, 1, 0.5),
+  JOINT_SPEED(0, "jointSpeed", true, 1, 0.5),
   /** Torque of a joint, as a share of what it can do; 1 is all of it. */
   TORQUE(1, "torque", true, 1, 0.5),
   /** Distance of a joint from the end of its range, rad. */
-  JOINT_LIMIT(2, "joint limit", false, 0, Math.toRadians(45)),
+  JOINT_LIMIT(2, "jointLimit", false, 0, Math.toRadians(45)),
   /** Distance of the tool or the elbow from a safety plane, m. */
-  PLANE(3, "safety plane", false, 0, 0.2),
+  PLANE(3, "safetyPlane", false, 0, 0.2),
   /** Speed of the tool, as a share of the safety limit; 1 is all of it. */
-  TOOL_SPEED(4, "tool speed", true, 1, 0.5);
+  TOOL_SPEED(4, "toolSpeed", true, 1, 0.5);
 
   private final int index;
-  private final String words;
+  private final String key;
   private final boolean share;
   private final double tight;
   private final double ample;
 
-  Margin(int index, String words, boolean share, double tight, double ample) {
+  Margin(int index, String key, boolean share, double tight, double ample) {
     this.index = index;
-    this.words = words;
+    this.key = key;
     this.share = share;
     this.tight = tight;
     this.ample = ample;
@@ -34,7 +34,7 @@ public enum Margin {
 
   /** Its name in a sentence. */
   public String words() {
-    return words;
+    return LinesTexts.text(key);
   }
 
   /** The value from which on there is ample room. */

@@ -1,7 +1,8 @@
 package org.pendant.recording.replay;
 
+import static org.pendant.recording.replay.ReplayTexts.text;
+
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalLong;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicReference;
@@ -9,7 +10,6 @@ import java.util.function.BooleanSupplier;
 import org.pendant.controller.Controller;
 import org.pendant.controller.external.Connectors;
 import org.pendant.controller.state.ControllerState;
-import org.pendant.models.time.FrameTime;
 import org.pendant.script.vm.ProgramEvent;
 
 /**
@@ -109,7 +109,7 @@ public final class Repetition {
       throws RerunRefused {
     while (!arrived(frame, commands)) {
       if (cancelled.getAsBoolean()) {
-        throw new CancellationException("the rerun was cancelled");
+        throw new CancellationException(text("rerunCancelled"));
       }
       long before = fresh.frame();
       boolean begins = !fresh.frames().held() && !isIn(before, commands);
@@ -143,8 +143,7 @@ public final class Repetition {
   /** What came while a debugger had paused a program must come so again. */
   private void refuseUnlessHeld(RunJournal.Entry entry) throws RerunRefused {
     if (entry.held() && !fresh.all().get(entry.member()).held()) {
-      throw otherwise(
-          entry.frame(), fresh.told(entry.member(), "the debugger did not pause the program"));
+      throw otherwise(entry.frame(), fresh.told(entry.member(), text("debuggerDidNotPause")));
     }
   }
 
@@ -157,7 +156,7 @@ public final class Repetition {
       return stands == frame;
     }
     if (stands < frame) {
-      throw otherwise(stands, "the debugger paused the program");
+      throw otherwise(stands, text("debuggerPaused"));
     }
     return true;
   }
@@ -173,23 +172,17 @@ public final class Repetition {
       RunJournal.Entry entry = original.entry(next);
       Controller controller = fresh.all().get(entry.member());
       if (entry.before() != Fingerprint.of(controller.state())) {
-        throw otherwise(
-            begun - 1, fresh.told(entry.member(), "arm, signals or program were not as before"));
+        throw otherwise(begun - 1, fresh.told(entry.member(), text("stateNotAsBefore")));
       }
       if (controller.submit(entry.command()).isDone()) {
         // never so for as many as come into force in a frame, but a debugger may be asked for more
-        throw otherwise(begun, "a frame got more commands than it takes");
+        throw otherwise(begun, text("tooManyCommandsInFrame"));
       }
       next++;
     }
   }
 
   static RerunRefused otherwise(long frame, String what) {
-    return new RerunRefused(
-        String.format(
-            Locale.ROOT,
-            "the run came out otherwise at %.3f s: %s",
-            frame * FrameTime.FRAME_S,
-            what));
+    return new RerunRefused(text("cameOutOtherwise", RunJournal.seconds(frame), what));
   }
 }

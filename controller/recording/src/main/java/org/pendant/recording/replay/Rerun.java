@@ -1,5 +1,7 @@
 package org.pendant.recording.replay;
 
+import static org.pendant.recording.replay.ReplayTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -128,12 +130,11 @@ public final class Rerun {
     for (int i = 0; i < Math.min(was.size(), is.size()); i++) {
       if (!was.get(i).equals(is.get(i))) {
         throw Repetition.otherwise(
-            was.get(i).frame(), all.told(member, "the file " + was.get(i).file() + " has changed"));
+            was.get(i).frame(), all.told(member, text("fileChanged", was.get(i).file())));
       }
     }
     if (was.size() != is.size()) {
-      throw Repetition.otherwise(
-          frame, all.told(member, "programs read " + is.size() + " files, before " + was.size()));
+      throw Repetition.otherwise(frame, all.told(member, text("filesRead", is.size(), was.size())));
     }
     Optional<Determinism.Loss> loss = fresh.determinism().loss();
     if (loss.isPresent()) {

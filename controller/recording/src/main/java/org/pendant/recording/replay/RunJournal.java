@@ -1,5 +1,7 @@
 package org.pendant.recording.replay;
 
+import static org.pendant.recording.replay.ReplayTexts.text;
+
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
@@ -175,25 +177,19 @@ public final class RunJournal {
   public Optional<String> refusal(long frame) {
     long newest = controllers.frame();
     if (frame < 0 || frame > newest) {
-      return Optional.of("frame is " + frame + ", must be 0 to " + newest);
+      return Optional.of(text("frameOutside", frame, newest));
     }
     Optional<Loss> loss = firstLoss();
     if (loss.isPresent() && loss.get().frame() <= frame) {
       return Optional.of(
-          refused(
-              loss.get().frame(),
-              loss.get().reason() + ", which may come out otherwise the next time"));
+          refused(loss.get().frame(), text("mayComeOutOtherwise", loss.get().reason())));
     }
     OptionalLong full = fullFrame;
     if (full.isPresent() && full.getAsLong() <= frame) {
       return Optional.of(
           refused(
               full.getAsLong(),
-              "there were more commands than are kept, "
-                  + limits.mostCommands()
-                  + " or "
-                  + (limits.mostBytes() >> 20)
-                  + " MB"));
+              text("tooManyCommands", limits.mostCommands(), limits.mostBytes() >> 20)));
     }
     return Optional.empty();
   }
@@ -211,10 +207,11 @@ public final class RunJournal {
   }
 
   private static String refused(long since, String why) {
-    return String.format(
-        Locale.ROOT,
-        "only what was before %.3f s can be run again: then %s",
-        since * FrameTime.FRAME_S,
-        why);
+    return text("onlyBefore", seconds(since), why);
+  }
+
+  /** The time of a frame, s, as messages have it. */
+  static String seconds(long frame) {
+    return String.format(Locale.ROOT, "%.3f", frame * FrameTime.FRAME_S);
   }
 }

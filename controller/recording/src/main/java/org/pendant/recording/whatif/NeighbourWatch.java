@@ -1,5 +1,7 @@
 package org.pendant.recording.whatif;
 
+import static org.pendant.recording.whatif.VariantTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.safety.SafetyStop;
 import org.pendant.controller.state.ControllerState;
@@ -41,7 +43,7 @@ final class NeighbourWatch {
     }
     for (ProgramEvent each : state.newProgramEvents()) {
       if (each instanceof ProgramEvent.Ended(_, Ending.Failed(var failure))) {
-        return Optional.of("line " + failure.line() + ": " + failure.message());
+        return Optional.of(text("failedInLine", failure.line(), failure.message()));
       }
     }
     return Optional.empty();

@@ -1,5 +1,7 @@
 package org.pendant.recording.whatif;
 
+import static org.pendant.recording.whatif.VariantTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -71,9 +73,7 @@ public final class VariantRun {
     this.limits = limits;
     long frame = moment.orElse(journal.controller().state().frame());
     Journal.Noted started =
-        journal
-            .programStart(frame)
-            .orElseThrow(() -> new RerunRefused("no program has been started yet"));
+        journal.programStart(frame).orElseThrow(() -> new RerunRefused(text("noProgramYet")));
     boolean anew = moment.isEmpty() || variant.program().isPresent();
     start = anew ? Optional.of(started) : Optional.empty();
     rerun = Rerun.to(anew ? Math.max(0, started.frame() - 1) : frame, parked.journal());
@@ -140,7 +140,7 @@ public final class VariantRun {
     Controller fresh = all.all().get(member);
     ControllerState moment = fresh.state();
     if (start.isEmpty() && moment.program().state() == ProgramState.STOPPED) {
-      throw new RerunRefused("no program runs at that moment");
+      throw new RerunRefused(text("noProgramThen"));
     }
     List<LaterCommands> later = later(all.all().size());
     VariantMeasure measure = new VariantMeasure(moment, fresh.safety());
@@ -151,7 +151,7 @@ public final class VariantRun {
     double mostS = limits.robotTime().toNanos() / 1e9;
     while (measure.timeS() < mostS && System.nanoTime() < stopNs) {
       if (cancelled) {
-        throw new CancellationException("the variant was cancelled");
+        throw new CancellationException(text("variantCancelled"));
       }
       step(all, later);
       ControllerState state = fresh.state();
@@ -167,13 +167,19 @@ public final class VariantRun {
     Rounds.Round round = measure.round();
     return outcome(
         VariantOutcome.End.LIMIT,
-        String.format(Locale.ROOT, "runs on at %.0f s", measure.timeS())
-            + neighbours.trouble().map(why -> "; " + why).orElse(""),
+        runsOn(measure.timeS(), neighbours.trouble()),
         round.line() == 0
             ? OptionalDouble.empty()
             : OptionalDouble.of(round.frames() * FrameTime.FRAME_S),
         round.line(),
         measure);
+  }
+
+  private static String runsOn(double timeS, Optional<String> trouble) {
+    String seconds = String.format(Locale.ROOT, "%.0f", timeS);
+    return trouble
+        .map(why -> text("runsOnWithTrouble", seconds, why))
+        .orElseGet(() -> text("runsOn", seconds));
   }
 
   private void noteStart(ControllerState state) {
@@ -300,7 +306,7 @@ public final class VariantRun {
             question ->
                 outcome(
                     VariantOutcome.End.QUESTION,
-                    "asks: " + question.text(),
+                    text("asks", question.text()),
                     OptionalDouble.empty(),
                     0,
                     measure));
@@ -319,19 +325,20 @@ public final class VariantRun {
         OptionalDouble.of((frame - startedFrame.orElse(frame)) * FrameTime.FRAME_S);
     return switch (ending) {
       case Ending.Finished _ ->
-          outcome(VariantOutcome.End.FINISHED, "finished", cycleS, 0, measure);
-      case Ending.Halted _ -> outcome(VariantOutcome.End.FINISHED, "halted", cycleS, 0, measure);
+          outcome(VariantOutcome.End.FINISHED, text("finished"), cycleS, 0, measure);
+      case Ending.Halted _ ->
+          outcome(VariantOutcome.End.FINISHED, text("halted"), cycleS, 0, measure);
       case Ending.Failed(var failure) ->
           outcome(
               VariantOutcome.End.FAILED,
-              "line " + failure.line() + ": " + failure.message(),
+              text("failedInLine", failure.line(), failure.message()),
               OptionalDouble.empty(),
               0,
               measure);
       case Ending.Stopped _ ->
           outcome(
               VariantOutcome.End.STOPPED,
-              stop.map(SafetyStop::message).orElse("stopped"),
+              stop.map(SafetyStop::message).orElseGet(() -> text("stopped")),
               OptionalDouble.empty(),
               0,
               measure);
