@@ -1,7 +1,9 @@
 package org.pendant.desktop.shell;
 
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
+import java.util.Set;
 import javax.swing.AbstractAction;
 import javax.swing.ActionMap;
 import javax.swing.InputMap;
@@ -24,6 +26,11 @@ final class KeyBindings {
 
   /** Binds the keys of {@code actions} in a window from now on. */
   static void bind(JRootPane root, ActionTable actions) {
+    // Ctrl+Tab is an action's; Tab alone leads from one part to the next
+    root.setFocusTraversalKeys(
+        KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of(KeyStroke.getKeyStroke("TAB")));
+    root.setFocusTraversalKeys(
+        KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, Set.of(KeyStroke.getKeyStroke("shift TAB")));
     KeyBindings bindings = new KeyBindings(root, actions);
     actions.addListener(bindings::bindSoon);
     bindings.bind();
