@@ -1,5 +1,7 @@
 package org.pendant.controller.external;
 
+import static org.pendant.controller.external.ExternalTexts.text;
+
 import java.util.List;
 import java.util.function.Supplier;
 import org.pendant.script.value.ScriptError;
@@ -80,6 +82,6 @@ public record Connectors(
   }
 
   static ScriptError missing() {
-    return new ScriptError("no-outside", "this controller has no way to the outside");
+    return new ScriptError("no-outside", text("noWayOut"));
   }
 }

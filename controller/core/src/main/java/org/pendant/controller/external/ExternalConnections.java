@@ -1,5 +1,7 @@
 package org.pendant.controller.external;
 
+import static org.pendant.controller.external.ExternalTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -32,7 +34,7 @@ public final class ExternalConnections {
   public ExternalSocket open(String name, String host, int port) throws ScriptError {
     close(name);
     if (sockets.size() >= MOST) {
-      throw tooMany("sockets");
+      throw tooMany("manySockets");
     }
     ExternalSocket socket = connectors.sockets().open(host, port);
     sockets.put(name, socket);
@@ -67,7 +69,7 @@ public final class ExternalConnections {
    */
   public int openServer(String url) throws ScriptError {
     if (servers.size() >= MOST) {
-      throw tooMany("RPC handles");
+      throw tooMany("manyRpcHandles");
     }
     servers.add(connectors.rpc().open(url));
     return servers.size();
@@ -80,7 +82,7 @@ public final class ExternalConnections {
    */
   public RpcLink server(int number) throws ScriptError {
     if (number > servers.size()) {
-      throw new ScriptError("rpc-closed", "this RPC handle is of an earlier program");
+      throw new ScriptError("rpc-closed", text("oldRpcHandle"));
     }
     return servers.get(number - 1);
   }
@@ -93,8 +95,8 @@ public final class ExternalConnections {
     servers.clear();
   }
 
-  private static ScriptError tooMany(String what) {
+  private static ScriptError tooMany(String refusal) {
     return new ScriptError(
-        "too-many-connections", "a program has more than " + MOST + " " + what + ", close some");
+        "too-many-connections", text(refusal, MOST));
   }
 }

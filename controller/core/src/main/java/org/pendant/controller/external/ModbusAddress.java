@@ -1,5 +1,7 @@
 package org.pendant.controller.external;
 
+import static org.pendant.controller.external.ExternalTexts.text;
+
 /**
  * Modbus address: where a device listens.
  *
@@ -28,7 +30,7 @@ public record ModbusAddress(String host, int port) {
     if (!port.matches("[0-9]{1,5}")
         || Integer.parseInt(port) < 1
         || Integer.parseInt(port) > MAX_PORT) {
-      throw new IllegalArgumentException("must have a port of 1 to 65535 behind the colon");
+      throw new IllegalArgumentException(text("port"));
     }
     return new ModbusAddress(host(text.substring(0, colon)), Integer.parseInt(port));
   }
@@ -37,7 +39,7 @@ public record ModbusAddress(String host, int port) {
     boolean bracketed = text.startsWith("[") && text.endsWith("]");
     String host = bracketed ? text.substring(1, text.length() - 1) : text;
     if (host.isBlank()) {
-      throw new IllegalArgumentException("must not be empty");
+      throw new IllegalArgumentException(text("notEmpty"));
     }
     return host;
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.external;
 
+import static org.pendant.controller.external.ExternalTexts.text;
+
 /** Modbus errors: why a signal is not valid, as numbers (manual 18.27) and in words. */
 public final class ModbusErrors {
   /** Not connected yet, or closed by the device. */
@@ -31,35 +33,37 @@ public final class ModbusErrors {
   /** What an error of the connection is. */
   public static String connection(int error) {
     return switch (error) {
-      case 0 -> "connected";
-      case DISCONNECTED -> "not connected";
-      case NETWORK -> "network error";
-      case NOT_ALLOWED -> "not among the allowed hosts";
-      case PROTOCOL -> "the answer is no Modbus";
-      case RESET -> "connection reset";
-      case NO_ANSWER -> "no answer";
-      case REFUSED -> "connection refused";
-      case NO_HOST -> "no such host, or no way to it";
-      default -> "connection error " + error;
+      case 0 -> text("connected");
+      case DISCONNECTED -> text("notConnected");
+      case NETWORK -> text("networkError");
+      case NOT_ALLOWED -> text("hostNotAllowed");
+      case PROTOCOL -> text("noModbus");
+      case RESET -> text("connectionReset");
+      case NO_ANSWER -> text("noAnswer");
+      case REFUSED -> text("connectionRefused");
+      case NO_HOST -> text("noHost");
+      default -> text("connectionError", error);
     };
   }
 
   /** What an error of the device is. */
   public static String device(int error) {
-    String words =
-        switch (error) {
-          case 0 -> "none";
-          case 1 -> "illegal function code";
-          case 2 -> "illegal data access";
-          case 3 -> "illegal data value";
-          case 4 -> "server failure";
-          case 5 -> "acknowledge exception";
-          case 6 -> "server busy";
-          case 10 -> "gateway problem";
-          case 11 -> "gateway target failure";
-          default -> "unknown";
-        };
-    return "device error " + error + ", " + words;
+    return switch (error) {
+      case 0 -> text("noDeviceError", error);
+      case 1 -> deviceError(error, text("illegalFunction"));
+      case 2 -> deviceError(error, text("illegalAccess"));
+      case 3 -> deviceError(error, text("illegalValue"));
+      case 4 -> deviceError(error, text("serverFailure"));
+      case 5 -> deviceError(error, text("acknowledge"));
+      case 6 -> deviceError(error, text("serverBusy"));
+      case 10 -> deviceError(error, text("gatewayProblem"));
+      case 11 -> deviceError(error, text("gatewayTarget"));
+      default -> text("unknownDeviceError", error);
+    };
+  }
+
+  private static String deviceError(int error, String words) {
+    return text("deviceError", error, words);
   }
 
   /** What is wrong with a signal; empty when it is valid. */

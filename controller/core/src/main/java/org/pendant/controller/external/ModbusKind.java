@@ -5,23 +5,23 @@ import java.util.Optional;
 
 /** Modbus signal kind: what the signal reads and writes (manual 18.18, 18.19). */
 public enum ModbusKind {
-  DIGITAL_INPUT(0, "digital input", true, false),
-  DIGITAL_OUTPUT(1, "digital output", true, true),
-  REGISTER_INPUT(2, "register input", false, false),
-  REGISTER_OUTPUT(3, "register output", false, true),
-  DIGITAL_OUTPUTS(15, "multiple digital output", true, true),
-  REGISTER_OUTPUTS(16, "multiple register output", false, true),
+  DIGITAL_INPUT(0, "digitalInput", true, false),
+  DIGITAL_OUTPUT(1, "digitalOutput", true, true),
+  REGISTER_INPUT(2, "registerInput", false, false),
+  REGISTER_OUTPUT(3, "registerOutput", false, true),
+  DIGITAL_OUTPUTS(15, "multipleDigitalOutput", true, true),
+  REGISTER_OUTPUTS(16, "multipleRegisterOutput", false, true),
   /** Reads registers and writes other ones in the same request. */
-  READ_WRITE_REGISTERS(23, "read-write register", false, true);
+  READ_WRITE_REGISTERS(23, "readWriteRegister", false, true);
 
   private final int number;
-  private final String words;
+  private final String key;
   private final boolean digital;
   private final boolean output;
 
-  ModbusKind(int number, String words, boolean digital, boolean output) {
+  ModbusKind(int number, String key, boolean digital, boolean output) {
     this.number = number;
-    this.words = words;
+    this.key = key;
     this.digital = digital;
     this.output = output;
   }
@@ -38,7 +38,7 @@ public enum ModbusKind {
 
   /** What people call it. */
   public String words() {
-    return words;
+    return ExternalTexts.text(key);
   }
 
   /** Whether its values are bits, 0 or 1; otherwise they are registers, 0 to 65535. */

@@ -1,5 +1,7 @@
 package org.pendant.controller.external;
 
+import static org.pendant.controller.external.ExternalTexts.text;
+
 import java.util.List;
 
 /**
@@ -65,20 +67,19 @@ public record ToolCommunication(
    * @throws IllegalArgumentException if one is not allowed
    */
   public ToolCommunication {
-    check(
-        BAUD_RATES.contains(baudRate), "baud rate is " + baudRate + ", must be one of " + rates());
-    check(stopBits == 1 || stopBits == 2, "stop bits are " + stopBits + ", must be 1 or 2");
+    check(BAUD_RATES.contains(baudRate), "baudRate", baudRate, rates());
+    check(stopBits == 1 || stopBits == 2, "stopBits", stopBits);
     check(
         rxIdleChars >= MIN_RX_IDLE_CHARS && rxIdleChars <= MAX_IDLE_CHARS,
-        "rx idle chars are " + rxIdleChars + ", must be 1 to 40");
+        "rxIdleChars", rxIdleChars);
     check(
         txIdleChars >= 0 && txIdleChars <= MAX_IDLE_CHARS,
-        "tx idle chars are " + txIdleChars + ", must be 0 to 40");
+        "txIdleChars", txIdleChars);
   }
 
-  private static void check(boolean right, String message) {
+  private static void check(boolean right, String refusal, Object... values) {
     if (!right) {
-      throw new IllegalArgumentException(message);
+      throw new IllegalArgumentException(text(refusal, values));
     }
   }
 
