@@ -1,5 +1,7 @@
 package org.pendant.controller.bench;
 
+import static org.pendant.controller.bench.BenchTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -81,7 +83,7 @@ public final class IoChanges {
   /** The last changes with their times, for people. */
   public String told() {
     if (changes.isEmpty()) {
-      return "nothing changed";
+      return text("nothingChanged");
     }
     StringBuilder text = new StringBuilder();
     int from = Math.max(0, changes.size() - MAX_TOLD);

@@ -1,5 +1,7 @@
 package org.pendant.controller.bench;
 
+import static org.pendant.controller.bench.BenchTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -92,15 +94,12 @@ public final class Mock {
    */
   public Value argument(int call, int argument) throws ScriptError {
     if (call < 0 || call >= calls.size()) {
-      throw new ScriptError(
-          "no-such-call",
-          function + " was called " + count + " times; there is no call " + call + " to look at");
+      throw new ScriptError("no-such-call", text("noSuchCall", function, count, call));
     }
     List<Value> given = calls.get(call);
     if (argument < 0 || argument >= given.size()) {
       throw new ScriptError(
-          "no-such-call",
-          function + " had " + given.size() + " arguments; there is no argument " + argument);
+          "no-such-call", text("noSuchArgument", function, given.size(), argument));
     }
     return given.get(argument).copy();
   }

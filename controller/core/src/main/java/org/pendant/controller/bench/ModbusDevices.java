@@ -1,5 +1,7 @@
 package org.pendant.controller.bench;
 
+import static org.pendant.controller.bench.BenchTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -7,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.pendant.controller.external.ModbusAddress;
 import org.pendant.controller.external.ModbusConnector;
-import org.pendant.controller.external.ModbusErrors;
 import org.pendant.controller.external.ModbusExchange;
 import org.pendant.controller.external.ModbusPoint;
 import org.pendant.controller.external.Pending;
@@ -57,10 +58,9 @@ public final class ModbusDevices implements ModbusConnector {
     if (device.isEmpty()) {
       throw new ScriptError(
           "modbus-unreached",
-          address
-              + ": "
-              + ModbusErrors.connection(ModbusErrors.REFUSED)
-              + (at(address).isPresent() ? "" : "; " + hint(address)));
+          at(address).isPresent()
+              ? text("deviceRefuses", address)
+              : text("noDevice", address, address, address));
     }
     device.get().command(unit, function, data);
     Sent request = new Sent(device.get(), frame);
@@ -70,7 +70,7 @@ public final class ModbusDevices implements ModbusConnector {
 
   /** What to do where there is no device at an address, for people. */
   public static String hint(ModbusAddress address) {
-    return "the test plays no device at " + address + ", modbus_device(\"" + address + "\") does";
+    return text("deviceHint", address, address);
   }
 
   void remove(DevicePoint point) {

@@ -1,5 +1,7 @@
 package org.pendant.controller.bench;
 
+import static org.pendant.controller.bench.BenchTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -37,7 +39,7 @@ public final class Peer {
   }
 
   String refusal() {
-    return "connection refused by the peer of the test at port " + port;
+    return text("peerRefuses", port);
   }
 
   long frame() {

@@ -1,5 +1,7 @@
 package org.pendant.controller.bench;
 
+import static org.pendant.controller.bench.BenchTexts.text;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -46,9 +48,7 @@ public final class RpcPeer implements RpcConnector {
   @Override
   public RpcLink open(String url) throws ScriptError {
     if (procedures.isEmpty()) {
-      throw new ScriptError(
-          "no-outside",
-          url + ": connection refused: the test plays no server, rpc_answer(...) does");
+      throw new ScriptError("no-outside", text("noServer", url));
     }
     return new Link();
   }
@@ -64,9 +64,7 @@ public final class RpcPeer implements RpcConnector {
     public Pending call(String method, List<Value> arguments) throws ScriptError {
       Mock mock = procedures.get(method);
       if (mock == null) {
-        throw new ScriptError(
-            "no-such-procedure",
-            method + ": the test has no answer to this procedure; rpc_answer(...) gives one");
+        throw new ScriptError("no-such-procedure", text("noAnswer", method));
       }
       List<Value> copies = arguments.stream().map(Value::copy).toList();
       return mock.by().isPresent()

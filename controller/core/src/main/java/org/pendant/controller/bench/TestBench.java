@@ -1,5 +1,7 @@
 package org.pendant.controller.bench;
 
+import static org.pendant.controller.bench.BenchTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -120,8 +122,7 @@ public final class TestBench {
    */
   public void start(String file) throws ScriptError {
     if (running() || toStart.isPresent()) {
-      throw new ScriptError(
-          "program-runs", "start: a program runs already; stop_program() ends it");
+      throw new ScriptError("program-runs", text("programRuns"));
     }
     Program program = programs.load(file);
     programName = program.source().name();

@@ -1,5 +1,7 @@
 package org.pendant.controller.bench;
 
+import static org.pendant.controller.bench.BenchTexts.text;
+
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -49,11 +51,7 @@ public final class TestPeers implements SocketConnector {
 
     @Override
     public String failure() {
-      return "connection refused: the test plays no peer at port "
-          + port
-          + ", listen("
-          + port
-          + ") does";
+      return text("noPeer", port, port);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.pendant.controller.disk;
 
+import static org.pendant.controller.disk.DiskTexts.text;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -75,7 +77,7 @@ public final class FileDraft implements Closeable {
 
   private void put(byte[] bytes, int from, int count) throws IOException {
     if (closed) {
-      throw new IOException("it is closed");
+      throw new IOException(text("closed"));
     }
     try {
       file.write(bytes, from, count);
@@ -92,7 +94,7 @@ public final class FileDraft implements Closeable {
    */
   public void commit() throws IOException {
     if (failed) {
-      throw new IOException("it is not whole");
+      throw new IOException(text("notWhole"));
     }
     try {
       out.flush();

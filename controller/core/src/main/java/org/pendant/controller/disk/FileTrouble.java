@@ -1,5 +1,7 @@
 package org.pendant.controller.disk;
 
+import static org.pendant.controller.disk.DiskTexts.text;
+
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryNotEmptyException;
@@ -21,12 +23,12 @@ public final class FileTrouble {
   public static String reason(IOException trouble) {
     return switch (trouble) {
       case OfFile e -> reason(e.trouble);
-      case NoSuchFileException e -> "there is no such file";
-      case AccessDeniedException e -> "access is denied";
-      case FileAlreadyExistsException e -> e.getFile() + " is in the way";
-      case NotDirectoryException e -> e.getFile() + " is not a folder";
-      case DirectoryNotEmptyException e -> "it is a folder";
-      case FileSystemLoopException e -> "its links form a loop";
+      case NoSuchFileException e -> text("noSuchFile");
+      case AccessDeniedException e -> text("accessDenied");
+      case FileAlreadyExistsException e -> text("inTheWay", e.getFile());
+      case NotDirectoryException e -> text("noFolder", e.getFile());
+      case DirectoryNotEmptyException e -> text("folder");
+      case FileSystemLoopException e -> text("linksFormLoop");
       case FileSystemException e when e.getReason() != null -> lower(e.getReason());
       default ->
           trouble.getMessage() == null

@@ -1,5 +1,7 @@
 package org.pendant.controller.disk;
 
+import static org.pendant.controller.disk.DiskTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -86,7 +88,7 @@ public final class GrowingFile extends OutputStream {
       return;
     }
     if (failed || closed) {
-      throw new IOException("it has ended");
+      throw new IOException(text("ended"));
     }
     byte[] bytes = part.toByteArray();
     part.reset();

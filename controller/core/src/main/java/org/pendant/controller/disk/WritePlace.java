@@ -1,5 +1,7 @@
 package org.pendant.controller.disk;
 
+import static org.pendant.controller.disk.DiskTexts.text;
+
 import java.io.IOException;
 import java.nio.file.FileSystemLoopException;
 import java.nio.file.Files;
@@ -80,16 +82,16 @@ public record WritePlace(Path path, boolean special) {
    */
   public void check() throws IOException {
     if (Files.isDirectory(path)) {
-      throw new IOException("it is a folder");
+      throw new IOException(text("folder"));
     }
     if (Files.exists(path) && !Files.isWritable(path)) {
-      throw new IOException("it may not be written");
+      throw new IOException(text("mayNotBeWritten"));
     }
     if (!special && Files.exists(folder()) && !Files.isDirectory(folder())) {
-      throw new IOException(folder() + " is not a folder");
+      throw new IOException(text("noFolder", folder()));
     }
     if (!special && Files.exists(folder()) && !Files.isWritable(folder())) {
-      throw new IOException("nothing may be written in its folder");
+      throw new IOException(text("folderMayNotBeWritten"));
     }
   }
 }

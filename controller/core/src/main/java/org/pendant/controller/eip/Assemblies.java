@@ -1,5 +1,7 @@
 package org.pendant.controller.eip;
 
+import static org.pendant.controller.eip.AssemblyDataTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -46,13 +48,11 @@ public final class Assemblies {
     }
     for (int id : List.of(pair.toPlcId(), pair.fromPlcId())) {
       if (toPlc.containsKey(id) || fromPlc.containsKey(id)) {
-        return Optional.of(new Refusal(Code.IN_USE, "instance " + id + " exists already"));
+        return Optional.of(new Refusal(Code.IN_USE, text("exists", id)));
       }
     }
     if (pairs.size() >= MAX_PAIRS) {
-      return Optional.of(
-          new Refusal(
-              Code.LIMIT, "there are " + MAX_PAIRS + " pairs of assemblies, which is the most"));
+      return Optional.of(new Refusal(Code.LIMIT, text("mostPairs", MAX_PAIRS)));
     }
     pairs.add(pair);
     toPlc.put(pair.toPlcId(), AssemblyData.zero(pair.toPlcBytes()));
@@ -69,20 +69,11 @@ public final class Assemblies {
   public Optional<Refusal> received(int instance, AssemblyData data, double nowS) {
     AssemblyData before = fromPlc.get(instance);
     if (before == null) {
-      return Optional.of(
-          new Refusal(Code.UNKNOWN, "there is no instance " + instance + " from scanner to robot"));
+      return Optional.of(new Refusal(Code.UNKNOWN, text("noInstance", instance)));
     }
     if (before.size() != data.size()) {
       return Optional.of(
-          new Refusal(
-              Code.INVALID,
-              "instance "
-                  + instance
-                  + " has "
-                  + before.size()
-                  + " bytes, "
-                  + data.size()
-                  + " were sent"));
+          new Refusal(Code.INVALID, text("otherSize", instance, before.size(), data.size())));
     }
     if (!before.equals(data)) {
       fromPlc.put(instance, data);
@@ -139,26 +130,17 @@ public final class Assemblies {
    *     handles
    */
   public int open(boolean reading, int instance, int bytes) throws ScriptError {
-    String direction = reading ? "scanner to robot" : "robot to scanner";
+
     AssemblyData data = (reading ? fromPlc : toPlc).get(instance);
     if (data == null) {
       throw new ScriptError(
-          "unknown-assembly",
-          "there is no instance "
-              + instance
-              + " from "
-              + direction
-              + ", add_configuration of the service at port 40000 makes one");
+          "unknown-assembly", text(reading ? "noneFromScanner" : "noneToScanner", instance));
     }
     if (data.size() != bytes) {
-      throw new ScriptError(
-          "value-out-of-range",
-          "data_size is " + bytes + ", must be " + data.size() + " for instance " + instance);
+      throw new ScriptError("value-out-of-range", text("dataSize", bytes, data.size(), instance));
     }
     if (handles.size() >= MAX_HANDLES) {
-      throw new ScriptError(
-          "too-many-handles",
-          "a program opens more than " + MAX_HANDLES + " handles, use one again");
+      throw new ScriptError("too-many-handles", text("mostHandles", MAX_HANDLES));
     }
     handles.add(new AssemblyHandle(this, reading, instance, bytes));
     return handles.size();
@@ -171,7 +153,7 @@ public final class Assemblies {
    */
   public AssemblyHandle handle(int number) throws ScriptError {
     if (number > handles.size() || handles.get(number - 1).closed()) {
-      throw new ScriptError("handle-closed", "this handle is closed, open a new one");
+      throw new ScriptError("handle-closed", text("closed"));
     }
     return handles.get(number - 1);
   }

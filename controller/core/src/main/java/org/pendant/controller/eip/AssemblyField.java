@@ -1,5 +1,7 @@
 package org.pendant.controller.eip;
 
+import static org.pendant.controller.eip.AssemblyDataTexts.text;
+
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import org.pendant.script.value.BoolValue;
@@ -62,7 +64,7 @@ public sealed interface AssemblyField {
         case FloatValue number -> type.write(data, offset, number.value());
         default ->
             throw WrongFieldValue.wrongType(
-                value.kind().described(), "a number for " + type.text());
+                value.kind().described(), text("numberFor", type.text()));
       }
     }
   }
@@ -91,12 +93,11 @@ public sealed interface AssemblyField {
     @Override
     public void write(ByteBuffer data, Value value) throws WrongFieldValue {
       if (!(value instanceof NumberList list && list.elementKind().isNumber())) {
-        throw WrongFieldValue.wrongType(
-            value.kind().described(), "a list of numbers for " + type.text());
+        throw WrongFieldValue.wrongType(value.kind().described(), text("numbersFor", type.text()));
       }
       if (list.length() > length) {
         throw WrongFieldValue.outOfRange(
-            "a list of " + list.length(), "at most " + length + " numbers");
+            text("listOf", list.length()), text("mostNumbers", length));
       }
       for (int i = 0; i < length; i++) {
         type.write(data, offset + i * type.bytes(), i < list.length() ? list.numberAt(i) : 0);
@@ -141,10 +142,9 @@ public sealed interface AssemblyField {
             case BoolValue bool -> bool.value();
             case IntValue number when number.value() == 0 || number.value() == 1 ->
                 number.value() == 1;
-            case IntValue number ->
-                throw WrongFieldValue.outOfRange(number.text(), "True or False for a bit");
+            case IntValue number -> throw WrongFieldValue.outOfRange(number.text(), text("bit"));
             default ->
-                throw WrongFieldValue.wrongType(value.kind().described(), "a bool for a bit");
+                throw WrongFieldValue.wrongType(value.kind().described(), text("boolForBit"));
           };
       int others = data.get(index()) & ~mask();
       data.put(index(), (byte) (set ? others | mask() : others));
@@ -177,12 +177,12 @@ public sealed interface AssemblyField {
     @Override
     public void write(ByteBuffer data, Value value) throws WrongFieldValue {
       if (!(value instanceof StringValue text)) {
-        throw WrongFieldValue.wrongType(value.kind().described(), "a string");
+        throw WrongFieldValue.wrongType(value.kind().described(), AssemblyDataTexts.text("string"));
       }
       byte[] bytes = text.bytes().getBytes(StandardCharsets.ISO_8859_1);
       if (bytes.length > length) {
         throw WrongFieldValue.outOfRange(
-            "a string of " + bytes.length, "at most " + length + " characters");
+            text("stringOf", bytes.length), text("mostCharacters", length));
       }
       data.put(offset, new byte[length]);
       data.put(offset, bytes);

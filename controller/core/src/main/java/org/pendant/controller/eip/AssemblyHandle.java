@@ -1,5 +1,7 @@
 package org.pendant.controller.eip;
 
+import static org.pendant.controller.eip.AssemblyDataTexts.text;
+
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.HashSet;
@@ -57,30 +59,22 @@ public final class AssemblyHandle {
    */
   public void define(String label, AssemblyField field) throws ScriptError {
     if (label.isBlank() || label.length() > MAX_LABEL) {
-      throw new ScriptError(
-          "value-out-of-range",
-          "data_name has " + label.length() + " characters, must have 1 to " + MAX_LABEL);
+      throw new ScriptError("value-out-of-range", text("labelLength", label.length(), MAX_LABEL));
     }
     if (fields.containsKey(label)) {
-      throw new ScriptError("label-in-use", "data_name " + label + " is defined already");
+      throw new ScriptError("label-in-use", text("labelAgain", label));
     }
     if (fields.size() >= MAX_LABELS) {
-      throw new ScriptError("too-many-labels", "a handle has more than " + MAX_LABELS + " labels");
+      throw new ScriptError("too-many-labels", text("mostLabels", MAX_LABELS));
     }
     if (field.endBit() > (long) bytes * Byte.SIZE) {
       throw new ScriptError(
           "value-out-of-range",
-          label
-              + " ends at byte "
-              + (field.endBit() + Byte.SIZE - 1) / Byte.SIZE
-              + ", must end within the "
-              + bytes
-              + " bytes of instance "
-              + instance);
+          text("beyondEnd", label, (field.endBit() + Byte.SIZE - 1) / Byte.SIZE, bytes, instance));
     }
     for (Map.Entry<String, AssemblyField> other : fields.entrySet()) {
       if (field.collidesWith(other.getValue())) {
-        throw new ScriptError("overlap", label + " overlaps " + other.getKey());
+        throw new ScriptError("overlap", text("overlap", label, other.getKey()));
       }
     }
     fields.put(label, field);
@@ -93,7 +87,7 @@ public final class AssemblyHandle {
    */
   public Value read(String label) throws ScriptError {
     if (!reading) {
-      throw new ScriptError("wrong-handle", "this handle is for writing");
+      throw new ScriptError("wrong-handle", text("forWriting"));
     }
     return field(label).read(assemblies.fromPlc(instance).view());
   }
@@ -108,7 +102,7 @@ public final class AssemblyHandle {
     Value[] values = new Value[labels.size()];
     for (int i = 0; i < values.length; i++) {
       if (!seen.add(labels.get(i))) {
-        throw new ScriptError("label-in-use", "data_names has " + labels.get(i) + " twice");
+        throw new ScriptError("label-in-use", text("labelTwice", labels.get(i)));
       }
       values[i] = read(labels.get(i));
     }
@@ -130,7 +124,7 @@ public final class AssemblyHandle {
       try {
         field(label).write(data, values.memberAt(i));
       } catch (WrongFieldValue e) {
-        throw new ScriptError(e.code(), label + " " + e.getMessage());
+        throw new ScriptError(e.code(), e.of(label));
       }
     }
     assemblies.write(instance, AssemblyData.of(copy));
@@ -148,14 +142,14 @@ public final class AssemblyHandle {
 
   private void requireWriting() throws ScriptError {
     if (reading) {
-      throw new ScriptError("wrong-handle", "this handle is for reading");
+      throw new ScriptError("wrong-handle", text("forReading"));
     }
   }
 
   private AssemblyField field(String label) throws ScriptError {
     AssemblyField field = fields.get(label);
     if (field == null) {
-      throw new ScriptError("unknown-label", "data_name " + label + " is not defined");
+      throw new ScriptError("unknown-label", text("unknownLabel", label));
     }
     return field;
   }
@@ -169,7 +163,7 @@ public final class AssemblyHandle {
    */
   public void setWatchdog(double leastHz, WatchdogAction action, double nowS) throws ScriptError {
     if (!reading) {
-      throw new ScriptError("wrong-handle", "this handle is for writing");
+      throw new ScriptError("wrong-handle", text("forWriting"));
     }
     watchdog =
         Optional.of(
@@ -195,8 +189,7 @@ public final class AssemblyHandle {
   }
 
   private AssemblyWatchdog registered() throws ScriptError {
-    return watchdog.orElseThrow(
-        () -> new ScriptError("no-watchdog", "no watchdog is set, set_watchdog sets one"));
+    return watchdog.orElseThrow(() -> new ScriptError("no-watchdog", text("noWatchdog")));
   }
 
   /** Ends the handle and its watchdog; the assembly stays as it is. */

@@ -1,5 +1,7 @@
 package org.pendant.controller.eip;
 
+import static org.pendant.controller.eip.AssemblyDataTexts.text;
+
 import java.util.Set;
 
 /**
@@ -39,24 +41,22 @@ public record AssemblyPair(int toPlcId, int toPlcBytes, int fromPlcId, int fromP
     checkBytes(toPlcId, toPlcBytes);
     checkBytes(fromPlcId, fromPlcBytes);
     if (toPlcId == fromPlcId) {
-      throw new IllegalArgumentException(
-          "both instances are " + toPlcId + ", must be different ones");
+      throw new IllegalArgumentException(text("sameInstance", toPlcId));
     }
   }
 
   private static void checkId(int id) {
     if (id < 1 || id > MAX_ID) {
-      throw new IllegalArgumentException("instance is " + id + ", must be 1 to " + MAX_ID);
+      throw new IllegalArgumentException(text("instanceRange", id, MAX_ID));
     }
     if (TAKEN.contains(id)) {
-      throw new IllegalArgumentException("instance " + id + " is built in");
+      throw new IllegalArgumentException(text("builtIn", id));
     }
   }
 
   private static void checkBytes(int id, int bytes) {
     if (bytes < 1 || bytes > MAX_BYTES) {
-      throw new IllegalArgumentException(
-          "instance " + id + " has " + bytes + " bytes, must have 1 to " + MAX_BYTES);
+      throw new IllegalArgumentException(text("instanceSize", id, bytes, MAX_BYTES));
     }
   }
 }

@@ -60,10 +60,11 @@ public enum NumberType {
     if (!(number >= least && number <= most)) {
       throw WrongFieldValue.outOfRange(
           Value.of(number).text(),
-          Value.of(least).text() + " to " + Value.of(most).text() + " for " + text);
+          AssemblyDataTexts.text("rangeFor", Value.of(least).text(), Value.of(most).text(), text));
     }
     if (this != FLOAT32 && number != Math.rint(number)) {
-      throw WrongFieldValue.wrongType(Value.of(number).text(), "an int for " + text);
+      throw WrongFieldValue.wrongType(
+          Value.of(number).text(), AssemblyDataTexts.text("intFor", text));
     }
     switch (this) {
       case UINT8 -> data.put(offset, (byte) (int) number);

@@ -1,28 +1,37 @@
 package org.pendant.controller.eip;
 
-/**
- * Field value that does not fit into its part of an assembly; the message continues after its
- * label.
- */
+import static org.pendant.controller.eip.AssemblyDataTexts.text;
+
+/** Field value that does not fit into its part of an assembly. */
 final class WrongFieldValue extends Exception {
   private static final long serialVersionUID = 1L;
 
   private final String code;
 
-  private WrongFieldValue(String code, String message) {
-    super(message);
+  private final String found;
+  private final String expected;
+
+  private WrongFieldValue(String code, String found, String expected) {
+    super(expected);
     this.code = code;
+    this.found = found;
+    this.expected = expected;
   }
 
   static WrongFieldValue outOfRange(String found, String expected) {
-    return new WrongFieldValue("value-out-of-range", "is " + found + ", must be " + expected);
+    return new WrongFieldValue("value-out-of-range", found, expected);
   }
 
   static WrongFieldValue wrongType(String found, String expected) {
-    return new WrongFieldValue("wrong-type", "is " + found + ", must be " + expected);
+    return new WrongFieldValue("wrong-type", found, expected);
   }
 
   String code() {
     return code;
+  }
+
+  /** What is wrong with the part of that label. */
+  String of(String label) {
+    return text("wrongValue", label, found, expected);
   }
 }

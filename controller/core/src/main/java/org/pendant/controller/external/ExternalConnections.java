@@ -96,7 +96,6 @@ public final class ExternalConnections {
   }
 
   private static ScriptError tooMany(String refusal) {
-    return new ScriptError(
-        "too-many-connections", text(refusal, MOST));
+    return new ScriptError("too-many-connections", text(refusal, MOST));
   }
 }

@@ -71,10 +71,9 @@ public record ToolCommunication(
     check(stopBits == 1 || stopBits == 2, "stopBits", stopBits);
     check(
         rxIdleChars >= MIN_RX_IDLE_CHARS && rxIdleChars <= MAX_IDLE_CHARS,
-        "rxIdleChars", rxIdleChars);
-    check(
-        txIdleChars >= 0 && txIdleChars <= MAX_IDLE_CHARS,
-        "txIdleChars", txIdleChars);
+        "rxIdleChars",
+        rxIdleChars);
+    check(txIdleChars >= 0 && txIdleChars <= MAX_IDLE_CHARS, "txIdleChars", txIdleChars);
   }
 
   private static void check(boolean right, String refusal, Object... values) {

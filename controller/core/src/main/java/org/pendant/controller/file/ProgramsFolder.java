@@ -1,5 +1,7 @@
 package org.pendant.controller.file;
 
+import static org.pendant.controller.file.FileTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -57,27 +59,26 @@ public record ProgramsFolder(Optional<Path> folder) {
   public Found find(String bytes, String ending, long largestBytes) throws ScriptError {
     String name = new String(bytes.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
     if (folder.isEmpty()) {
-      throw refused(name, "cannot be read: the program is not in a folder");
+      throw refused(name, "noFolder");
     }
     if (!name.toLowerCase(Locale.ROOT).endsWith(ending)) {
-      throw refused(name, "must be the name of a " + ending + " file");
+      throw refused(name, "ending", ending);
     }
     String inside = name.startsWith(ROOT) ? name.substring(ROOT.length()) : name;
     if (inside.startsWith("/") || inside.indexOf('\\') >= 0 || inside.indexOf(':') >= 0) {
-      throw refused(
-          name, "is not in the programs folder, must be a name in it or begin with " + ROOT);
+      throw refused(name, "outside", ROOT);
     }
     if (List.of(inside.split("/", -1)).contains("..")) {
-      throw refused(name, "leads out of the programs folder");
+      throw refused(name, "leadsOut");
     }
     try {
       Path root = folder.get().toRealPath();
       Path file = root.resolve(inside).toRealPath();
       if (!file.startsWith(root)) {
-        throw refused(name, "is a link that leads out of the programs folder");
+        throw refused(name, "linkLeadsOut");
       }
       if (!Files.isRegularFile(file)) {
-        throw refused(name, "is not a file");
+        throw refused(name, "noFile");
       }
       long size = Files.size(file);
       if (size > largestBytes) {
@@ -85,28 +86,32 @@ public record ProgramsFolder(Optional<Path> folder) {
       }
       return new Found(name, file, size, largestBytes);
     } catch (IOException | InvalidPathException e) {
-      throw refused(name, reason(e));
+      throw refused(name, e);
     }
   }
 
-  private static String reason(Exception e) {
+  private static ScriptError refused(String name, Exception e) {
     return switch (e) {
-      case NoSuchFileException _ -> "is not there: no such file in the programs folder";
-      case NotDirectoryException _ -> "is not there: no such file in the programs folder";
-      case AccessDeniedException _ -> "cannot be read: no permission";
-      case InvalidPathException _ -> "is not a file name";
+      case NoSuchFileException _ -> refused(name, "missing");
+      case NotDirectoryException _ -> refused(name, "missing");
+      case AccessDeniedException _ -> refused(name, "noPermission");
+      case InvalidPathException _ -> refused(name, "noFileName");
       case FileSystemException refused when refused.getReason() != null ->
-          "cannot be read: " + refused.getReason();
-      default -> "cannot be read: " + e.getClass().getSimpleName();
+          refused(name, "unreadable", refused.getReason());
+      default -> refused(name, "unreadable", e.getClass().getSimpleName());
     };
   }
 
-  private static ScriptError refused(String name, String why) {
-    return new ScriptError(REFUSED, shown(name) + " " + why);
+  private static ScriptError refused(String name, String key) {
+    return new ScriptError(REFUSED, text(key, shown(name)));
+  }
+
+  private static ScriptError refused(String name, String key, Object value) {
+    return new ScriptError(REFUSED, text(key, shown(name), value));
   }
 
   private static ScriptError tooLarge(String name, long largestBytes) {
-    return refused(name, "is too large, must have at most " + largestBytes + " bytes");
+    return refused(name, "tooLarge", largestBytes);
   }
 
   private static String shown(String name) {
@@ -150,7 +155,7 @@ public record ProgramsFolder(Optional<Path> folder) {
         }
         return bytes;
       } catch (IOException e) {
-        throw refused(name, reason(e));
+        throw refused(name, e);
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.layout;
 
+import static org.pendant.controller.layout.LayoutTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -68,7 +70,7 @@ public final class LayoutReader {
   private CellLayout layout(JsonFields scene) throws JsonException {
     List<ArmEntry> arms = new ArrayList<>();
     for (Json each : scene.array("arms", CellLayout.MAX_ARMS)) {
-      arms.add(arm(new JsonFields(each, "an arm")));
+      arms.add(arm(new JsonFields(each, text("arm"))));
     }
     return new CellLayout(arms, file(scene, "script"));
   }
@@ -108,30 +110,17 @@ public final class LayoutReader {
   private String name(JsonFields fields) throws JsonException {
     Json.Text name = fields.text("name");
     if (!NAME.matcher(name.value()).matches() || name.value().equals(CellLayout.SCRIPT_OWNER)) {
-      throw name.place()
-          .refusal(
-              "name is "
-                  + name.described()
-                  + ", must begin with a letter and have at most 30 letters, digits and _; cell is"
-                  + " the controller of the cell's script");
+      throw name.place().refusal(text("name", name.described()));
     }
-    once(names, name, "name", "arm");
+    once(names, name, "name");
     return name.value();
   }
 
-  private static void once(Map<String, FilePosition> there, Json.Text text, String key, String what)
+  private static void once(Map<String, FilePosition> there, Json.Text text, String key)
       throws JsonException {
     FilePosition first = there.putIfAbsent(text.value(), text.place());
     if (first != null) {
-      throw text.place()
-          .refusal(
-              key
-                  + " is "
-                  + text.described()
-                  + " as in line "
-                  + first.line()
-                  + ", must be another for each "
-                  + what);
+      throw text.place().refusal(text("again", key, text.described(), first.line()));
     }
   }
 
@@ -143,11 +132,7 @@ public final class LayoutReader {
     if (!ArmLibrary.ids().contains(robot.value())) {
       throw robot
           .place()
-          .refusal(
-              "robot is "
-                  + robot.described()
-                  + ", must be one of "
-                  + String.join(", ", ArmLibrary.ids()));
+          .refusal(text("robot", robot.described(), String.join(", ", ArmLibrary.ids())));
     }
     return Optional.of(robot.value());
   }
@@ -182,14 +167,9 @@ public final class LayoutReader {
     }
     Json.Text address = fields.text("address");
     if (!LOOPBACK.matcher(address.value()).matches()) {
-      throw address
-          .place()
-          .refusal(
-              "address is "
-                  + address.described()
-                  + ", must be one of this computer alone, such as 127.0.0.2");
+      throw address.place().refusal(text("address", address.described()));
     }
-    once(addresses, address, "address", "arm");
+    once(addresses, address, "address");
     return Optional.of(address.value());
   }
 
@@ -205,12 +185,7 @@ public final class LayoutReader {
         || text.contains("\\")
         || text.contains(":")
         || List.of(text.split("/", -1)).contains("..")) {
-      throw name.place()
-          .refusal(
-              key
-                  + " is "
-                  + name.described()
-                  + ", must be a file in the folder of the scene or below");
+      throw name.place().refusal(text("file", key, name.described()));
     }
     return Optional.of(new NamedFile(text, name.place()));
   }
@@ -230,19 +205,13 @@ public final class LayoutReader {
           || ends.values().size() != 2
           || !(ends.values().get(0) instanceof Json.Text from)
           || !(ends.values().get(1) instanceof Json.Text to)) {
-        throw JsonFields.wrong("a wire", each, "an array of two signals");
+        throw JsonFields.wrong(text("wire"), each, text("twoSignals"));
       }
       SignalWire wire =
           new SignalWire(signals.digital(from, "wire", false), signals.digital(to, "wire", true));
       FilePosition first = driven.putIfAbsent(withOwner(wire.to(), layout), to.place());
       if (first != null) {
-        throw to.place()
-            .refusal(
-                "wire leads to "
-                    + to.described()
-                    + " as in line "
-                    + first.line()
-                    + ", must lead to another input");
+        throw to.place().refusal(text("wireAgain", to.described(), first.line()));
       }
       wires.add(wire);
     }

@@ -1,5 +1,7 @@
 package org.pendant.controller.modbus;
 
+import static org.pendant.controller.modbus.ModbusSignalTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -44,8 +46,7 @@ public final class ModbusSignals {
    */
   public void add(String name, ModbusExchange exchange) throws ScriptError {
     if (byName.size() >= MOST && !byName.containsKey(name)) {
-      throw new ScriptError(
-          "too-many-signals", "there are " + MOST + " Modbus signals already, delete some");
+      throw new ScriptError("too-many-signals", text("mostSignals", MOST));
     }
     ModbusSignal added = new ModbusSignal(name, exchange, door.add(exchange), timeS);
     ModbusSignal before = byName.put(name, added);
@@ -81,8 +82,7 @@ public final class ModbusSignals {
   public ModbusSignal signal(String name) throws ScriptError {
     ModbusSignal found = byName.get(name);
     if (found == null) {
-      throw new ScriptError(
-          "unknown-signal", "signal_name is \"" + name + "\", must be a signal that was added");
+      throw new ScriptError("unknown-signal", text("unknownSignal", name));
     }
     return found;
   }
@@ -167,11 +167,8 @@ public final class ModbusSignals {
     }
     log.warnOnce(
         connection == 0
-            ? "Modbus signal \"" + signal.name() + "\": " + ModbusErrors.of(signal.reading())
-            : "Modbus device "
-                + signal.exchange().device()
-                + ": "
-                + ModbusErrors.connection(connection));
+            ? text("signalFault", signal.name(), ModbusErrors.of(signal.reading()))
+            : text("deviceFault", signal.exchange().device(), ModbusErrors.connection(connection)));
   }
 
   /** Whether an input with that action is high and so asks for freedrive (manual 18.23). */

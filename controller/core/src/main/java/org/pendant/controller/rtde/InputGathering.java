@@ -1,5 +1,7 @@
 package org.pendant.controller.rtde;
 
+import static org.pendant.controller.rtde.RtdeInputTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -98,7 +100,7 @@ final class InputGathering {
   void setExternalWrench(double[] values) {
     for (double value : values) {
       if (!Double.isFinite(value)) {
-        ignored.add(Published.EXTERNAL_FORCE_TORQUE + " has " + value + ", must be finite");
+        ignored.add(text("notFinite", Published.EXTERNAL_FORCE_TORQUE, value));
         return;
       }
     }
@@ -132,7 +134,7 @@ final class InputGathering {
     if (ratio >= 0 && ratio <= 1) {
       writes.add(new SignalWrite.AnalogOutput(index, ratio));
     } else {
-      ignored.add("standard_analog_output_" + index + " is " + ratio + ", must be 0 to 1");
+      ignored.add(text("analogOutput", index, ratio));
     }
   }
 
@@ -144,7 +146,7 @@ final class InputGathering {
     if (fraction >= 0 && fraction <= 1) {
       return speedFraction;
     }
-    ignored.add("speed_slider_fraction is " + fraction + ", must be 0 to 1");
+    ignored.add(text("speedSlider", fraction));
     return OptionalDouble.empty();
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.rule;
 
+import static org.pendant.controller.rule.RuleTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -46,7 +48,7 @@ public final class RuleReader {
     RuleReader reader = new RuleReader(signals, grippers, switches);
     List<RuleSetup> rules = new ArrayList<>();
     for (Json each : scene.array("rules", MAX_RULES)) {
-      rules.add(reader.rule(new JsonFields(each, "a rule")));
+      rules.add(reader.rule(new JsonFields(each, text("rule"))));
     }
     return rules;
   }
@@ -67,10 +69,7 @@ public final class RuleReader {
     Trigger trigger = trigger(fields);
     double forS = fields.number("for", RuleSetup.TIME, 0);
     if (forS > 0 && trigger instanceof Trigger.While) {
-      throw fields
-          .required("for")
-          .place()
-          .refusal("for is there with while, must be left out: it lasts as long as that");
+      throw fields.required("for").place().refusal(text("forWithWhile"));
     }
     return new RuleSetup(trigger, fields.number("after", RuleSetup.TIME, 0), action(fields), forS);
   }
@@ -88,9 +87,7 @@ public final class RuleReader {
   private static void one(JsonFields fields, String... keys) throws JsonException {
     long there = List.of(keys).stream().filter(each -> fields.optional(each).isPresent()).count();
     if (there != 1) {
-      throw fields
-          .place()
-          .refusal("a rule has " + there + " of " + String.join(", ", keys) + ", must have one");
+      throw fields.place().refusal(text("oneOf", there, String.join(", ", keys)));
     }
   }
 
@@ -116,10 +113,9 @@ public final class RuleReader {
     if (strokeM == null) {
       throw name.place()
           .refusal(
-              "part is "
-                  + name.described()
-                  + ", must be the name of a gripper"
-                  + (grippers.isEmpty() ? "" : ": " + String.join(", ", grippers.keySet())));
+              grippers.isEmpty()
+                  ? text("noGripper", name.described())
+                  : text("otherGripper", name.described(), String.join(", ", grippers.keySet())));
     }
     return new Action.PutPart(name.value(), fields.number("width", new Range(0, strokeM, "m")));
   }
@@ -133,10 +129,7 @@ public final class RuleReader {
     }
     double value = fields.number("to", group.range());
     if (value != Math.rint(value)) {
-      throw fields
-          .required("to")
-          .place()
-          .refusal("to is " + Range.number(value) + ", must be a whole number");
+      throw fields.required("to").place().refusal(text("whole", Range.number(value)));
     }
     return new Action.Set(signal, (int) value, 0);
   }
@@ -145,10 +138,9 @@ public final class RuleReader {
     if (!switches.contains(name.value())) {
       throw name.place()
           .refusal(
-              "press is "
-                  + name.described()
-                  + ", must be the name of a limit switch or a button"
-                  + (switches.isEmpty() ? "" : ": " + String.join(", ", switches)));
+              switches.isEmpty()
+                  ? text("noSwitch", name.described())
+                  : text("otherSwitch", name.described(), String.join(", ", switches)));
     }
     return new Action.Press(name.value());
   }

@@ -1,5 +1,7 @@
 package org.pendant.controller.rule;
 
+import static org.pendant.controller.rule.RuleTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -20,11 +22,6 @@ import org.pendant.models.json.Range;
  * @param tests at least one
  */
 public record SignalCondition(List<Requirement> tests) {
-  /** What may follow a signal, for messages. */
-  static final String FORM =
-      "signals with rises, falls, is on or is off, joined by and;"
-          + " numbers with is, is not, is above or is below";
-
   private static final Pattern REQUIREMENT =
       Pattern.compile(
           "(\\S+)(?: +(?:(rises|falls|is on|is off)|(is|is not|is above|is below)"
@@ -74,8 +71,7 @@ public record SignalCondition(List<Requirement> tests) {
       tests.add(test(part.strip(), signals));
     }
     if (tests.size() > MAX) {
-      throw new IllegalArgumentException(
-          "has " + tests.size() + " signals, must have at most " + MAX);
+      throw new IllegalArgumentException(text("signals", tests.size(), MAX));
     }
     return new SignalCondition(tests);
   }
@@ -83,14 +79,13 @@ public record SignalCondition(List<Requirement> tests) {
   private static Requirement test(String part, CellSignalNames signals) {
     Matcher words = REQUIREMENT.matcher(part);
     if (!words.matches()) {
-      throw new IllegalArgumentException("is \"" + part + "\", must be " + FORM);
+      throw new IllegalArgumentException(text("form", part));
     }
     CellSignal signal;
     try {
       signal = signals.signal(words.group(1));
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException(
-          "signal is \"" + words.group(1) + "\", " + e.getMessage(), e);
+      throw new IllegalArgumentException(text("wrongSignal", words.group(1), e.getMessage()), e);
     }
     if (words.group(3) == null) {
       String level = Optional.ofNullable(words.group(2)).orElse("is on");
@@ -115,14 +110,12 @@ public record SignalCondition(List<Requirement> tests) {
     double number = Double.parseDouble(digits);
     if (!range.holds(number)) {
       throw new IllegalArgumentException(
-          "number is "
-              + digits
-              + ", must be "
-              + Range.number(range.least())
-              + " to "
-              + Range.number(range.most())
-              + " for "
-              + group.name());
+          text(
+              "number",
+              digits,
+              Range.number(range.least()),
+              Range.number(range.most()),
+              group.name()));
     }
     return (int) number;
   }

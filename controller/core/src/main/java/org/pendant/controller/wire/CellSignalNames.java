@@ -1,5 +1,7 @@
 package org.pendant.controller.wire;
 
+import static org.pendant.controller.wire.SignalNameTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -32,10 +34,7 @@ public final class CellSignalNames {
    */
   public void add(String owner, List<SignalGroup> groups) {
     if (!OWNER.matcher(owner).matches()) {
-      throw new IllegalArgumentException(
-          "is "
-              + Json.quoted(owner)
-              + ", must have letters, digits, _ and - alone: it has signals");
+      throw new IllegalArgumentException(text("owner", Json.quoted(owner)));
     }
     owners.put(owner, List.copyOf(groups));
   }
@@ -57,26 +56,24 @@ public final class CellSignalNames {
   private CellSignal signal(String name, boolean settable) {
     Matcher parts = NAME.matcher(name);
     if (!parts.matches()) {
-      throw new IllegalArgumentException("must be " + such(settable));
+      throw new IllegalArgumentException(such(settable));
     }
     String owner = parts.group(1) == null ? "" : parts.group(1);
     List<SignalGroup> groups = owners.get(owner);
     if (groups == null) {
-      throw new IllegalArgumentException("must be " + such(settable));
+      throw new IllegalArgumentException(such(settable));
     }
     Optional<SignalGroup> found = find(groups, parts.group(2));
     if (found.isEmpty()) {
       throw new IllegalArgumentException(
-          parts.group(3) == null
-              ? "must be " + such(settable)
-              : "must be one of " + spans(owner, groups));
+          parts.group(3) == null ? such(settable) : text("oneOf", spans(owner, groups)));
     }
     SignalGroup group = found.get();
     boolean single = group.count() == 1 && parts.group(3) == null;
     int index =
         single ? group.first() : parts.group(3) == null ? -1 : Integer.parseInt(parts.group(3));
     if (!group.holds(index)) {
-      throw new IllegalArgumentException("must be " + span(owner, group));
+      throw new IllegalArgumentException(text("mustBeThat", span(owner, group)));
     }
     return new CellSignal(owner, group.name(), index);
   }
@@ -109,10 +106,10 @@ public final class CellSignalNames {
     CellSignal signal = required(text, key, settable);
     SignalGroup group = group(signal);
     if (!group.digital()) {
-      throw refusal(text, key, "must be a digital signal, not a number");
+      throw refusal(text, key, text("digital"));
     }
     if (settable && !group.settable()) {
-      throw refusal(text, key, "must be " + such(true));
+      throw refusal(text, key, such(true));
     }
     return signal;
   }
@@ -126,7 +123,7 @@ public final class CellSignalNames {
     Json.Text text = fields.text(key);
     CellSignal signal = required(text, key, true);
     if (!group(signal).settable()) {
-      throw refusal(text, key, "must be " + such(true));
+      throw refusal(text, key, such(true));
     }
     return signal;
   }
@@ -140,7 +137,7 @@ public final class CellSignalNames {
   }
 
   private static JsonException refusal(Json.Text text, String key, String expected) {
-    return text.place().refusal(key + " is " + text.described() + ", " + expected);
+    return text.place().refusal(text("refused", key, text.described(), expected));
   }
 
   /** What a name must be, with an example of each owner. */
@@ -154,7 +151,7 @@ public final class CellSignalNames {
                 .findFirst()
                 .map(each -> new CellSignal(owner, each.name(), each.first()).toString())
                 .ifPresent(examples::add));
-    return (settable ? "an input, such as " : "a signal, such as ") + String.join(" or ", examples);
+    return text(settable ? "input" : "signal", String.join(" or ", examples));
   }
 
   private static String spans(String owner, List<SignalGroup> groups) {

@@ -1,5 +1,7 @@
 package org.pendant.controller.wire;
 
+import static org.pendant.controller.wire.SignalNameTexts.text;
+
 import java.util.HashMap;
 import java.util.Map;
 
@@ -39,8 +41,7 @@ public final class SignalLines {
   public SignalLine line(CellSignal signal) {
     SignalOwner owner = signal.owner().isEmpty() ? own : owners.get(signal.owner());
     if (owner == null) {
-      throw new IllegalArgumentException(
-          "signal is " + signal + ", but there is no " + signal.owner() + " in the cell");
+      throw new IllegalArgumentException(text("noOwner", signal, signal.owner()));
     }
     return owner.line(signal.group(), signal.index());
   }
