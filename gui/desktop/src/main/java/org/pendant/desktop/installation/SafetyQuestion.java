@@ -93,6 +93,7 @@ final class SafetyQuestion {
     content.add(
         list, "width " + UIScale.scale(WIDTH) + "!, hmax " + UIScale.scale(MAX_LIST_HEIGHT));
     content.add(row, "wmin 0, pad 0 -" + PartsForm.BETWEEN + " 0 0");
+    content.setFocusCycleRoot(true); // Tab stays in what floats over the page
     content
         .getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
         .put(KeyStroke.getKeyStroke("ESCAPE"), "back");

@@ -245,6 +245,22 @@ final class InstallationViewTest {
         });
   }
 
+  @Test
+  void tabStaysInTheQuestionThatFloatsOverThePage() throws Exception {
+    show(
+        view -> {
+          choose(view, "planes");
+          press(view, "planes-unlock");
+          press(view, "plane-add-plane");
+          press(view, "planes-apply");
+          Component back = find(view, "planes-apply-back", AbstractButton.class);
+          Container asked = back.getFocusCycleRootAncestor();
+          assertEquals(
+              find(view, "planes-apply-really", AbstractButton.class),
+              asked.getFocusTraversalPolicy().getComponentAfter(asked, back));
+        });
+  }
+
   private static String changes(InstallationView view) {
     return find(view, "installation-safety-changes", JTextArea.class).getText();
   }
