@@ -18,6 +18,9 @@ import org.pendant.kit.theme.Palette;
 /** Readiness bar: whether the arm is ready, and the button that makes it so. */
 @SuppressWarnings("serial") // never written to a stream
 final class ReadinessBar extends JPanel {
+  /** Longer than between the clicks of a double click, ms. */
+  private static final int DOUBLE_CLICK_MS = 600;
+
   private final Badge light = new Badge("readiness", text("whetherTheArmIsReadyFor"));
   private final JButton remedy = new JButton(Glyph.POWER.icon(16));
   private transient ArmReadiness shown;
@@ -27,6 +30,9 @@ final class ReadinessBar extends JPanel {
     super(new MigLayout("insets 0, gap 8", "[][]", "[center]"));
     shown = ArmReadiness.of(state);
     remedy.setName("readiness-remedy");
+    // "Unlock" is "Switch off" a moment later: the second click of a double click powered the arm
+    // off
+    remedy.setMultiClickThreshhold(DOUBLE_CLICK_MS);
     remedy.addActionListener(event -> shown.command().ifPresent(send));
     add(light, "wmin pref");
     add(remedy, "wmin pref, hidemode 3");
