@@ -35,8 +35,7 @@ public record ControlHost(String host, int port) {
     }
     Matcher written = WRITTEN.matcher(text);
     if (!written.matches()) {
-      throw new IllegalArgumentException(
-          "\"" + text + "\" is no host, must be HOST or HOST:PORT, as " + STANDARD.text());
+      throw new IllegalArgumentException(SetupTexts.text("noHost", text, STANDARD.text()));
     }
     String host = written.group(1) == null ? written.group(2) : written.group(1);
     String port = written.group(3);
@@ -54,11 +53,11 @@ public record ControlHost(String host, int port) {
   /** Why it cannot be; empty if it can. */
   public Optional<String> problem() {
     if (!HOST.matcher(host).matches()) {
-      return Optional.of("the host is \"" + host + "\", must be the name or address of a computer");
+      return Optional.of(SetupTexts.text("hostRange", host));
     }
     return port >= 1 && port <= MAX_PORT
         ? Optional.empty()
-        : Optional.of("the port is " + port + ", must be 1 to " + MAX_PORT);
+        : Optional.of(SetupTexts.text("portRange", port, MAX_PORT));
   }
 
   /** As people write it, such as {@code 192.168.56.1:50002}. */

@@ -1,5 +1,7 @@
 package org.pendant.controller.installation;
 
+import static org.pendant.controller.installation.SetupTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -33,7 +35,7 @@ final class FieldbusCheck {
     problems.require(
         conveyors.size() <= MAX_CONVEYORS,
         "conveyors",
-        () -> "there are " + conveyors.size() + ", must be at most " + MAX_CONVEYORS);
+        () -> text("tooMany", conveyors.size(), MAX_CONVEYORS));
     Set<Integer> numbers = new HashSet<>();
     for (int i = 0; i < conveyors.size(); i++) {
       ConveyorSetup each = conveyors.get(i);
@@ -41,13 +43,13 @@ final class FieldbusCheck {
       problems.require(
           (each.number() == 1 || each.number() == 2) && numbers.add(each.number()),
           field + "number",
-          () -> "it is " + each.number() + ", must be 1 or 2, for each its own");
+          () -> text("conveyorNumber", each.number()));
       conveyor(field, each);
     }
     problems.require(
         installation.modbus().size() <= MAX_SIGNALS,
         "modbus",
-        () -> "there are more than " + MAX_SIGNALS);
+        () -> text("tooManySignals", MAX_SIGNALS));
     Set<String> names = new HashSet<>();
     for (int i = 0; i < installation.modbus().size(); i++) {
       modbus("modbus[" + i + "].", installation.modbus().get(i), names);
@@ -58,19 +60,19 @@ final class FieldbusCheck {
     problems.require(
         conveyor.encoder() == 0 || conveyor.encoder() == 1,
         field + "encoder",
-        () -> "it is " + conveyor.encoder() + ", must be 0 or 1");
+        () -> text("zeroOrOne", conveyor.encoder()));
     problems.require(
         installation.feature(conveyor.feature()).isPresent(),
         field + "feature",
-        () -> "there is no feature \"" + conveyor.feature() + "\"");
+        () -> text("unknownFeature", conveyor.feature()));
     double ticks = conveyor.ticksPerUnit();
     problems.require(
         Double.isFinite(ticks) && ticks != 0,
         field + "ticksPerUnit",
-        () -> "it is " + ticks + ", must be a number other than 0");
+        () -> text("ticksRange", ticks));
     int type = conveyor.decoder();
     if (type < 0 || type > LAST_DECODER) {
-      problems.add(field + "decoder", "it is " + type + ", must be 0 to " + LAST_DECODER);
+      problems.add(field + "decoder", text("numberRange", type, LAST_DECODER));
       return;
     }
     List<Integer> inputs = conveyor.inputs();
@@ -80,27 +82,20 @@ final class FieldbusCheck {
             && PULSE_INPUTS.containsAll(inputs)
             && Set.copyOf(inputs).size() == wanted,
         field + "inputs",
-        () ->
-            "they are "
-                + inputs
-                + ", must be "
-                + wanted
-                + " of 8 to 11 (configurable_in[0] to [3]), all different");
+        () -> text("pulseInputs", inputs, wanted));
   }
 
   private void modbus(String field, ModbusSetup signal, Set<String> names) {
     problems.require(
         !signal.name().isBlank() && signal.name().chars().noneMatch(Character::isISOControl),
         field + "name",
-        () -> "there is no name on one line");
+        () -> text("noNameOnOneLine"));
     problems.require(
-        names.add(signal.name()),
-        field + "name",
-        () -> signal.name() + " is the name of another one too");
+        names.add(signal.name()), field + "name", () -> text("nameTaken", signal.name()));
     try {
       var _ = ModbusAddress.parse(signal.device());
     } catch (IllegalArgumentException e) {
-      problems.add(field + "device", "it is \"" + signal.device() + "\", " + e.getMessage());
+      problems.add(field + "device", text("deviceRefused", signal.device(), e.getMessage()));
     }
     within(field + "unit", signal.unit(), LAST_UNIT);
     within(field + "address", signal.address(), LAST_ADDRESS);
@@ -108,11 +103,10 @@ final class FieldbusCheck {
     problems.require(
         signal.kind() != ModbusKind.READ_WRITE_REGISTERS,
         field + "kind",
-        () -> "it reads and writes at two addresses, programs add such signals themselves");
+        () -> text("readWriteRegisters"));
   }
 
   private void within(String field, int value, int most) {
-    problems.require(
-        value >= 0 && value <= most, field, () -> "it is " + value + ", must be 0 to " + most);
+    problems.require(value >= 0 && value <= most, field, () -> text("numberRange", value, most));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.installation;
 
+import static org.pendant.controller.installation.SetupTexts.text;
+
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -64,7 +66,7 @@ public final class InstallationCheck {
     problems.require(
         installation.robot().isEmpty() || installation.robot().equals(arm.id()),
         "robot",
-        () -> "it is for " + robotName(installation.robot()) + ", the arm is " + arm.displayName());
+        () -> text("otherRobot", robotName(installation.robot()), arm.displayName()));
     tools();
     payloads();
     mounting();
@@ -74,11 +76,7 @@ public final class InstallationCheck {
     problems.require(
         arm.withinLimits(installation.homeRad()),
         "homeRad",
-        () ->
-            "home is "
-                + installation.homeRad()
-                + ", must be within the joint ranges of "
-                + arm.displayName());
+        () -> text("homeRange", installation.homeRad(), arm.displayName()));
     variables();
     startUp();
     // what is beyond the arm is taken back to what it can do
@@ -92,29 +90,26 @@ public final class InstallationCheck {
     new FieldbusCheck(problems, installation).check();
     double hardness = installation.transitionHardness();
     problems.require(
-        hardness == 0 || hardness == 1,
-        "transitionHardness",
-        () -> "it is " + hardness + ", must be 0 (hard) or 1 (soft)");
+        hardness == 0 || hardness == 1, "transitionHardness", () -> text("hardness", hardness));
     installation.controlHost().problem().ifPresent(why -> problems.add("controlHost", why));
   }
 
   /** A name of its own, that people can read. */
   private void name(String field, String name, Set<String> taken) {
     readable(field, name);
-    problems.require(
-        name.isBlank() || taken.add(name), field, () -> name + " is the name of another one too");
+    problems.require(name.isBlank() || taken.add(name), field, () -> text("nameTaken", name));
   }
 
   private void readable(String field, String name) {
-    problems.require(!name.isBlank(), field, () -> "there is no name");
+    problems.require(!name.isBlank(), field, () -> text("noName"));
     problems.require(
         name.length() <= MAX_NAME && name.chars().noneMatch(Character::isISOControl),
         field,
-        () -> "the name must have at most " + MAX_NAME + " characters on one line");
+        () -> text("nameLine", MAX_NAME));
   }
 
   private void count(String field, int size) {
-    problems.require(size <= MOST, field, () -> "there are " + size + ", must be at most " + MOST);
+    problems.require(size <= MOST, field, () -> text("tooMany", size, MOST));
   }
 
   private void tools() {
@@ -129,7 +124,7 @@ public final class InstallationCheck {
     problems.require(
         installation.activeTool().isEmpty() || names.contains(installation.activeTool()),
         "activeTool",
-        () -> "there is no TCP " + installation.activeTool());
+        () -> text("unknownTcp", installation.activeTool()));
   }
 
   private void payloads() {
@@ -144,36 +139,30 @@ public final class InstallationCheck {
       problems.require(
           massKg >= 0 && massKg <= mostKg,
           field + "massKg",
-          () ->
-              "the mass is "
-                  + massKg
-                  + " kg, must be 0 to "
-                  + mostKg
-                  + " kg on "
-                  + arm.displayName());
+          () -> text("massRange", massKg, mostKg, arm.displayName()));
       Vector3 cog = payload.cogM();
       problems.require(
           near(cog.x(), cog.y(), cog.z(), MAX_M),
           field + "cogM",
-          () -> "each number must be -" + MAX_M + " to " + MAX_M + " m");
+          () -> text("cogRange", MAX_M, MAX_M));
       payload
           .inertia()
           .problem()
-          .ifPresent(why -> problems.add(field + "inertia", "the inertia is refused: " + why));
+          .ifPresent(why -> problems.add(field + "inertia", text("inertiaRefused", why)));
     }
     problems.require(
         installation.activePayload().isEmpty() || names.contains(installation.activePayload()),
         "activePayload",
-        () -> "there is no payload " + installation.activePayload());
+        () -> text("unknownPayload", installation.activePayload()));
   }
 
   private void pose(String field, Pose pose, double farthestM) {
     problems.require(
         near(pose.x(), pose.y(), pose.z(), farthestM),
         field,
-        () -> "the position must be -" + farthestM + " to " + farthestM + " m along each axis");
+        () -> text("positionRange", farthestM, farthestM));
     problems.require(
-        near(pose.rx(), pose.ry(), pose.rz(), 1e6), field, () -> "the rotation must be finite");
+        near(pose.rx(), pose.ry(), pose.rz(), 1e6), field, () -> text("rotationFinite"));
   }
 
   private static boolean near(double x, double y, double z, double farthest) {
@@ -187,10 +176,7 @@ public final class InstallationCheck {
   }
 
   private void angle(String field, double rad) {
-    problems.require(
-        Math.abs(rad) <= 2 * Math.PI,
-        field,
-        () -> "the angle is " + rad + " rad, must be at most a turn either way");
+    problems.require(Math.abs(rad) <= 2 * Math.PI, field, () -> text("angleRange", rad));
   }
 
   private void signals() {
@@ -200,27 +186,24 @@ public final class InstallationCheck {
       SignalUse use = installation.signals().get(i);
       String field = "signals[" + i + "].";
       Optional<SignalId> id = SignalId.of(use.signal());
+      problems.require(id.isPresent(), field + "signal", () -> text("unknownSignal", use.signal()));
       problems.require(
-          id.isPresent(),
-          field + "signal",
-          () -> "there is no signal " + use.signal() + ", must be one of " + SignalId.NAMES);
-      problems.require(
-          ids.add(use.signal()), field + "signal", () -> use.signal() + " is mentioned twice");
+          ids.add(use.signal()), field + "signal", () -> text("signalTwice", use.signal()));
       if (!use.name().isEmpty()) {
         readable(field + "name", use.name());
         if (!names.add(use.name())) {
           // robots allow it; programs then mean the first one
-          problems.remark(field + "name", use.name() + " is the name of another one too");
+          problems.remark(field + "name", text("nameTaken", use.name()));
         }
       }
       problems.require(
           id.isEmpty() || use.input() == InputAction.DEFAULT || id.get().takesInputAction(),
           field + "input",
-          () -> use.signal() + " is no digital input: only those have an action");
+          () -> text("noDigitalInput", use.signal()));
       problems.require(
           id.isEmpty() || use.output() == RunStateAction.PRESERVE || id.get().takesOutputAction(),
           field + "output",
-          () -> use.signal() + " is no output that can follow the program");
+          () -> text("noFollowingOutput", use.signal()));
     }
   }
 
@@ -233,14 +216,14 @@ public final class InstallationCheck {
     problems.require(
         ToolConnector.isVoltage(wiring.toolVoltage()),
         "wiring.toolVoltage",
-        () -> "it is " + wiring.toolVoltage() + " V, must be 0, 12 or 24 V");
+        () -> text("voltageRange", wiring.toolVoltage()));
   }
 
   private void two(String field, List<?> values) {
     problems.require(
         values.size() == AnalogBank.SIZE,
         field,
-        () -> "there are " + values.size() + ", must be " + AnalogBank.SIZE);
+        () -> text("countOf", values.size(), AnalogBank.SIZE));
   }
 
   private void features() {
@@ -256,36 +239,22 @@ public final class InstallationCheck {
       int wanted = feature.kind().points();
       int given = feature.points().size();
       if (given != wanted) {
-        problems.remark(
-            field + "points",
-            feature.name() + " has " + given + " of the " + wanted + " points that it needs");
+        problems.remark(field + "points", text("pointsMissing", feature.name(), given, wanted));
       } else if (FeaturePoses.pose(feature).isEmpty()) {
         problems.remark(
             field + "points",
-            feature.name()
-                + (feature.kind() == FeatureKind.PLANE
-                    ? " has its points on one line or in one place, must span a plane"
-                    : " has its points in one place, must give a direction"));
+            text(
+                feature.kind() == FeatureKind.PLANE ? "pointsOnOneLine" : "pointsInOnePlace",
+                feature.name()));
       }
     }
   }
 
   /** A name by which programs can call a variable. */
   private void scriptName(String field, String name, Set<String> taken) {
-    problems.require(
-        ScriptWords.isName(name),
-        field,
-        () ->
-            "the name is \""
-                + name
-                + "\", must be letters, digits and _, begin with no digit, and be no word of the"
-                + " language");
-    problems.require(
-        name.isEmpty() || taken.add(name), field, () -> name + " is the name of another one too");
-    problems.require(
-        name.length() <= MAX_NAME,
-        field,
-        () -> "the name must have at most " + MAX_NAME + " characters");
+    problems.require(ScriptWords.isName(name), field, () -> text("noScriptName", name));
+    problems.require(name.isEmpty() || taken.add(name), field, () -> text("nameTaken", name));
+    problems.require(name.length() <= MAX_NAME, field, () -> text("nameLength", MAX_NAME));
   }
 
   private void variables() {
@@ -308,16 +277,13 @@ public final class InstallationCheck {
     problems.require(
         startUp.program().isEmpty() || startUp.program().matches("(?s).+\\.(script|pendant|urp)"),
         "startUp.program",
-        () ->
-            "it is "
-                + startUp.program()
-                + ", must be the name of a .pendant, .urp or .script file");
+        () -> text("startProgram", startUp.program()));
   }
 
   private void startInput(String field, String input) {
     problems.require(
         input.isEmpty() || SignalId.digitalInput(input).isPresent(),
         field,
-        () -> "it is " + input + ", must be a digital input such as digital_in[0], or nothing");
+        () -> text("startInput", input));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.controller.installation;
 
+import static org.pendant.controller.installation.SetupTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -22,20 +24,18 @@ final class ScriptWords {
   /** Why a text is no expression of the language; empty if it is one. */
   static Optional<String> valueProblem(String text) {
     if (text.isBlank()) {
-      return Optional.of("there is no value, must be one such as 0 or \"text\"");
+      return Optional.of(text("noValue"));
     }
     if (text.chars().anyMatch(c -> c < ' ' || c == 0x7f)) {
-      return Optional.of("the value has a line end or tab in it, must be a literal in one line");
+      return Optional.of(text("valueLine"));
     }
     ParseResult read = parse("v = " + text);
     Optional<Diagnostic> error =
         read.diagnostics().stream().filter(Diagnostic::isError).findFirst();
     if (error.isPresent()) {
-      return Optional.of("the value is " + text + ": " + error.get().message());
+      return Optional.of(text("valueRefused", text, error.get().message()));
     }
-    return assigned(read).isPresent()
-        ? Optional.empty()
-        : Optional.of("the value is " + text + ", must be a single literal");
+    return assigned(read).isPresent() ? Optional.empty() : Optional.of(text("valueLiteral", text));
   }
 
   private static ParseResult parse(String text) {

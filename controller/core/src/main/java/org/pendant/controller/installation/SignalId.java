@@ -56,13 +56,6 @@ public sealed interface SignalId {
   /** Whether it can follow what programs do. */
   boolean takesOutputAction();
 
-  /** Names of signals, for messages. */
-  String NAMES =
-      "digital_in[0] to [7], digital_out[0] to [7], configurable_in[0] to [7], configurable_out[0]"
-          + " to [7], tool_in[0] to [1], tool_out[0] to [1], analog_in[0] to [1], analog_out[0] to"
-          + " [1], tool_analog_in[0] to [1], flag[0] to [31], or a register such as"
-          + " input_boolean_register[64]";
-
   /** The signal of a name such as {@code digital_in[0]} or {@code output_float_register[3]}. */
   static Optional<SignalId> of(String name) {
     Matcher parts = Pattern.compile("(\\w+)\\[(\\d{1,3})\\]").matcher(name);
