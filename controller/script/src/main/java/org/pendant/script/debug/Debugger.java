@@ -1,5 +1,7 @@
 package org.pendant.script.debug;
 
+import static org.pendant.script.debug.DebuggerTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -124,7 +126,7 @@ public final class Debugger {
     refuseHeld();
     probe.hold();
     if (!probe.held()) {
-      throw new IllegalArgumentException("no program is running");
+      throw new IllegalArgumentException(text("noneRunning"));
     }
     stops.stop(new PauseReason.PauseRequested(), MAIN);
   }
@@ -185,10 +187,7 @@ public final class Debugger {
     int start =
         program()
             .statementFrom(line)
-            .orElseThrow(
-                () ->
-                    new IllegalArgumentException(
-                        "line is " + line + ", no statement begins there or after it"));
+            .orElseThrow(() -> new IllegalArgumentException(text("noStatementFrom", line)));
     go(Optional.of(new StepRequest.To(thread, start)));
   }
 
@@ -213,7 +212,7 @@ public final class Debugger {
   }
 
   private Program program() {
-    return probe.program().orElseThrow(() -> new IllegalArgumentException("no program is running"));
+    return probe.program().orElseThrow(() -> new IllegalArgumentException(text("noneRunning")));
   }
 
   /** Ends a thread of a paused program, and those that it started. */
@@ -231,20 +230,20 @@ public final class Debugger {
 
   private void refuseHeld() {
     if (probe.held()) {
-      throw new IllegalArgumentException("the program is paused already");
+      throw new IllegalArgumentException(text("pausedAlready"));
     }
   }
 
   private void refuseUnlessHeld() {
     if (!probe.held()) {
-      throw new IllegalArgumentException("the program is not paused");
+      throw new IllegalArgumentException(text("notPaused"));
     }
   }
 
   private void refuseUnlessSteppable() {
     refuseUnlessHeld();
     if (probe.failure().isPresent()) {
-      throw new IllegalArgumentException("the program has failed, it can only be ended");
+      throw new IllegalArgumentException(text("failed"));
     }
   }
 

@@ -13,9 +13,6 @@ public record HitRule(Kind kind, int number) {
   /** All of them. */
   public static final HitRule ALWAYS = from(1);
 
-  /** What to say of a text that is no rule. */
-  public static final String FORMS = "a number, such as 5, or >= 5, > 5, == 5, <= 5, < 5, % 5";
-
   private static final Pattern FORM =
       Pattern.compile("\\s*(>=|>|<=|<|={1,3}|%|)\\s*([1-9]\\d{0,8})\\s*");
 
@@ -65,6 +62,11 @@ public record HitRule(Kind kind, int number) {
     };
   }
 
+  /** What to say of a text that is no rule. */
+  public static String forms() {
+    return DebuggerTexts.text("forms");
+  }
+
   /** Whether hit {@code hit} counts, from 1. */
   public boolean counts(long hit) {
     return switch (kind) {
@@ -93,10 +95,10 @@ public record HitRule(Kind kind, int number) {
   /** For a sentence about a breakpoint. */
   public String words() {
     return switch (kind) {
-      case FROM -> "from hit " + number;
-      case UP_TO -> "up to hit " + number;
-      case ONLY -> "at hit " + number + " only";
-      case EVERY -> "at each hit that " + number + " divides";
+      case FROM -> DebuggerTexts.text("fromHit", number);
+      case UP_TO -> DebuggerTexts.text("upToHit", number);
+      case ONLY -> DebuggerTexts.text("atHitOnly", number);
+      case EVERY -> DebuggerTexts.text("atEachHit", number);
     };
   }
 }

@@ -83,8 +83,7 @@ public record VariablePath(String name, List<Selector> steps) {
   }
 
   private static IllegalArgumentException refused(String text) {
-    return new IllegalArgumentException(
-        "'" + text.strip() + "' is no variable, expected such as count, p[2] or part.size");
+    return new IllegalArgumentException(TracedVariableTexts.text("noVariable", text.strip()));
   }
 
   /** The one way to write it, without spaces and commas: {@code part.sizes[2]}. */

@@ -1,5 +1,7 @@
 package org.pendant.script.variables;
 
+import static org.pendant.script.variables.TracedVariableTexts.text;
+
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -52,8 +54,7 @@ public final class VariableTracer {
         });
     together.addAll(list);
     if (together.size() > MOST) {
-      throw new IllegalArgumentException(
-          together.size() + " variables would be traced in every frame, at most " + MOST + " can");
+      throw new IllegalArgumentException(text("tooManyTraced", together.size(), MOST));
     }
     if (list.isEmpty()) {
       wanted.remove(owner);

@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -114,8 +116,7 @@ final class CallCompiler {
 
   /** In place of a call that lacks arguments: robots notice that when they come to it. */
   private void fail(Call call, List<String> missing, String head) {
-    String message =
-        call.function() + " is called without " + String.join(", ", missing) + "; expected " + head;
+    String message = text("calledWithout", call.function(), String.join(", ", missing), head);
     code.emit(Op.MISSING, 0, context.linkage().name(message), 0);
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.Arrays;
 import java.util.BitSet;
 import org.pendant.language.source.SourceRange;
@@ -95,7 +97,7 @@ final class CodeBuilder {
     int distance = target - pc - 1;
     if (operation >= Op.JUMP_IF_LESS) {
       if (distance > 0x1FFFF || distance < -0x20000) {
-        throw new ProgramTooLarge("one block holds more than 131071 instructions");
+        throw new ProgramTooLarge(text("blockTooLarge"));
       }
       code[pc] = Instruction.of(operation, Instruction.a(word), Instruction.b(word), distance);
     } else {

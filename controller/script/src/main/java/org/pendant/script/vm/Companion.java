@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.Optional;
 import org.pendant.script.coverage.Coverage;
 import org.pendant.script.function.Builtins;
@@ -139,8 +141,7 @@ public final class Companion {
     }
 
     private static ScriptError refused(String function) {
-      return new ScriptError(
-          "not-beside", function + ": only the program itself has interpreter mode");
+      return new ScriptError("not-beside", text("onlyProgramInterprets", function));
     }
   }
 }

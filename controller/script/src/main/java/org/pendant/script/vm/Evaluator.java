@@ -142,12 +142,12 @@ final class Evaluator {
       case ENDED -> {}
       case EXHAUSTED ->
           throw new ScriptError(
-              "too-long", "it computes for more than " + MAX_NS / 1_000_000 + " ms");
+              "too-long", MachineTexts.text("computesTooLong", MAX_NS / 1_000_000));
       case WAITING -> {
         worker.wait.cancel();
-        throw new ScriptError("not-while-stopped", "it waits, an expression must be over at once");
+        throw new ScriptError("not-while-stopped", MachineTexts.text("waits"));
       }
-      default -> throw new ScriptError("not-while-stopped", "it would stop the program");
+      default -> throw new ScriptError("not-while-stopped", MachineTexts.text("wouldStop"));
     }
   }
 }

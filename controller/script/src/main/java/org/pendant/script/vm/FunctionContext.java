@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -119,7 +121,7 @@ final class FunctionContext {
     nextTemporary += count;
     slotCount = Math.max(slotCount, nextTemporary);
     if (slotCount > Instruction.MAX_OPERAND) {
-      throw new ProgramTooLarge("one expression needs more than 131071 values at once");
+      throw new ProgramTooLarge(text("expressionTooLarge"));
     }
     return first;
   }

@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.Optional;
 import org.pendant.language.syntax.Expression.BinaryOperator;
 import org.pendant.models.pose.Pose;
@@ -52,15 +54,13 @@ final class GeneralOperations {
             ? index < function.variableCount() ? function.variables().get(index) : ""
             : run.staticName(index);
     return new ScriptError(
-        "unassigned-variable", name.isEmpty() ? "a value is missing" : name + " has no value yet");
+        "unassigned-variable", name.isEmpty() ? text("valueMissing") : text("noValueYet", name));
   }
 
   ScriptError notOrdered(ScriptFunction function, int x, int y) throws ScriptError {
     assigned(function, x);
     assigned(function, y);
-    return new ScriptError(
-        "wrong-type",
-        "cannot order a " + describe(x) + " and a " + describe(y) + ", only numbers have an order");
+    return new ScriptError("wrong-type", text("notOrdered", describe(x), describe(y)));
   }
 
   /**
@@ -73,7 +73,7 @@ final class GeneralOperations {
     }
     assigned(function, slot);
     if (!(registers.value(slot) instanceof StringValue text)) {
-      throw new ScriptError("wrong-type", describe(slot) + " is not a bool");
+      throw new ScriptError("wrong-type", text("notBool", describe(slot)));
     }
     registers.numbers()[slot] = text.length() == 0 ? 0 : 1;
   }
@@ -87,8 +87,7 @@ final class GeneralOperations {
   /** Refuses a slot without a value; the name is not known here any more, only the instruction. */
   private void assigned(ScriptFunction function, int slot) throws ScriptError {
     if (!registers.assigned(slot)) {
-      throw new ScriptError(
-          "unassigned-variable", "a variable in " + function.name() + " has no value yet");
+      throw new ScriptError("unassigned-variable", text("variableWithoutValue", function.name()));
     }
   }
 
@@ -284,7 +283,7 @@ final class GeneralOperations {
       return truth(advance(thread, thread.operation.get()));
     }
     if (!registers.assigned(x) || !registers.assigned(y)) {
-      throw new ScriptError("unassigned-variable", "a variable compared here has no value yet");
+      throw new ScriptError("unassigned-variable", text("comparedWithoutValue"));
     }
     Value left = registers.value(x);
     Value right = registers.value(y);
@@ -512,9 +511,7 @@ final class GeneralOperations {
     double[] numbers = registers.numbers();
     for (int i = first; i < first + 6; i++) {
       if (registers.tags()[i] > Registers.FLOAT) {
-        throw new ScriptError(
-            "wrong-type",
-            "pose element " + (i - first) + " is a " + describe(i) + ", must be a number");
+        throw new ScriptError("wrong-type", text("poseElement", i - first, describe(i)));
       }
     }
     Pose pose =
@@ -535,7 +532,7 @@ final class GeneralOperations {
     for (int i = 0; i < members.length; i++) {
       members[i] = registers.value(first + i);
       if (members[i] == NoneValue.NONE) {
-        throw new ScriptError("wrong-type", "struct: member " + names.get(i) + " has no value");
+        throw new ScriptError("wrong-type", text("memberWithoutValue", names.get(i)));
       }
     }
     StructValue struct = StructValue.owning(names, members).checked();
@@ -558,9 +555,9 @@ final class GeneralOperations {
     if (registers.tags()[slot] != Registers.INT) {
       throw new ScriptError(
           "wrong-type",
-          statement
-              + (registers.assigned(slot) ? ": " + describe(slot) : ": the variable")
-              + " is not a thread handle");
+          registers.assigned(slot)
+              ? text("noThreadHandle", statement, describe(slot))
+              : text("variableNoThreadHandle", statement));
     }
     return (int) registers.numbers()[slot];
   }
@@ -569,11 +566,7 @@ final class GeneralOperations {
   void makeRoom(ScriptThread thread, ScriptFunction callee, int base) throws ScriptError {
     if (thread.depth >= ScriptThread.MAX_DEPTH) {
       throw new ScriptError(
-          "too-deep",
-          "functions call each other more than "
-              + ScriptThread.MAX_DEPTH
-              + " deep, the innermost is "
-              + callee.name());
+          "too-deep", text("callsTooDeep", ScriptThread.MAX_DEPTH, callee.name()));
     }
     run.segments().checkEnlarge(thread, base + callee.slotCount());
     work.charge(run.segments().enlarge(thread, base + callee.slotCount()));

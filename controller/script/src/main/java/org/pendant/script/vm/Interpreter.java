@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -201,14 +203,14 @@ public final class Interpreter {
   public Response submit(InterpretedLine line) {
     String text = line.text();
     if (run.isEmpty()) {
-      return new Response.Discarded("no program is running");
+      return new Response.Discarded(text("noneRunning"));
     }
     if (queue.size() >= MAX_QUEUED) {
-      return new Response.Discarded("more than " + MAX_QUEUED + " statements are waiting");
+      return new Response.Discarded(text("queueFull", MAX_QUEUED));
     }
     // a constant takes a byte and a separator at least, so the line cannot overflow its slots
     if (links.statics() + (queuedBytes + text.length()) / 2 >= STATIC_SLOTS - 64) {
-      return new Response.Discarded("interpreter mode is full, send clear_interpreter() first");
+      return new Response.Discarded(text("interpreterFull"));
     }
     ParseResult parsed = line.parsed();
     List<Diagnostic> diagnostics = new ArrayList<>(parsed.diagnostics());
@@ -232,11 +234,10 @@ public final class Interpreter {
   Outcome enter(boolean clearQueueOnEnter, boolean clearOnEnd) throws ScriptError {
     ProgramRun running = run.orElseThrow();
     if (mode.isPresent()) {
-      throw new ScriptError("nested-interpreter", "interpreter_mode is active already");
+      throw new ScriptError("nested-interpreter", text("interpreterActive"));
     }
     if (!running.runningMain()) {
-      throw new ScriptError(
-          "not-main-thread", "interpreter_mode can only be called in the main thread");
+      throw new ScriptError("not-main-thread", text("interpreterNotMain"));
     }
     if (clearQueueOnEnter) {
       dropQueue();
@@ -265,7 +266,7 @@ public final class Interpreter {
 
   void requestClear() throws ScriptError {
     if (mode.isEmpty()) {
-      throw new ScriptError("no-interpreter", "clear_interpreter: interpreter mode is not active");
+      throw new ScriptError("no-interpreter", text("interpreterInactive"));
     }
     clearRequested = true;
   }
@@ -364,8 +365,7 @@ public final class Interpreter {
               .filter(Diagnostic::isError)
               .findFirst();
       if (error.isPresent()) {
-        warnings.accept(
-            "interpreter: statement " + line.id() + " is dropped: " + error.get().message());
+        warnings.accept(text("statementDropped", line.id(), error.get().message()));
       } else {
         checkedScope = checkedScope.extendedBy(line.script().statements());
         queue.add(line);

@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -134,10 +136,7 @@ public final class Machine {
         ScriptThread main = secondary.main();
         return Optional.of(
             ProgramFailure.of(
-                main,
-                new ScriptError(
-                    "runtime-too-much-behind",
-                    "Runtime is too much behind: a secondary program must end within one frame")));
+                main, new ScriptError("runtime-too-much-behind", text("secondaryTooLong"))));
       }
       return Optional.empty();
     } catch (ThreadFailure thrown) {
@@ -182,7 +181,7 @@ public final class Machine {
     }
     Optional<Throwable> fault = running.takeFault();
     if (fault.isPresent()) {
-      tellOnce("translating a function", fault.get());
+      tellOnce("faultInTranslation", fault.get());
     }
     if (!held && state == ProgramState.RUNNING) {
       lookAhead(running);
@@ -324,16 +323,16 @@ public final class Machine {
     try {
       return lookAhead.after(running, thread, interpreter);
     } catch (RuntimeException | StackOverflowError e) {
-      tellOnce("looking ahead for moves", e);
+      tellOnce("faultInLookAhead", e);
       return List.of();
     }
   }
 
   /** Logs our own mistake, once a program: what failed only makes it faster or smoother. */
-  private void tellOnce(String during, Throwable fault) {
+  private void tellOnce(String key, Throwable fault) {
     if (!faultTold) {
       faultTold = true;
-      host.warn("the program continues after an internal error while " + during + ":");
+      host.warn(text(key));
       host.internalError(fault);
     }
   }
@@ -480,9 +479,7 @@ public final class Machine {
     @Override
     public void reachesOutside() throws ScriptError {
       if (reachedOutside) {
-        throw new ScriptError(
-            "runtime-too-much-behind",
-            "Runtime is too much behind: a secondary program may send to the outside once");
+        throw new ScriptError("runtime-too-much-behind", text("secondarySendsTwice"));
       }
       reachedOutside = true;
     }
@@ -506,8 +503,7 @@ public final class Machine {
     @Override
     public Outcome enterInterpreter(boolean clearQueueOnEnter, boolean clearOnEnd)
         throws ScriptError {
-      throw new ScriptError(
-          "not-in-secondary", "interpreter_mode: a secondary program cannot wait");
+      throw new ScriptError("not-in-secondary", text("secondaryCannotWait"));
     }
 
     @Override
@@ -515,7 +511,7 @@ public final class Machine {
 
     @Override
     public void clearInterpreter() throws ScriptError {
-      throw new ScriptError("no-interpreter", "clear_interpreter: interpreter mode is not active");
+      throw new ScriptError("no-interpreter", text("interpreterInactive"));
     }
   }
 }

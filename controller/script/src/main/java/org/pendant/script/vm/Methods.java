@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.Map;
@@ -74,18 +76,16 @@ final class Methods {
     if (count < least || count > most) {
       throw new ScriptError(
           "argument-count",
-          method.signature().head()
-              + " takes "
-              + (least < most ? least + " to " + most : most)
-              + " arguments, not "
-              + count);
+          least < most
+              ? text("takesCounts", method.signature().head(), least, most, count)
+              : text("takesCount", method.signature().head(), most, count));
     }
     return count < most ? method.withFirst(count) : method;
   }
 
   private static ScriptError unknown(String receiver, String name) {
     String article = receiver.startsWith("e") ? "an " : "a ";
-    return new ScriptError("unknown-method", article + receiver + " has no method " + name);
+    return new ScriptError("unknown-method", text("noMethod", article + receiver, name));
   }
 
   private static Optional<Type> receiver(ValueKind kind) {

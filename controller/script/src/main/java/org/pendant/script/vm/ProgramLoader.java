@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -36,10 +38,9 @@ public final class ProgramLoader {
     return Diagnostic.error(
         LoadResult.LIBRARY,
         last.nameRange(),
-        library.name()
-            + " is a library: it holds "
-            + (functions.size() == 1 ? "a function" : functions.size() + " functions")
-            + " and no program; a program is a last def without parameters",
+        functions.size() == 1
+            ? text("libraryOfOne", library.name())
+            : text("library", library.name(), functions.size()),
         "");
   }
 

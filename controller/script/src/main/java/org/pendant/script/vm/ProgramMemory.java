@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -57,12 +59,7 @@ final class ProgramMemory {
     long live = count(run);
     if (live > limitBytes) {
       throw new ScriptError(
-          "out-of-memory",
-          "out of memory: the values of the program take "
-              + megabytes(live)
-              + " MB, may take at most "
-              + megabytes(limitBytes)
-              + " MB");
+          "out-of-memory", text("valuesTooLarge", megabytes(live), megabytes(limitBytes)));
     }
     untilCount = Math.max(limitBytes - live, limitBytes / SHARE_BETWEEN_COUNTS);
     return run.registers().size();

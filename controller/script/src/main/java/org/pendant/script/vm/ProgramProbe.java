@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -171,13 +173,13 @@ public final class ProgramProbe {
   private static String waitsFor(ProgramRun run, ScriptThread thread) {
     return switch (thread.state) {
       case RUNNABLE, ENDED -> "";
-      case JOINING -> "thread " + thread.joined.orElseThrow().id();
+      case JOINING -> text("threadNumber", thread.joined.orElseThrow().id());
       case WAITING -> {
         int top = thread.depth - 1;
         long word = thread.functions[top].instructions()[thread.reached(top)];
         yield Instruction.operation(word) == Op.CALL_BUILTIN
             ? run.builtin(Instruction.b(word)).name()
-            : "a method";
+            : text("aMethod");
       }
     };
   }
@@ -215,7 +217,7 @@ public final class ProgramProbe {
   public void kill(int thread) {
     ScriptThread found = thread(thread);
     if (found == run().main()) {
-      throw new IllegalArgumentException("thread 0 is the main thread, stop the program instead");
+      throw new IllegalArgumentException(text("mainThreadStays"));
     }
     run().killTree(found);
   }
@@ -286,13 +288,13 @@ public final class ProgramProbe {
   }
 
   private ProgramRun run() {
-    return machine.run().orElseThrow(() -> new IllegalArgumentException("no program is running"));
+    return machine.run().orElseThrow(() -> new IllegalArgumentException(text("noneRunning")));
   }
 
   private ScriptThread thread(int id) {
     return run()
         .thread(id)
         .filter(thread -> thread.depth > 0)
-        .orElseThrow(() -> new IllegalArgumentException("there is no thread " + id));
+        .orElseThrow(() -> new IllegalArgumentException(text("noThread", id)));
   }
 }

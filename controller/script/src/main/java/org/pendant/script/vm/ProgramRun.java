@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
@@ -268,12 +270,10 @@ final class ProgramRun {
   /** Starts a thread that runs function {@code number}; {@link #newestThread} is its handle. */
   void startThread(int parent, int number) throws ScriptError {
     if (threads.size() > MAX_THREADS) {
-      throw new ScriptError(
-          "too-many-threads", "more than " + MAX_THREADS + " threads run at once");
+      throw new ScriptError("too-many-threads", text("tooManyThreads", MAX_THREADS));
     }
     if (newestThread >= MAX_STARTED) {
-      throw new ScriptError(
-          "too-many-threads", "more than " + MAX_STARTED + " threads were started");
+      throw new ScriptError("too-many-threads", text("tooManyStarted", MAX_STARTED));
     }
     segments.check(functions[number].slotCount());
     startFunction(parent, functions[number]);
@@ -366,8 +366,7 @@ final class ProgramRun {
 
   private void checkHandle(String statement, int id) throws ScriptError {
     if (id < 0 || id >= newestThread) {
-      throw new ScriptError(
-          "unknown-thread", statement + ": " + id + " is not the handle of a thread");
+      throw new ScriptError("unknown-thread", text("unknownThread", statement, id));
     }
   }
 
@@ -378,14 +377,14 @@ final class ProgramRun {
       return false;
     }
     if (killed.get(id)) {
-      throw new ScriptError("unknown-thread", "join: thread " + id + " was killed");
+      throw new ScriptError("unknown-thread", text("joinOfKilled", id));
     }
     Optional<ScriptThread> other = thread(id);
     if (other.isEmpty()) {
       return false;
     }
     if (other.get().parentId() != thread.id()) {
-      throw new ScriptError("not-a-child", "join: thread " + id + " was started by another thread");
+      throw new ScriptError("not-a-child", text("joinOfOther", id));
     }
     thread.state = ScriptThread.State.JOINING;
     thread.joined = other;

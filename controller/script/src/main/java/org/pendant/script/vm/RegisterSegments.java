@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.script.value.Registers;
@@ -45,11 +47,7 @@ final class RegisterSegments {
   void check(int needed) throws ScriptError {
     int size = sizeFor(needed);
     if (size > MAX_SLOTS - end && free.get(Integer.numberOfTrailingZeros(size)).isEmpty()) {
-      throw new ScriptError(
-          "out-of-memory",
-          "out of memory: the calls that are under way need more than "
-              + MAX_SLOTS
-              + " variables and intermediate values");
+      throw new ScriptError("out-of-memory", text("callsTooLarge", MAX_SLOTS));
     }
   }
 

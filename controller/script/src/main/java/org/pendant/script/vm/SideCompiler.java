@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Optional;
@@ -41,12 +43,12 @@ final class SideCompiler {
   SideCode expression(ProgramRun run, ScriptFunction function, int offset, String text)
       throws ScriptError {
     if (text.isBlank()) {
-      throw new ScriptError("not-an-expression", "there is no expression");
+      throw new ScriptError("not-an-expression", text("noExpression"));
     }
     Source source = Source.of("expression", RESULT + " = " + text);
-    Assign parsed = parse(source, function, text + " is not an expression");
+    Assign parsed = parse(source, function, text("notExpression", text));
     if (!(parsed.target() instanceof Expression.Name)) {
-      throw new ScriptError("not-an-expression", text + " is not an expression");
+      throw new ScriptError("not-an-expression", text("notExpression", text));
     }
     return compile(run, function, offset, source, Optional.empty(), parsed);
   }
@@ -56,9 +58,9 @@ final class SideCompiler {
       ProgramRun run, ScriptFunction function, int offset, String target, String value)
       throws ScriptError {
     Source source = Source.of("expression", target + " = " + value);
-    Assign parsed = parse(source, function, source.text() + " is not an assignment");
+    Assign parsed = parse(source, function, text("notAssignment", source.text()));
     if (parsed.qualifier() != Qualifier.FREE) {
-      throw new ScriptError("not-a-variable", target + " is not a variable or a part of one");
+      throw new ScriptError("not-a-variable", text("notVariable", target));
     }
     return compile(run, function, offset, source, Optional.of(target), parsed);
   }
@@ -125,8 +127,7 @@ final class SideCompiler {
   private int assign(FunctionContext context, Assign parsed, String target) throws ScriptError {
     Binding variable = context.target(parsed);
     if (!context.knows(variable)) {
-      throw new ScriptError(
-          "unknown-variable", target + " is no variable here, only one that is there can change");
+      throw new ScriptError("unknown-variable", text("noVariableHere", target));
     }
     ExpressionCompiler expressions = new ExpressionCompiler(context, builtins);
     new AssignmentCompiler(context, expressions).assign(parsed);

@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import org.pendant.script.function.Outcome;
 import org.pendant.script.function.ProgramControl;
 import org.pendant.script.value.ScriptError;
@@ -12,7 +14,7 @@ import org.pendant.script.value.ScriptError;
 record SideControl(long frame) implements ProgramControl {
   @Override
   public void reachesOutside() throws ScriptError {
-    throw refused("the outside");
+    throw new ScriptError("not-while-stopped", text("outsideRefused"));
   }
 
   @Override
@@ -41,6 +43,6 @@ record SideControl(long frame) implements ProgramControl {
   }
 
   private static ScriptError refused(String function) {
-    return new ScriptError("not-while-stopped", function + ": not in an expression of a debugger");
+    return new ScriptError("not-while-stopped", text("notInExpression", function));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.BitSet;
 import org.pendant.script.function.Builtin;
 import org.pendant.script.value.ScriptError;
@@ -35,7 +37,7 @@ final class SideEffects {
         case Op.CALL_BUILTIN -> {
           Builtin<?> builtin = tables.builtins().get(b);
           if (builtin.signature().physicalTime()) {
-            throw refused(builtin.name() + " takes robot time");
+            throw refused(text("takesTime", builtin.name()));
           }
         }
         case Op.CALL_METHOD, Op.CALL_PART_METHOD -> changing = true;
@@ -46,18 +48,17 @@ final class SideEffects {
             look(tables.functions().get(b).original());
           }
         }
-        case Op.RUN -> throw refused("run starts a thread");
-        case Op.JOIN -> throw refused("join waits for a thread");
-        case Op.KILL -> throw refused("kill ends a thread");
-        case Op.HALT -> throw refused("halt ends the program");
-        case Op.PAUSE -> throw refused("pause stops the program");
+        case Op.RUN -> throw refused(text("runStarts"));
+        case Op.JOIN -> throw refused(text("joinWaits"));
+        case Op.KILL -> throw refused(text("killEnds"));
+        case Op.HALT -> throw refused(text("haltEnds"));
+        case Op.PAUSE -> throw refused(text("pauseStops"));
         default -> {}
       }
     }
   }
 
   private static ScriptError refused(String what) {
-    return new ScriptError(
-        "not-while-stopped", what + ", an expression must be over at once and leave threads alone");
+    return new ScriptError("not-while-stopped", text("leavesThreadsAlone", what));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.script.vm;
 
+import static org.pendant.script.vm.MachineTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -72,8 +74,7 @@ final class StaticSlots {
   private int add(String name, Value value) {
     int slot = first + names.size();
     if (slot > last) {
-      throw new ProgramTooLarge(
-          "more than " + (last - first + 1) + " global variables and different constants");
+      throw new ProgramTooLarge(text("tooManyGlobals", last - first + 1));
     }
     names.add(name);
     values.add(value);

@@ -76,7 +76,7 @@ final class BreakpointTableModel extends RowsModel<Breakpoint> {
   static String hitRefusal(String typed) {
     return HitRule.of(typed).isPresent()
         ? ""
-        : text("fromHitIsMustBe", typed.strip(), HitRule.FORMS);
+        : text("fromHitIsMustBe", typed.strip(), HitRule.forms());
   }
 
   @Override

@@ -60,7 +60,7 @@ final class BreakpointRequests {
         before >= BreakpointTable.MOST
             ? Optional.of("a file has at most " + BreakpointTable.MOST + " breakpoints")
             : rule.isEmpty()
-                ? Optional.of("hit condition is " + hits + ", must be " + HitRule.FORMS)
+                ? Optional.of("hit condition is " + hits + ", must be " + HitRule.forms())
                 : text(source).flatMap(text -> check.refusal(text, line, condition, message));
     Optional<org.pendant.script.debug.Breakpoint> breakpoint =
         refusal.isPresent()

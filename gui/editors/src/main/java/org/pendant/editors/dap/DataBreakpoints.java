@@ -101,7 +101,7 @@ final class DataBreakpoints {
         all.size() >= MAX_WATCHED
             ? "at most " + MAX_WATCHED + " values are watched"
             : rule.isEmpty()
-                ? "hit condition is " + asked.getHitCondition() + ", must be " + HitRule.FORMS
+                ? "hit condition is " + asked.getHitCondition() + ", must be " + HitRule.forms()
                 : reader.isEmpty() ? "there is no value " + asked.getDataId() : "";
     if (!refusal.isEmpty()) {
       BreakpointRequests.unverified(told, refusal, BreakpointNotVerifiedReason.FAILED);

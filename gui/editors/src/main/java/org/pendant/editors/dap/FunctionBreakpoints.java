@@ -94,7 +94,7 @@ final class FunctionBreakpoints {
     Optional<HitRule> rule = HitRule.of(Objects.requireNonNullElse(each.getHitCondition(), ""));
     if (rule.isEmpty()) {
       return refused(
-          id, "hit condition is " + each.getHitCondition() + ", must be " + HitRule.FORMS);
+          id, "hit condition is " + each.getHitCondition() + ", must be " + HitRule.forms());
     }
     if (each.getName() == null) {
       return refused(id, "a function breakpoint needs the name of a function");
