@@ -92,6 +92,8 @@ public final class StatusLine extends JPanel {
     earlier.putClientProperty("JButton.buttonType", "toolBarButton");
     earlier.putClientProperty("FlatLaf.style", "margin: 0,4,0,4");
     earlier.addActionListener(event -> showEarlier());
+    // who looks at what was told before goes on where the keyboard was
+    earlier.setRequestFocusEnabled(false);
     // It keeps its room while it is hidden: with the first notice nothing else moves.
     add(earlier, "hidemode 0");
     add(told, "growx, wmin 0");

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Pace;
@@ -50,6 +51,11 @@ final class StatusLineTest {
     line.tell("Saved a");
     refresh();
     assertEquals("Saved a", shown());
+  }
+
+  @Test
+  void whoLooksAtWhatWasToldBeforeKeepsTheKeyboardWhereItIs() {
+    assertFalse(((JButton) part("status-earlier")).isRequestFocusEnabled());
   }
 
   @Test
