@@ -61,8 +61,7 @@ final class CellBar {
     TitledCard.named(redo, "cell-redo", text("makeItAgainCtrlY"));
     redo.addActionListener(event -> draft.redo());
     TitledCard.compact(undo, redo);
-    row.add(undo);
-    row.add(redo);
+    row.add(WrappingRow.together(PartsForm.BETWEEN, undo, redo));
     panel.add(row, "growx, wmin 0, wrap");
     panel.add(new RemarkSpace(1, waiting), Remark.LAYOUT);
   }

@@ -60,8 +60,7 @@ final class InstallationBar {
           var _ = workbench.session().submit(new ProgramCommand.StopProgram());
         });
     TitledCard.compact(undo, redo, stop);
-    row.add(undo);
-    row.add(redo);
+    row.add(WrappingRow.together(PartsForm.BETWEEN, undo, redo));
     panel.add(row, "span, growx, wmin 0, wrap");
     panel.add(waiting, Remark.LAYOUT);
     stop.setVisible(false);

@@ -192,9 +192,7 @@ public final class Items<T> {
 
   public JComponent component() {
     if (remove.getParent() == null) {
-      buttons.add(remove);
-      buttons.add(up);
-      buttons.add(down);
+      buttons.add(WrappingRow.together(PartsForm.BETWEEN, remove, up, down));
     }
     return panel;
   }

@@ -10,6 +10,8 @@ import java.awt.LayoutManager;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
 
 /**
  * Components beside each other at their preferred sizes, centred in height; those that do not fit
@@ -26,6 +28,20 @@ public final class WrappingRow implements LayoutManager {
    */
   public WrappingRow(int gap) {
     this.gap = gap;
+  }
+
+  /**
+   * Components that begin a new row together.
+   *
+   * @param gap between them, in pixels before scaling
+   */
+  public static JPanel together(int gap, Component... components) {
+    JPanel together = new JPanel(new MigLayout("insets 0, gap " + UIScale.scale(gap)));
+    together.setOpaque(false);
+    for (Component each : components) {
+      together.add(each);
+    }
+    return together;
   }
 
   private record Row(List<Component> components, int width, int height) {}

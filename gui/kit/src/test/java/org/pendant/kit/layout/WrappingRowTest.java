@@ -46,4 +46,19 @@ final class WrappingRowTest {
     assertTrue(other.getX() + other.getWidth() <= 309 - 4);
     assertTrue(row.getPreferredSize().width <= 309);
   }
+
+  @Test
+  void whatBelongsTogetherBeginsANewRowTogether() {
+    add(100);
+    JPanel up = new JPanel();
+    JPanel down = new JPanel();
+    up.setPreferredSize(new Dimension(40, 20));
+    down.setPreferredSize(new Dimension(40, 20));
+    JPanel both = WrappingRow.together(4, up, down);
+    row.add(both);
+    layOut(170);
+    both.doLayout();
+    assertEquals(up.getY(), down.getY());
+    assertEquals(28, both.getY());
+  }
 }
