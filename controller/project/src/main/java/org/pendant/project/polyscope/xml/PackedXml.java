@@ -1,5 +1,7 @@
 package org.pendant.project.polyscope.xml;
 
+import static org.pendant.project.polyscope.xml.PolyscopeXmlTexts.text;
+
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
@@ -62,15 +64,10 @@ public final class PackedXml {
   public static XmlElement read(byte[] bytes, String root) throws UnreadableFile {
     XmlElement found = parse(new XmlSource(decoded(unpacked(bytes))));
     if (OLD_ROOTS.contains(found.name())) {
-      throw found.wrong(
-          "holds a "
-              + found.name()
-              + ": PolyScope 1.8 to 3.1 wrote this form, which cannot be read; expected a "
-              + root
-              + ", which a newer PolyScope writes when it opens the file and saves it");
+      throw found.wrong(text("oldForm", found.name(), root));
     }
     if (!found.name().equals(root)) {
-      throw found.wrong("holds a " + found.name() + ", must hold a " + root);
+      throw found.wrong(text("otherRoot", found.name(), root));
     }
     return found;
   }
@@ -100,9 +97,9 @@ public final class PackedXml {
     try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(bytes))) {
       return within(in.readNBytes(MAX_BYTES + 1));
     } catch (EOFException e) {
-      throw new UnreadableFile("is cut off: its compressed content has no end");
+      throw new UnreadableFile(text("cutOff"));
     } catch (ZipException e) {
-      throw new UnreadableFile("is damaged: its content cannot be unpacked, " + e.getMessage());
+      throw new UnreadableFile(text("damaged", e.getMessage()));
     } catch (IOException e) {
       throw new UncheckedIOException("memory gives all bytes", e);
     }
@@ -110,7 +107,7 @@ public final class PackedXml {
 
   private static byte[] within(byte[] bytes) throws UnreadableFile {
     if (bytes.length > MAX_BYTES) {
-      throw new UnreadableFile("has more than " + MAX_BYTES + " bytes when unpacked");
+      throw new UnreadableFile(text("tooLong", MAX_BYTES));
     }
     return bytes;
   }
@@ -121,7 +118,7 @@ public final class PackedXml {
       String text = charset.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
       return !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK ? text.substring(1) : text;
     } catch (CharacterCodingException e) {
-      throw new UnreadableFile("is no text in " + charset.name());
+      throw new UnreadableFile(text("noText", charset.name()));
     }
   }
 
@@ -136,7 +133,7 @@ public final class PackedXml {
       case "UTF-8" -> StandardCharsets.UTF_8;
       case "US-ASCII" -> StandardCharsets.US_ASCII;
       case "ISO-8859-1", "WINDOWS-1252" -> StandardCharsets.ISO_8859_1;
-      default -> throw new UnreadableFile("is written in " + name + ", must be UTF-8");
+      default -> throw new UnreadableFile(text("otherCharset", name));
     };
   }
 
@@ -156,7 +153,7 @@ public final class PackedXml {
       // Its own message says where once more, in other words and with file names that mean nothing.
       int line = e.getLocation() == null ? 0 : Math.max(0, e.getLocation().getLineNumber());
       int column = line == 0 ? 0 : Math.max(1, e.getLocation().getColumnNumber());
-      throw new UnreadableFile(line, column, "is no XML: " + lastLine(e.getMessage()));
+      throw new UnreadableFile(line, column, text("noXml", lastLine(e.getMessage())));
     }
   }
 
@@ -183,10 +180,10 @@ public final class PackedXml {
           root = root == null ? element : root;
           open.push(element);
           if (++count > MAX_ELEMENTS) {
-            throw element.wrong("is one element too many, there may be " + MAX_ELEMENTS);
+            throw element.wrong(text("tooManyElements", MAX_ELEMENTS));
           }
           if (open.size() > DEEPEST) {
-            throw element.wrong("elements stand more than " + DEEPEST + " deep in each other");
+            throw element.wrong(text("tooDeep", DEEPEST));
           }
         }
         case XMLStreamReader.END_ELEMENT -> {
@@ -202,14 +199,14 @@ public final class PackedXml {
           }
         }
         case XMLStreamReader.ENTITY_REFERENCE ->
-            throw open.peek().wrong("has an unknown entity &" + reader.getLocalName() + ";");
+            throw open.peek().wrong(text("unknownEntity", reader.getLocalName()));
         default -> {
           // comments and the like say nothing
         }
       }
     }
     if (root == null) {
-      throw new UnreadableFile("is empty");
+      throw new UnreadableFile(text("empty"));
     }
     return root;
   }

@@ -1,5 +1,7 @@
 package org.pendant.project.polyscope.xml;
 
+import static org.pendant.project.polyscope.xml.PolyscopeXmlTexts.text;
+
 /**
  * Tag scanner: finds where tags begin and end in a text whose form a parser checks at the same
  * time: parsers do not tell, and elements that Pendant does not know are to be kept to the letter.
@@ -52,7 +54,7 @@ final class TagScanner {
       } else if (text.startsWith("<?", begin)) {
         skipTo("?>");
       } else if (text.startsWith("<!", begin)) {
-        throw source.wrong(begin, "has a DOCTYPE, which is not allowed here");
+        throw source.wrong(begin, text("docType"));
       } else {
         skipTag();
         return;

@@ -1,5 +1,7 @@
 package org.pendant.project.polyscope.xml;
 
+import static org.pendant.project.polyscope.xml.PolyscopeXmlTexts.text;
+
 /** File format error: a file is not what it should be. */
 public final class UnreadableFile extends Exception {
   private static final long serialVersionUID = 1;
@@ -37,7 +39,7 @@ public final class UnreadableFile extends Exception {
 
   /** What and where, as compilers say it: {@code pick.urp:3:7: error: ...}. */
   public String report(String fileName) {
-    return place(fileName) + ": error: " + getMessage();
+    return text("errorReport", place(fileName), getMessage());
   }
 
   /** What and where, within a sentence: {@code pick.urp:3:7: ...}. */

@@ -204,11 +204,10 @@ public final class XmlElement {
         return Optional.of(at);
       }
       if (passed.size() == MAX_STEPS) {
-        throw wrong("its reference leads through more than " + MAX_STEPS + " others");
+        throw wrong(PolyscopeXmlTexts.text("longReference", MAX_STEPS));
       }
       if (!passed.add(at)) {
-        throw wrong(
-            "its reference " + text(REFERENCE) + " leads in a circle, back to " + at.path());
+        throw wrong(PolyscopeXmlTexts.text("circularReference", text(REFERENCE), at.path()));
       }
       Optional<XmlElement> next = at.follow(path.get());
       if (next.isEmpty()) {
