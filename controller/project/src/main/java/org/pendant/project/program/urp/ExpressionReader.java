@@ -51,7 +51,7 @@ final class ExpressionReader {
   private String text(XmlElement carrier) throws UnreadableFile {
     Optional<XmlElement> expression = carrier.resolved();
     if (expression.isEmpty()) {
-      remarks.add(carrier, "the reference of " + carrier.name() + " leads nowhere");
+      remarks.add(carrier, UrpProgramTexts.text("danglingReference", carrier.name()));
       return "";
     }
     StringBuilder text = new StringBuilder(expression.get().text().strip());
@@ -104,7 +104,7 @@ final class ExpressionReader {
       case "ExpressionGeomFeature" -> Features.here(name(inner));
       case "ExpressionVariable" -> word(name(inner));
       default -> {
-        remarks.add(part, part.name() + " in an expression is taken as a name");
+        remarks.add(part, UrpProgramTexts.text("takenAsName", part.name()));
         yield name(inner);
       }
     };
@@ -116,11 +116,8 @@ final class ExpressionReader {
     if (found.isEmpty()) {
       remarks.add(
           carrier,
-          "the reference "
-              + carrier.text("reference")
-              + " of "
-              + carrier.name()
-              + " leads nowhere");
+          UrpProgramTexts.text(
+              "danglingNamedReference", carrier.text("reference"), carrier.name()));
       return "";
     }
     found.get().child("initializeExpression").ifPresent(XmlElement::seeAll);

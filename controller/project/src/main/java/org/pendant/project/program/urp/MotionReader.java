@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -142,7 +144,7 @@ final class MotionReader {
       var _ = element.attribute(each);
     }
     if (element.text("optimoveEnabled").equals("true")) {
-      remarks.add(element, "an OptiMove is made as an ordinary move of its speed");
+      remarks.add(element, text("optiMove"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -87,17 +89,17 @@ final class Positions {
       throws UnreadableFile {
     Optional<XmlElement> found = position.resolved();
     if (found.isEmpty()) {
-      remarks.add(position, "the reference of position leads nowhere; the waypoint is not taught");
+      remarks.add(position, text("danglingPosition"));
       return;
     }
     Optional<WaypointPosition> read = read(waypoint, found.get(), feature);
     if (read.isEmpty()) {
-      remarks.add(position, "the position has no six joint angles; the waypoint is not taught");
+      remarks.add(position, text("positionWithoutJoints"));
       return;
     }
     WaypointPosition before = all.putIfAbsent(name, read.get());
     if (before != null && before.jointsRad().maxAbsDifference(read.get().jointsRad()) > SAME) {
-      remarks.add(position, "another waypoint " + name + " is elsewhere; the first one counts");
+      remarks.add(position, text("waypointElsewhere", name));
     }
   }
 
@@ -156,7 +158,7 @@ final class Positions {
       Pose relative = Poses.trans(Poses.inverse(baseToFeature.get()), inBase);
       return new WaypointPosition(relative, frame, jointsRad, tool);
     }
-    remarks.add(position, "nothing says where " + frame + " was; the position is kept in the base");
+    remarks.add(position, text("featureUnknown", frame));
     return new WaypointPosition(inBase, WaypointPosition.BASE, jointsRad, tool);
   }
 
@@ -167,7 +169,7 @@ final class Positions {
         .or(() -> programArm.flatMap(each -> Arms.described(each, usualArm)))
         .orElseGet(
             () -> {
-              remarks.add(position, "the file does not describe the arm; a UR5e is taken");
+              remarks.add(position, text("armNotDescribed"));
               return usualArm;
             });
   }

@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
@@ -18,7 +20,7 @@ final class PreservedElements {
   static ForeignStep.Unknown unknown(XmlElement element, Remarks remarks) {
     element.seeAll();
     String kind = SwitchedOff.kind(element);
-    remarks.add(element, kind + " is not understood; it is kept, and does nothing");
+    remarks.add(element, text("kept", kind));
     return new ForeignStep.Unknown(kind, List.of(SwitchedOff.plain(element).split("\n", -1)));
   }
 
@@ -37,9 +39,7 @@ final class PreservedElements {
         new ForeignStep.Contributed(
             source, type, List.of(SwitchedOff.plain(element).split("\n", -1)), stub);
     if (stub.isEmpty() && !ExternalControl.is(step)) {
-      remarks.add(
-          element,
-          "the contributed node \"" + type + "\" is kept, and does nothing without a stub script");
+      remarks.add(element, text("urcapKept", type));
     }
     return step;
   }

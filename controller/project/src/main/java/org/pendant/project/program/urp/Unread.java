@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.util.List;
 import java.util.Set;
 import org.pendant.project.polyscope.xml.XmlElement;
@@ -41,7 +43,7 @@ final class Unread {
       for (String unread : each.unread()) {
         String name = unread.contains("=") ? unread.substring(0, unread.indexOf('=')) : unread;
         if (!NOT_NEEDED.contains(name)) {
-          remarks.add(each, unread + " of " + each.name() + " is not understood");
+          remarks.add(each, text("notUnderstood", unread, each.name()));
         }
       }
     }

@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -120,11 +122,11 @@ final class UrpProgramReader {
         root.child("kinematics").flatMap(each -> Arms.described(each, expected));
     Optional<String> model = arm.flatMap(each -> Arms.model(each, expected));
     if (arm.isPresent() && model.isEmpty()) {
-      remarks.add(root, "the arm that it was made on is none of those that are known");
+      remarks.add(root, text("armUnknown"));
     }
     model
         .filter(each -> !each.equals(expected.id()))
-        .ifPresent(each -> remarks.add(root, "it was made on a " + each));
+        .ifPresent(each -> remarks.add(root, text("madeOn", each)));
     return model;
   }
 
@@ -150,7 +152,7 @@ final class UrpProgramReader {
       }
     }
     if (!main) {
-      throw root.wrong("has no MainProgram");
+      throw root.wrong(text("noMain"));
     }
     return all;
   }
@@ -158,7 +160,7 @@ final class UrpProgramReader {
   private Optional<ProgramNode> section(XmlElement element) throws UnreadableFile {
     Optional<XmlElement> found = element.resolved();
     if (found.isEmpty()) {
-      remarks.add(element, "the reference of " + element.name() + " leads nowhere");
+      remarks.add(element, text("danglingReference", element.name()));
       return Optional.empty();
     }
     XmlElement target = found.get();
@@ -173,7 +175,7 @@ final class UrpProgramReader {
       Optional<ProgramNode> node = node(target, Within.NOTHING, 1);
       node.ifPresent(
           each -> {
-            remarks.add(element, element.name() + " is kept at the end of the main program");
+            remarks.add(element, text("keptInMain", element.name()));
             stray.add(each);
           });
       return Optional.empty();
@@ -300,7 +302,7 @@ final class UrpProgramReader {
     for (int i = 0; i < all.size(); i++) {
       XmlElement each = all.get(i);
       if (depth > ProgramTree.DEEPEST) {
-        throw each.wrong("nodes are more than " + ProgramTree.DEEPEST + " levels deep");
+        throw each.wrong(text("tooDeep", ProgramTree.DEEPEST));
       }
       Within here =
           i + 1 < all.size() ? within.before(MotionReader.isOtherMove(all.get(i + 1))) : within;
@@ -334,7 +336,7 @@ final class UrpProgramReader {
   private Optional<ProgramNode> node(XmlElement element, Within within, int depth)
       throws UnreadableFile {
     if (++nodeCount > MAX_NODES) {
-      throw element.wrong("is one node too many, there may be " + MAX_NODES);
+      throw element.wrong(text("tooManyNodes", MAX_NODES));
     }
     if (element.name().equals("Placeholder")) {
       return Optional.empty();

@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -77,7 +79,7 @@ final class UrpProgramWriter {
     List<String> forms = new ArrayList<>();
     for (int i = 0; i < all.size(); i++) {
       if (own.contains(all.get(i).key())) {
-        forms.add("node " + (i + 1) + ", " + NodeKind.of(all.get(i).step()).title());
+        forms.add(text("ownNode", i + 1, NodeKind.of(all.get(i).step()).title()));
       }
     }
     return forms;

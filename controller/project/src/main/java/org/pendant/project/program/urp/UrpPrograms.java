@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.installation.Installation;
@@ -58,11 +60,9 @@ public final class UrpPrograms {
   /** What people should know of the file of a program before they take it to a robot. */
   public static List<String> notes(String name, ProgramTree tree, Installation installation) {
     List<String> notes = new ArrayList<>();
-    notes.add(
-        "writing .urp is experimental, as its form is not published; no robot has loaded such a"
-            + " file yet");
+    notes.add(text("experimental"));
     for (String own : ownForms(name, tree, installation)) {
-      notes.add(own + " is written in a form of Pendant's own, which no robot knows");
+      notes.add(text("ownForm", own));
     }
     return List.copyOf(notes);
   }

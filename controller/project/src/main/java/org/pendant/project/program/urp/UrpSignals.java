@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -63,7 +65,7 @@ final class UrpSignals {
   String named(XmlElement pin) throws UnreadableFile {
     Optional<XmlElement> found = pin.resolved();
     if (found.isEmpty()) {
-      remarks.add(pin, "the reference of " + pin.name() + " leads nowhere");
+      remarks.add(pin, text("danglingReference", pin.name()));
       return "";
     }
     String name =
@@ -71,7 +73,7 @@ final class UrpSignals {
     return here(name)
         .orElseGet(
             () -> {
-              remarks.add(pin, "no installation says which signal \"" + name + "\" is");
+              remarks.add(pin, text("signalUnknown", name));
               return name;
             });
   }

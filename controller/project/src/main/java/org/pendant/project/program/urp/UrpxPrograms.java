@@ -1,5 +1,7 @@
 package org.pendant.project.program.urp;
 
+import static org.pendant.project.program.urp.UrpProgramTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -36,8 +38,7 @@ public final class UrpxPrograms {
   public static final String ENDING = ".urpx";
 
   /** The remark on every such program. */
-  public static final String ONLY_SHOWN =
-      "the nodes of PolyScope X are only shown; the script that they have become runs";
+  public static final String ONLY_SHOWN = text("onlyShown");
 
   /** A line that says at which node the script is: its number among those with lines. */
   private static final Pattern LABEL = Pattern.compile("^(\\s*)\\$ (\\d{1,9}) (.*)");
@@ -67,7 +68,7 @@ public final class UrpxPrograms {
    * @throws UnreadableFile if it is no program, or was saved without its script
    */
   public static ImportedProgram read(String fileName, byte[] bytes) throws UnreadableFile {
-    return new UrpxPrograms().program(fileName, object(parsed(bytes), "the file"));
+    return new UrpxPrograms().program(fileName, object(parsed(bytes), "fileMissing", ""));
   }
 
   /**
@@ -76,12 +77,12 @@ public final class UrpxPrograms {
    * @throws UnreadableFile if it is no program, was saved without its script, or says no name
    */
   public static String nameIn(byte[] bytes) throws UnreadableFile {
-    Map<?, ?> file = object(parsed(bytes), "the file");
+    Map<?, ?> file = object(parsed(bytes), "fileMissing", "");
     var _ = new UrpxPrograms().program("", file);
     if (member(member(file, "program"), "programInformation").get("name") instanceof String name) {
       return name;
     }
-    throw new UnreadableFile(0, 0, "says no name: programInformation must have one");
+    throw new UnreadableFile(0, 0, text("programWithoutName"));
   }
 
   private ImportedProgram program(String fileName, Map<?, ?> file) throws UnreadableFile {
@@ -92,9 +93,7 @@ public final class UrpxPrograms {
     List<String> setUp = script(application);
     List<String> missing = missing(setUp);
     if (!missing.isEmpty()) {
-      remarks.add(
-          "the script that sets up the robot is suppressed, as it needs functions of PolyScope X: "
-              + String.join(", ", missing));
+      remarks.add(text("setUpSuppressed", String.join(", ", missing)));
     }
     ProgramNode nodes = node(member(program, "programContent"), 1).withSuppressed(true);
     List<ProgramNode> all = new ArrayList<>(List.of(nodes));
@@ -146,7 +145,7 @@ public final class UrpxPrograms {
       return value(parser);
     } catch (JacksonException e) {
       TokenStreamLocation at = e.getLocation();
-      String why = "is no JSON: " + e.getOriginalMessage();
+      String why = text("noJson", e.getOriginalMessage());
       throw at == null
           ? new UnreadableFile(0, 0, why)
           : new UnreadableFile(at.getLineNr(), at.getColumnNr(), why);
@@ -174,16 +173,21 @@ public final class UrpxPrograms {
     return parser.hasCurrentToken() ? parser.getString() : "";
   }
 
-  private static Map<?, ?> object(Object value, String what) throws UnreadableFile {
+  /**
+   * An object.
+   *
+   * @param key of the text that says that it is missing
+   * @param name that goes into it
+   */
+  private static Map<?, ?> object(Object value, String key, String name) throws UnreadableFile {
     if (value instanceof Map<?, ?> members) {
       return members;
     }
-    throw new UnreadableFile(
-        0, 0, "is no program of PolyScope X: " + what + " is missing, must be an object");
+    throw new UnreadableFile(0, 0, text(key, name));
   }
 
   private static Map<?, ?> member(Map<?, ?> of, String name) throws UnreadableFile {
-    return object(of.get(name), name);
+    return object(of.get(name), "memberMissing", name);
   }
 
   /**
@@ -193,7 +197,7 @@ public final class UrpxPrograms {
   private List<String> script(Map<?, ?> part) throws UnreadableFile {
     Map<?, ?> script = member(part, "urscript");
     if (!(script.get("script") instanceof String text)) {
-      throw new UnreadableFile(0, 0, "was saved without its script, so that nothing can run");
+      throw new UnreadableFile(0, 0, text("scriptMissing"));
     }
     List<?> ids = script.get("nodeIDList") instanceof List<?> all ? all : List.of();
     return text.lines().map(line -> remark(line, ids)).toList();
@@ -214,7 +218,7 @@ public final class UrpxPrograms {
 
   private ProgramNode node(Map<?, ?> node, int depth) throws UnreadableFile {
     if (depth > ProgramTree.DEEPEST - 1) {
-      throw new UnreadableFile(0, 0, "nodes are more than " + ProgramTree.DEEPEST + " levels deep");
+      throw new UnreadableFile(0, 0, text("tooDeep", ProgramTree.DEEPEST));
     }
     count++;
     if (node.get("guid") instanceof String id) {
@@ -228,7 +232,7 @@ public final class UrpxPrograms {
     List<ProgramNode> children = new ArrayList<>();
     if (node.get("children") instanceof List<?> all) {
       for (Object each : all) {
-        children.add(node(object(each, "a child of " + type), depth + 1));
+        children.add(node(object(each, "childMissing", type), depth + 1));
       }
     }
     return ProgramTree.node(
