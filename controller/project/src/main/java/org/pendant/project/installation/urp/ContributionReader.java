@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.installation.ControlHost;
@@ -33,7 +35,7 @@ final class ContributionReader {
       if (each.text("name").equals(EXTERNAL_CONTROL)) {
         host = controlHost(each);
       } else if (!each.children().isEmpty() && !value(each, "enabled").equals("false")) {
-        remarks.add("the URCap " + each.text("name") + " is not understood");
+        remarks.add(text("urcapUnknown", each.text("name")));
       }
     }
     return host;
@@ -53,19 +55,14 @@ final class ContributionReader {
       }
       tellBroken(urcap, problem.get());
     } catch (NumberFormatException e) {
-      tellBroken(urcap, "the port is \"" + port + "\", must be a number");
+      tellBroken(urcap, text("portNoNumber", port));
     }
     return ControlHost.STANDARD;
   }
 
   private void tellBroken(XmlElement urcap, String why) {
     remarks.add(
-        "line "
-            + urcap.line()
-            + ": External Control asks "
-            + ControlHost.STANDARD.text()
-            + " instead: "
-            + why);
+        text("atLine", urcap.line(), text("controlKept", ControlHost.STANDARD.text(), why)));
   }
 
   private static String value(XmlElement urcap, String key) {

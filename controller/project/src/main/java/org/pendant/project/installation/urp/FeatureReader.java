@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -47,13 +49,12 @@ final class FeatureReader {
           default -> FeatureKind.POINT;
         };
     Optional<List<Pose>> points = points(element, kind);
-    String where = "line " + element.line() + ": the feature " + name;
     if (!name.matches("[A-Za-z_]\\w*")) {
-      remarks.add(where + " is left out, as its name is no name of the language");
+      leftOut(element, "featureName");
     } else if (points.isEmpty()) {
-      remarks.add(where + " is left out, as it has no position");
+      leftOut(element, "featureNowhere");
     } else if (!names.add(name)) {
-      remarks.add(where + " is left out, as another one has its name");
+      leftOut(element, "featureTwice");
     } else {
       features.add(
           new Feature(
@@ -63,6 +64,10 @@ final class FeatureReader {
               element.text("isVariable").equals("true"),
               element.attribute("joggable").orElse("true").equals("true")));
     }
+  }
+
+  private void leftOut(XmlElement feature, String why) {
+    remarks.add(text("atLine", feature.line(), text(why, feature.text("name"))));
   }
 
   private static Optional<List<Pose>> points(XmlElement element, FeatureKind kind) {

@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -100,7 +102,7 @@ final class InstallationReader {
     for (XmlElement each : below(settings, "tcp")) {
       double[] offset = Rows.numbers(each.text("offset"), Pose.SIZE);
       if (offset.length == 0 || each.text("name").isEmpty()) {
-        remarks.add("line " + each.line() + ": this TCP has no name or no offset of six numbers");
+        remarks.add(text("atLine", each.line(), text("tcpIncomplete")));
       } else {
         tools.add(new NamedTool(each.text("name"), Pose.of(offset)));
       }
@@ -139,7 +141,7 @@ final class InstallationReader {
     double[] massKg = Rows.numbers(mass, 1);
     double[] cogM = Rows.numbers(cog, 3);
     if (name.isEmpty() || massKg.length == 0 || cogM.length == 0) {
-      remarks.add("line " + where.line() + ": this payload has no name, mass or centre of gravity");
+      remarks.add(text("atLine", where.line(), text("payloadIncomplete")));
       return Optional.empty();
     }
     return Optional.of(
@@ -151,9 +153,7 @@ final class InstallationReader {
     Inertia inertia = elements.length == 0 ? Inertia.NONE : Inertia.of(elements);
     Optional<String> problem = inertia.problem();
     problem.ifPresent(
-        why ->
-            remarks.add(
-                "line " + payload.line() + ": the inertia of this payload is left out: " + why));
+        why -> remarks.add(text("atLine", payload.line(), text("inertiaLeftOut", why))));
     return problem.isEmpty() ? inertia : Inertia.NONE;
   }
 
@@ -180,7 +180,7 @@ final class InstallationReader {
     List<String> kept = Rows.words(Optional.of(root), "preserveSignalAtProgramStop");
     List<String> high = Rows.words(Optional.of(root), "ProgramStateMode");
     if (kept.contains("false") || high.contains("true")) {
-      remarks.add("what outputs do when a program ends is not read from files of this age");
+      remarks.add(text("oldActions"));
     }
     understood.addAll(List.of("preserveSignalAtProgramStop", "ProgramStateMode", "setSignalLow"));
   }
@@ -205,7 +205,7 @@ final class InstallationReader {
             .distinct()
             .collect(Collectors.joining(", "));
     if (!rest.isEmpty()) {
-      remarks.add("not understood, and as in a new installation: " + rest);
+      remarks.add(text("restUnknown", rest));
     }
   }
 }

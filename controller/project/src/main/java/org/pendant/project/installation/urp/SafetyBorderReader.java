@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -75,7 +77,7 @@ final class SafetyBorderReader {
     Optional<Axis> side = axis(section, "planeNormal");
     OptionalDouble distance = section.number("distanceToOrigin");
     if (applies.isEmpty() || side.isEmpty() || distance.isEmpty()) {
-      section.remark("name", "is " + SafetySections.shown(name) + ": this plane is left out");
+      section.remark("name", text("planeLeftOut", SafetySections.shown(name)));
       section.seeAll();
       return Optional.empty();
     }
@@ -84,7 +86,7 @@ final class SafetyBorderReader {
         Math.sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
     double awayM = -distance.getAsDouble() / length;
     if (section.text("flangeRestricted").equals("true")) {
-      section.remark("flangeRestricted", "is not modelled: the plane looks at the active TCP");
+      section.remark("flangeRestricted", text("flangeNotModelled"));
     }
     Axis n = side.get();
     return Optional.of(
@@ -113,10 +115,10 @@ final class SafetyBorderReader {
     if (!name.equals(section.text("name"))) {
       section.remark(
           "name",
-          "is \""
-              + SafetySections.shown(section.text("name"))
-              + "\", must be a name of its own; the plane is called "
-              + SafetySections.shown(name));
+          text(
+              "planeRenamed",
+              SafetySections.shown(section.text("name")),
+              SafetySections.shown(name)));
     }
     return name;
   }
@@ -124,7 +126,7 @@ final class SafetyBorderReader {
   private static Optional<Applies> mode(Section section) {
     Optional<Applies> mode = Optional.ofNullable(MODES.get(section.text("mode")));
     if (mode.isEmpty()) {
-      section.broken("mode", "must be DISABLED, NORMAL, REDUCED, BOTH or TRIGGER");
+      section.broken("mode", text("modeUnknown"));
     }
     return mode;
   }
@@ -138,7 +140,7 @@ final class SafetyBorderReader {
     try {
       return Optional.of(new Axis(n[0], n[1], n[2]));
     } catch (IllegalArgumentException e) {
-      section.broken(key, "must be a direction");
+      section.broken(key, text("noDirection"));
       return Optional.empty();
     }
   }
@@ -162,10 +164,10 @@ final class SafetyBorderReader {
         return Optional.of(
             new ToolDirection(allowed.get(), toolAxis(), largest.getAsDouble(), applies.get()));
       } catch (IllegalArgumentException e) {
-        section.remark("mode", "cannot be obeyed: " + e.getMessage());
+        section.remark("mode", text("directionUnobeyed", e.getMessage()));
       }
     }
-    section.remark("mode", "is left out: the tool may point anywhere");
+    section.remark("mode", text("directionLeftOut"));
     return Optional.empty();
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.List;
 
 /**
@@ -25,14 +27,14 @@ final class SafetyRemarks {
   void add(int line, String what) {
     count++;
     if (count <= MOST) {
-      remarks.add(line > 0 ? "line " + line + ": " + what : what);
+      remarks.add(line > 0 ? text("atLine", line, what) : what);
     }
   }
 
   /** Says how much was not told. */
   void close() {
     if (count > MOST) {
-      remarks.add((count - MOST) + " more remarks on the safety settings are left out");
+      remarks.add(text("moreRemarks", count - MOST));
     }
   }
 }

@@ -74,7 +74,7 @@ final class SafetySections {
     OptionalDouble number(String key) {
       OptionalDouble number = SafetySections.number(text(key));
       if (number.isEmpty() && has(key)) {
-        broken(key, "must be a number");
+        broken(key, InstallationUrpTexts.text("noNumber"));
       }
       return number;
     }
@@ -90,20 +90,26 @@ final class SafetySections {
         numbers[i] = number.orElse(0);
       }
       if (!right && has(key)) {
-        broken(key, "must be " + count + " numbers in brackets");
+        broken(key, InstallationUrpTexts.text("noNumbers", count));
       }
       return right ? Optional.of(numbers) : Optional.empty();
     }
 
     /** Tells that a value cannot be used. */
     void broken(String key, String why) {
-      remark(key, text(key).isEmpty() ? "is empty, " + why : "is " + shown(text(key)) + ", " + why);
+      remark(
+          key,
+          text(key).isEmpty()
+              ? InstallationUrpTexts.text("emptyValue", why)
+              : InstallationUrpTexts.text("wrongValue", shown(text(key)), why));
     }
 
     /** Tells something of a value. */
     void remark(String key, String what) {
       Entry entry = entries.get(key);
-      tell(entry == null ? line : entry.line, shown(key) + " in [" + shown(name) + "] " + what);
+      tell(
+          entry == null ? line : entry.line,
+          InstallationUrpTexts.text("remarkOn", shown(key), shown(name), what));
     }
 
     /** Says that all of it is understood, or need not be. */
@@ -111,15 +117,22 @@ final class SafetySections {
       entries.values().forEach(each -> each.read = true);
     }
 
-    private String unread() {
+    /** What was not asked for; empty if all was. */
+    private Optional<String> unread() {
       List<String> unread =
           entries.entrySet().stream()
               .filter(each -> !each.getValue().read)
               .map(each -> shown(each.getKey()) + " = " + shown(each.getValue().value))
               .toList();
       int more = unread.size() - MAX_UNREAD;
-      return String.join(", ", unread.subList(0, Math.min(unread.size(), MAX_UNREAD)))
-          + (more > 0 ? " and " + more + " more" : "");
+      String told = String.join(", ", unread.subList(0, Math.min(unread.size(), MAX_UNREAD)));
+      if (unread.isEmpty()) {
+        return Optional.empty();
+      }
+      return Optional.of(
+          more > 0
+              ? InstallationUrpTexts.text("notUnderstoodMore", shown(name), told, more)
+              : InstallationUrpTexts.text("notUnderstood", shown(name), told));
     }
   }
 
@@ -138,7 +151,7 @@ final class SafetySections {
     for (int line = firstLine; lines.hasNext(); line++) {
       String each = lines.next().strip();
       if (line - firstLine == MAX_LINES) {
-        tell(line, "the safety settings have more than " + MAX_LINES + " lines, the rest is left");
+        tell(line, InstallationUrpTexts.text("tooManyLines", MAX_LINES));
         return;
       }
       int equals = each.indexOf('=');
@@ -149,12 +162,7 @@ final class SafetySections {
         section = sections.computeIfAbsent(name, key -> new Section(key, at));
       } else if (tooLong || equals <= 0 || section.name.isEmpty()) {
         if (!each.isEmpty()) {
-          tell(
-              line,
-              "\""
-                  + shown(each)
-                  + "\" in the safety settings is left out, must be a key and"
-                  + " a value below a heading in brackets");
+          tell(line, InstallationUrpTexts.text("lineLeftOut", shown(each)));
         }
       } else {
         add(section, each.substring(0, equals).strip(), each.substring(equals + 1).strip(), line);
@@ -164,7 +172,7 @@ final class SafetySections {
 
   private void add(Section section, String key, String value, int line) {
     if (section.entries.putIfAbsent(key, new Entry(line, value)) != null) {
-      tell(line, "the second " + shown(key) + " in [" + shown(section.name) + "] is left out");
+      tell(line, InstallationUrpTexts.text("secondLeftOut", shown(key), shown(section.name)));
     }
   }
 
@@ -182,11 +190,11 @@ final class SafetySections {
   /** Tells of all that were not asked for. */
   void tellUnread() {
     for (Section each : sections.values()) {
-      String unread = each.unread();
+      Optional<String> unread = each.unread();
       if (!each.read) {
-        tell(each.line, "the section [" + shown(each.name) + "] is not understood");
-      } else if (!unread.isEmpty()) {
-        tell(each.line, "not understood in [" + shown(each.name) + "]: " + unread);
+        tell(each.line, InstallationUrpTexts.text("sectionUnknown", shown(each.name)));
+      } else {
+        unread.ifPresent(what -> tell(each.line, what));
       }
     }
   }

@@ -1,12 +1,14 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import org.pendant.controller.safety.LimitRanges;
@@ -69,9 +71,7 @@ final class SafetySettingsReader {
     SafetyRemarks remarks = new SafetyRemarks(all);
     Optional<SafetyConfiguration> read = new SafetySettingsReader(element, remarks).read();
     if (read.isEmpty()) {
-      remarks.add(
-          element.line(),
-          "the safety settings hold no limits and no planes; the limits of the arm hold");
+      remarks.add(element.line(), text("noLimits"));
     }
     remarks.close();
     return read;
@@ -126,14 +126,7 @@ final class SafetySettingsReader {
     lacking.addAll(missing);
     if (!missing.isEmpty()) {
       remarks.add(
-          0,
-          "the "
-              + set.toLowerCase(Locale.ROOT)
-              + " limits lack "
-              + String.join(", ", missing)
-              + "; those of "
-              + (normal.isPresent() ? "normal mode" : "the arm")
-              + " hold");
+          0, text(normal.isPresent() ? "reducedLacks" : "normalLacks", String.join(", ", missing)));
     }
     return new SafetyLimits(
         v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], speed, Joints.of(min), Joints.of(max));
@@ -146,7 +139,13 @@ final class SafetySettingsReader {
       missing.add(quantity.key());
       return widest;
     }
-    return limited(section, quantity.key(), "", number.getAsDouble(), quantity.range(), widest);
+    return limited(
+        section,
+        quantity.key(),
+        OptionalInt.empty(),
+        number.getAsDouble(),
+        quantity.range(),
+        widest);
   }
 
   private static Joints speed(Section joints, Optional<Joints> normal, List<String> missing) {
@@ -158,7 +157,7 @@ final class SafetySettingsReader {
     }
     double[] speed = read.get();
     for (int i = 0; i < speed.length; i++) {
-      String joint = "of joint " + i + " ";
+      OptionalInt joint = OptionalInt.of(i);
       speed[i] = limited(joints, JOINT_SPEED, joint, speed[i], LimitRanges.JOINT_SPEED, widest[i]);
     }
     return Joints.of(speed);
@@ -166,33 +165,33 @@ final class SafetySettingsReader {
 
   /** A limit that a model can have, and that is not wider than the normal one. */
   private static double limited(
-      Section section, String key, String which, double wanted, Range range, double widest) {
+      Section section, String key, OptionalInt joint, double wanted, Range range, double widest) {
     double held = Math.clamp(wanted, range.least(), range.most());
     if (held != wanted) {
       section.remark(
           key,
-          which
-              + "is "
-              + with(wanted, range)
-              + ", must be "
-              + Range.number(range.least())
-              + " to "
-              + with(range.most(), range)
-              + "; "
-              + with(held, range)
-              + " holds");
+          outOfRange(
+              joint,
+              with(wanted, range),
+              Range.number(range.least()),
+              with(range.most(), range),
+              with(held, range)));
     }
     if (held > widest) {
       section.remark(
           key,
-          which
-              + "is "
-              + with(held, range)
-              + ", must be at most the normal "
-              + with(widest, range)
-              + ", which holds");
+          joint.isPresent()
+              ? text("jointBeyondNormal", joint.getAsInt(), with(held, range), with(widest, range))
+              : text("beyondNormal", with(held, range), with(widest, range)));
     }
     return Math.min(held, widest);
+  }
+
+  private static String outOfRange(
+      OptionalInt joint, String wanted, String least, String most, String held) {
+    return joint.isPresent()
+        ? text("jointOutOfRange", joint.getAsInt(), wanted, least, most, held)
+        : text("outOfRange", wanted, least, most, held);
   }
 
   private static String with(double value, Range range) {
@@ -239,18 +238,15 @@ final class SafetySettingsReader {
       double heldTo = empty ? most : to;
       joints.remark(
           "minJointPosition",
-          "lets joint "
-              + i
-              + " be at "
-              + min[i]
-              + " to "
-              + max[i]
-              + " rad, must be a range"
-              + (normal.isPresent() ? " within the normal one" : "")
-              + "; "
-              + (Double.isInfinite(heldFrom) && Double.isInfinite(heldTo)
-                  ? "that of the arm holds"
-                  : heldFrom + " to " + heldTo + " rad holds"));
+          Double.isInfinite(heldFrom) && Double.isInfinite(heldTo)
+              ? text(normal.isPresent() ? "reducedRangeOfArm" : "rangeOfArm", i, min[i], max[i])
+              : text(
+                  normal.isPresent() ? "reducedRangeHeld" : "rangeHeld",
+                  i,
+                  min[i],
+                  max[i],
+                  heldFrom,
+                  heldTo));
     }
     min[i] = empty ? least : from;
     max[i] = empty ? most : to;

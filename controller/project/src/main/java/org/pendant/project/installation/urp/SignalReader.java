@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -81,7 +83,7 @@ final class SignalReader {
         String signal = bank.name() + "[" + i + "]";
         String name = i < called.size() ? called.get(i) : "";
         if (!name.isEmpty() && !names.add(name)) {
-          remarks.add(signal + " is called " + name + " as well; the name means the first of them");
+          remarks.add(text("calledAsWell", signal, name));
         }
         SignalUse use = use(bank, signal, name, i < actions.size() ? actions.get(i) : NO_ACTION);
         boolean idle =
@@ -97,7 +99,7 @@ final class SignalReader {
   private SignalUse use(Bank bank, String signal, String name, String action) {
     boolean known = (bank.input() ? INPUT_ACTIONS : OUTPUT_ACTIONS).containsKey(action);
     if (!known) {
-      remarks.add("the action " + action + " of " + signal + " is not understood; it has none");
+      remarks.add(text("actionUnknown", action, signal));
     }
     return new SignalUse(
         signal,
@@ -124,17 +126,9 @@ final class SignalReader {
         if (signal.isPresent() && names.add(signal.get().name())) {
           signals.add(signal.get());
         } else if (signal.isPresent()) {
-          remarks.add(
-              "line "
-                  + each.line()
-                  + ": the second Modbus signal "
-                  + signal.get().name()
-                  + " is left out");
+          remarks.add(text("atLine", each.line(), text("modbusTwice", signal.get().name())));
         } else {
-          remarks.add(
-              "line "
-                  + each.line()
-                  + ": this Modbus signal has no name, type, address or frequency");
+          remarks.add(text("atLine", each.line(), text("modbusIncomplete")));
         }
       }
     }
@@ -157,8 +151,7 @@ final class SignalReader {
     for (String action : List.of("inputAction", "outputAction")) {
       String does = signal.attribute(action).orElse(NO_ACTION);
       if (!does.equals(NO_ACTION)) {
-        remarks.add(
-            "the action " + does + " of the Modbus signal " + signal.text("name") + " is left out");
+        remarks.add(text("modbusActionLeftOut", does, signal.text("name")));
       }
     }
     return whole

@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -64,7 +66,7 @@ final class UnmodelledSafety {
     for (Idle each : IDLE) {
       Section section = sections.section(each.section());
       if (section.has(each.key()) && !each.values().contains(section.text(each.key()))) {
-        section.broken(each.key(), "which is not modelled");
+        section.broken(each.key(), text("valueNotModelled"));
       }
     }
     NOT_NEEDED.forEach((name, keys) -> keys.forEach(sections.section(name)::text));
@@ -81,7 +83,7 @@ final class UnmodelledSafety {
             .anyMatch(each -> !each.equals("-1.0"));
     boolean off = section.text("safeHomeEnabled").equals("0");
     if (set && !off) {
-      section.remark("safeHomePosition", "is not modelled");
+      section.remark("safeHomePosition", text("notModelled"));
     }
   }
 
@@ -98,11 +100,10 @@ final class UnmodelledSafety {
         String name = i < names.size() ? names.get(i) : "null";
         section.remark(
             "toolSpheres",
-            "has the tool position "
-                + (name.equals("null") ? "" + i : SafetySections.shown(name))
-                + ", "
-                + SafetySections.shown(spheres.get(i))
-                + ", which is not modelled: planes look at the active TCP");
+            text(
+                "toolPosition",
+                name.equals("null") ? "" + i : SafetySections.shown(name),
+                SafetySections.shown(spheres.get(i))));
       }
     }
   }
@@ -114,7 +115,7 @@ final class UnmodelledSafety {
       String function = key.substring(0, Math.max(0, key.length() - 1));
       if (key.endsWith("_OSSD")) {
         if (!section.text(key).equals("0")) {
-          section.broken(key, "which is not modelled");
+          section.broken(key, text("valueNotModelled"));
         }
       } else if (key.endsWith(FIRST) && section.has(function + SECOND)) {
         List<String> signals = new ArrayList<>();
@@ -132,13 +133,21 @@ final class UnmodelledSafety {
 
   private static void tell(Section section, String key, String function, List<String> signals) {
     SafetyInput input = INPUTS.get(function);
-    section.remark(
-        key,
-        "gives "
-            + function
-            + " to "
-            + String.join(" and ", signals)
-            + ", which is not modelled"
-            + (input == null ? "" : ": the safety input " + input.word() + " demands it"));
+    String one = signals.getFirst();
+    String other = signals.getLast();
+    boolean single = signals.size() == 1;
+    String what;
+    if (input == null) {
+      what =
+          single
+              ? text("signalNotModelled", function, one)
+              : text("signalsNotModelled", function, one, other);
+    } else {
+      what =
+          single
+              ? text("signalDemanded", function, one, input.word())
+              : text("signalsDemanded", function, one, other, input.word());
+    }
+    section.remark(key, what);
   }
 }

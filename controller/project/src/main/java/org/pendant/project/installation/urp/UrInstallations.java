@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -93,7 +95,7 @@ public final class UrInstallations {
     for (XmlElement each : elements) {
       String name = value(each, "name");
       if (name.isEmpty()) {
-        throw each.wrong("has no name");
+        throw each.wrong(text("noName"));
       }
       variables.add(
           new InstallationVariable(

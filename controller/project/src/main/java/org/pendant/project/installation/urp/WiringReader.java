@@ -1,5 +1,7 @@
 package org.pendant.project.installation.urp;
 
+import static org.pendant.project.installation.urp.InstallationUrpTexts.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -77,7 +79,7 @@ final class WiringReader {
   }
 
   private void notUnderstood(String attribute, String word, String usual) {
-    remarks.add(attribute + "=\"" + word + "\" is not understood; it is " + usual);
+    remarks.add(text("settingUnknown", attribute, word, usual));
   }
 
   private int voltage() {
@@ -105,7 +107,7 @@ final class WiringReader {
           (float) rx[0],
           (float) tx[0]);
     } catch (IllegalArgumentException e) {
-      remarks.add("the serial line of the tool stays as in a new installation: " + e.getMessage());
+      remarks.add(text("serialKept", e.getMessage()));
       return usual;
     }
   }
