@@ -157,7 +157,7 @@ final class CellScene {
     List<List<DeviceSetup>> real =
         members.stream().map(each -> each.options().equipment().devices()).toList();
     Optional<List<List<DeviceSetup>>> changed =
-        draft.filter(each -> each.size() == members.size() && !each.equals(real));
+        draft.map(each -> ofEach(members.size(), each)).filter(each -> !each.equals(real));
     List<List<DeviceSetup>> setups = changed.orElse(real);
     SessionMember seen = seen();
     int first = members.indexOf(seen);
@@ -176,5 +176,14 @@ final class CellScene {
       sight = sight.choosing(chosen.get(), setups.stream().flatMap(List::stream).toList());
     }
     return sight.withTravel(travelM).seenFrom(Poses.inverse(seen.baseInCell()));
+  }
+
+  /** The draft may be of a cell with fewer controllers, or of one with more. */
+  private static List<List<DeviceSetup>> ofEach(int controllers, List<List<DeviceSetup>> draft) {
+    List<List<DeviceSetup>> each = new ArrayList<>();
+    for (int i = 0; i < controllers; i++) {
+      each.add(i < draft.size() ? draft.get(i) : List.of());
+    }
+    return each;
   }
 }
