@@ -5,6 +5,7 @@ import static org.pendant.desktop.sweep.SweepTexts.text;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.FontMetrics;
+import java.awt.Insets;
 import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -23,6 +24,7 @@ import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.pendant.desktop.sweep.DraftParameter.Part;
+import org.pendant.kit.table.MiddleElision;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
 import org.pendant.sweep.plan.SamplingMethod;
@@ -35,6 +37,7 @@ final class ParameterTable extends JTable {
   private static final int WHAT = 1;
   private static final int NOW = 2;
   private static final int VALUES = 6;
+  private static final int NAME = 7;
   private static final List<String> TITLES =
       List.of(
           "",
@@ -227,7 +230,7 @@ final class ParameterTable extends JTable {
         case 4 -> Optional.of(Part.TO);
         case 5 -> Optional.of(Part.STEPS);
         case VALUES -> Optional.of(Part.VALUES);
-        case 7 -> Optional.of(Part.NAME);
+        case NAME -> Optional.of(Part.NAME);
         default -> Optional.empty();
       };
     }
@@ -301,6 +304,13 @@ final class ParameterTable extends JTable {
       if (wrong) {
         setBorder(BorderFactory.createLineBorder(Palette.error()));
         setText(getText().isBlank() ? "?" : getText());
+      }
+      if (column == WHAT || column == NAME) {
+        Insets insets = getInsets();
+        int width = table.getColumnModel().getColumn(column).getWidth();
+        setText(
+            MiddleElision.fit(
+                getText(), getFontMetrics(getFont()), width - insets.left - insets.right));
       }
       if (!selected) {
         setForeground(
