@@ -5,7 +5,11 @@ import java.util.Map;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.installation.SignalUse;
+import org.pendant.kit.text.Messages;
+import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.MotionStep;
+import org.pendant.project.program.Section;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.StepNames;
 
@@ -31,8 +35,26 @@ final class NodeLabels {
 
   /** The line for a step. */
   String of(Step step) {
-    String label = StepNames.label(step, this::signal);
+    String label = shown(step, StepNames.label(step, this::signal));
     return ExternalControl.is(step) ? label + ": " + driver.text() : label;
+  }
+
+  /** The line for a step with the names that signals have by themselves. */
+  static String shown(Step step) {
+    return shown(step, StepNames.label(step));
+  }
+
+  /** In the language of the window, unless people have written it. */
+  private static String shown(Step step, String label) {
+    boolean written =
+        switch (step) {
+          case Section.ThreadSection _, Section.SubProgram _ -> true;
+          case MotionStep.Waypoint _ -> true;
+          case ActionStep.Comment _, ActionStep.Assignment _, ActionStep.ScriptLine _ -> true;
+          case ActionStep.Folder folder -> !folder.name().isBlank();
+          default -> false;
+        };
+    return written ? label : Messages.shown(label);
   }
 
   /** The name of a signal such as {@code digital_out[0]}; itself if it has none. */

@@ -1,5 +1,7 @@
 package org.pendant.desktop.program;
 
+import static org.pendant.desktop.program.ProgramViewTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -19,7 +21,6 @@ import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.MoveKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
-import org.pendant.project.program.StepNames;
 import org.pendant.project.program.Timing;
 import org.pendant.project.program.TreeNames;
 import org.pendant.project.program.WaypointPosition;
@@ -116,12 +117,13 @@ final class ProgramPlaces {
     Measure speed =
         ShownMeasure.of(
             move.kind() == MoveKind.JOINT ? Measure.DEGREE_PER_S : Measure.MILLIMETRE_PER_S, form);
-    return StepNames.label(move)
-        + switch (timing) {
-          case Timing.AsMove _ -> " at " + speed.words(move.speed());
-          case Timing.Own own -> " at " + speed.words(own.speed());
-          case Timing.Duration duration -> " in " + Measure.SECOND.words(duration.timeS());
-        };
+    String name = NodeLabels.shown(move);
+    return switch (timing) {
+      case Timing.AsMove _ -> text("moveAtSpeed", name, speed.words(move.speed()));
+      case Timing.Own own -> text("moveAtSpeed", name, speed.words(own.speed()));
+      case Timing.Duration duration ->
+          text("moveInTime", name, Measure.SECOND.words(duration.timeS()));
+    };
   }
 
   private static Optional<Pose> inBase(WaypointPosition place, Installation installation) {

@@ -14,7 +14,6 @@ import org.pendant.project.program.NewNodes;
 import org.pendant.project.program.NodeKind;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
-import org.pendant.project.program.StepNames;
 import org.pendant.project.program.text.Clip;
 import org.pendant.project.program.text.ProgramText;
 import org.pendant.text.Language;
@@ -108,7 +107,7 @@ final class TreeCommands {
   /** {@code Delete Wait} for one node, {@code Delete 3 nodes} for several. */
   private static String about(NodeChange change, List<ProgramNode> nodes) {
     return nodes.size() == 1
-        ? change.ofOne(StepNames.label(nodes.getFirst()))
+        ? change.ofOne(NodeLabels.shown(nodes.getFirst().step()))
         : change.of(nodes.size());
   }
 
@@ -241,7 +240,7 @@ final class TreeCommands {
                 .isPresent();
     Optional<Spot> spot = NewSpots.spot(before, selection.lead(), nodes.getFirst().step(), !itself);
     if (spot.isEmpty()) {
-      tell.accept(text("noPlaceAtTheSelectedNode", StepNames.label(nodes.getFirst())));
+      tell.accept(text("noPlaceAtTheSelectedNode", NodeLabels.shown(nodes.getFirst().step())));
       return;
     }
     Optional<String> whyNot = TreeEdits.whyNot(before, nodes, spot.get(), false);

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Set;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
-import org.pendant.project.program.StepNames;
 
 /**
  * Tree row: a node as a line of the screen.
@@ -60,6 +59,6 @@ record TreeRow(ProgramNode node, int number, int depth, boolean off, boolean fol
 
   @Override
   public String toString() {
-    return number + " " + StepNames.label(node) + (off ? ", " + text("suppressed") : "");
+    return number + " " + NodeLabels.shown(node.step()) + (off ? ", " + text("suppressed") : "");
   }
 }

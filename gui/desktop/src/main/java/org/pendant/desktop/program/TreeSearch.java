@@ -6,7 +6,6 @@ import java.util.OptionalLong;
 import java.util.regex.Pattern;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
-import org.pendant.project.program.StepNames;
 
 /** Tree search: finds nodes by what they are called and by what stands in their fields. */
 final class TreeSearch {
@@ -32,7 +31,7 @@ final class TreeSearch {
 
   private static boolean matches(ProgramNode node, String wanted, NodeLabels labels) {
     return contains(labels.of(node.step()), wanted)
-        || contains(StepNames.label(node), wanted)
+        || contains(NodeLabels.shown(node.step()), wanted)
         || contains(values(node), wanted);
   }
 

@@ -116,7 +116,12 @@ final class CellActions {
             String.join(
                 ", ",
                 all.stream()
-                    .map(each -> each.document().name() + " on " + each.member().name())
+                    .map(
+                        each ->
+                            text(
+                                "programOnController",
+                                each.document().name(),
+                                each.member().name()))
                     .toList())));
   }
 

@@ -76,7 +76,9 @@ final class Prompts {
 
   /** Which one of how many is shown, such as {@code 1 of 3}; empty for the only one. */
   String place() {
-    return open.size() > 1 ? (shown.map(open::indexOf).orElse(0) + 1) + " of " + open.size() : "";
+    return open.size() > 1
+        ? text("promptOfPrompts", shown.map(open::indexOf).orElse(0) + 1, open.size())
+        : "";
   }
 
   /** Shows the next one, and after the last the first. */
