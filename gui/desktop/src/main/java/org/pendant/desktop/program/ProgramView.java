@@ -361,6 +361,7 @@ public final class ProgramView implements View {
     asText = false;
     showAll();
     pane.incomplete().unfold(true);
+    content.validate(); // the list takes its room before the node is brought into sight
     goTo(shown.problems().getFirst());
   }
 

@@ -186,6 +186,30 @@ final class ProgramViewTest {
   }
 
   @Test
+  void whatHasToBeCompletedIsInSightAboveTheListOfIt()
+      throws InterruptedException, InvocationTargetException {
+    EventQueue.invokeAndWait(
+        () -> {
+          for (int i = 0; i < 40; i++) {
+            click("Wait");
+          }
+          click("If");
+        });
+    checked();
+    EventQueue.invokeAndWait(() -> view.whenReady(document, () -> {}));
+    checked();
+    EventQueue.invokeAndWait(frame::validate);
+    EventQueue.invokeAndWait(
+        () -> {
+          JList<?> rows = find(frame, "program-tree", JList.class);
+          int chosen = rows.getMinSelectionIndex();
+          assertTrue(
+              rows.getVisibleRect().contains(rows.getCellBounds(chosen, chosen)),
+              "row " + chosen + " is out of sight");
+        });
+  }
+
+  @Test
   void thePaletteShowsWhatIsLookedFor() throws InterruptedException, InvocationTargetException {
     EventQueue.invokeAndWait(
         () -> {
