@@ -1,4 +1,4 @@
-"""What the site has beside the pages of docs/: the examples, CONTRIBUTING.md and CHANGELOG.md; and pictures in both themes.
+"""What the site has beside the pages of docs/: the examples, CONTRIBUTING.md, CHANGELOG.md and the Javadoc; and pictures in both themes.
 
 Pages are written for whoever reads them in the repository, so links that leave docs/ are led to where these files are here.
 """
@@ -9,10 +9,14 @@ import posixpath
 import re
 import sys
 import textwrap
+from html import unescape
 from pathlib import Path
+from urllib.parse import unquote
 
 import yaml
+from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
+from mkdocs.structure.nav import Link
 from pygments.lexers import _mapping, get_lexer_by_name
 
 HOME = Path(__file__).resolve().parents[2]
@@ -21,9 +25,16 @@ EXAMPLES = HOME / "examples"
 # Pages that are made of files elsewhere: their names here, and where their links are seen from.
 OUTSIDE = {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md"}
 
+# The Javadoc as src/site/javadoc/make writes it, the packages that it is of, and the page that says what they are for.
+JAVADOC = HOME / "target" / "javadoc"
+PACKAGES = HOME / "src" / "site" / "javadoc" / "packages"
+API = HOME / "docs" / "api.md"
+
 LANGUAGES = {".script": "urscript", ".json": "json", ".toml": "toml", ".nc": "text", ".pendant": "text", ".pinst": "text"}
 
 LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
+ADDRESS = re.compile(r'(?:href|src)="([^"]+)"')
+PLACE = re.compile(r'\bid="([^"]+)"')
 FENCE = re.compile(r"^( *)```.*?^\1```$", re.DOTALL | re.MULTILINE)
 PICTURE = re.compile(r'<img ([^>]*)src="([^"]+)-light([^"]*)\.png"([^>]*)>')
 SHORT_CODE = re.compile(r"<code>([^<]{1,26})</code>")
@@ -42,7 +53,55 @@ def on_files(files, config):
     for source, name in OUTSIDE.items():
         files.append(File.generated(config, name, content=(HOME / source).read_text(encoding="utf-8")))
     files.append(File.generated(config, "examples.md", content=examples()))
+    for file in sorted(JAVADOC.rglob("*")):
+        if file.is_file():
+            name = file.relative_to(JAVADOC.parent).as_posix()
+            files.append(File(name, str(JAVADOC.parent), config.site_dir, config.use_directory_urls))
     return files
+
+
+def on_nav(nav, config, files):
+    """The Javadoc stands behind the page that says what is in it."""
+    page = files.get_file_from_path(API.name).page
+    javadoc = Link("Javadoc", f"{JAVADOC.name}/index.html")
+    javadoc.parent = page.parent
+    page.parent.children.insert(page.parent.children.index(page) + 1, javadoc)
+    return nav
+
+
+def on_post_build(config):
+    """MkDocs looks at the links of pages; these are written elsewhere."""
+    told = API.read_text(encoding="utf-8")
+    wrong = [f"docs/api.md does not say what {name} is for" for name in packages() if f"`{name}`" not in told]
+    wrong += broken_links(Path(config.site_dir), JAVADOC.name)
+    if wrong:
+        raise PluginError("\n".join(wrong))
+
+
+def packages() -> list[str]:
+    lines = PACKAGES.read_text(encoding="utf-8").splitlines()
+    return [line for line in lines if line and line[0] not in "#["]
+
+
+def broken_links(site: Path, folder: str) -> list[str]:
+    """Links of the pages of a folder to files or places that the site does not have."""
+    places: dict[Path, set[str]] = {}
+
+    def has(file: Path, place: str) -> bool:
+        if file not in places:
+            places[file] = set(PLACE.findall(file.read_text(encoding="utf-8")))
+        return unescape(unquote(place)) in {unescape(each) for each in places[file]}
+
+    wrong = []
+    for page in sorted((site / folder).rglob("*.html")):
+        for link in sorted(set(ADDRESS.findall(page.read_text(encoding="utf-8")))):
+            if re.match(r"[a-z]+:", link):
+                continue
+            path, _, place = link.partition("#")
+            file = Path(posixpath.normpath(posixpath.join(page.parent.as_posix(), unquote(path)))) if path else page
+            if not file.is_file() or (place and file.suffix == ".html" and not has(file, place)):
+                wrong.append(f"{page.relative_to(site)} links to {link}, which is not there")
+    return wrong
 
 
 def shown() -> list[Path]:

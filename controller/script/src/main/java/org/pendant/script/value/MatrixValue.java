@@ -64,7 +64,7 @@ public final class MatrixValue extends Container implements Value {
 
   /**
    * The elements row by row, for loops: not a copy, and another array after a change of what is
-   * {@link #shared}.
+   * {@code shared}.
    */
   public double[] elements() {
     return elements;

@@ -72,7 +72,7 @@ public final class NumberList extends Container implements ListValue {
 
   /**
    * The elements, for loops: not a copy, longer than {@link #length}, and another array after a
-   * change of what is {@link #shared}.
+   * change of what is {@code shared}.
    */
   public double[] elements() {
     return elements;
@@ -80,7 +80,7 @@ public final class NumberList extends Container implements ListValue {
 
   /**
    * Replaces the element at {@code index}, which the caller knows to be in range and of kind; not
-   * while the elements are {@link #shared}.
+   * while the elements are {@code shared}.
    */
   public void setNumberAt(int index, double number) {
     elements[index] = number;
