@@ -89,7 +89,7 @@ final class CameraDevice implements CellDevice {
 
   @Override
   public DeviceTalk connect() {
-    return new CameraLines(camera, text -> log.warnOnce(name() + ": " + text));
+    return new CameraLines(name(), camera, log::warnOnce);
   }
 
   @Override

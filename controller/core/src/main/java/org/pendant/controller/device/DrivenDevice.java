@@ -24,9 +24,7 @@ final class DrivenDevice implements CellDevice {
     this.setup = setup;
     close = lines.line(setup.close());
     open = setup.open().map(lines::line);
-    fingers =
-        new DrivenFingers(
-            setup.strokeM(), setup.timeS(), text -> log.info(setup.name() + ": " + text));
+    fingers = new DrivenFingers(setup.name(), setup.strokeM(), setup.timeS(), log::info);
     fingers.fingers().put(PartBetween.of(setup.partWidthM()));
     closed = new SensorLine(lines, setup.closed());
     opened = new SensorLine(lines, setup.opened());

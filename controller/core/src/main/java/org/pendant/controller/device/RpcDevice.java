@@ -23,8 +23,9 @@ final class RpcDevice implements CellDevice {
     kind = setup.kind();
     gripper =
         new GripProcedures(
+            name,
             kind.equals("rg") ? GripProcedures.Make.RG : GripProcedures.Make.TWO_FG,
-            text -> log.info(name + ": " + text));
+            log::info);
     gripper.fingers().put(PartBetween.of(setup.partWidthM()));
   }
 

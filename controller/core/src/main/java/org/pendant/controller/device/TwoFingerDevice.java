@@ -30,7 +30,7 @@ final class TwoFingerDevice implements CellDevice {
     atTool = setup.atTool();
     this.signals = signals;
     this.log = log;
-    gripper = new AdaptiveGripper(setup.activated(), text -> log.info(name + ": " + text));
+    gripper = new AdaptiveGripper(name, setup.activated(), log::info);
     gripper.fingers().put(PartBetween.of(setup.partWidthM()));
   }
 
@@ -66,7 +66,7 @@ final class TwoFingerDevice implements CellDevice {
   public DeviceTalk connect() {
     return atTool
         ? new RtuLine(gripper, this::lineIsOn)
-        : new GripperLines(gripper, station, text -> log.warnOnce(name + ": " + text));
+        : new GripperLines(gripper, station, log::warnOnce);
   }
 
   private boolean lineIsOn() {

@@ -21,15 +21,18 @@ public final class CameraLines implements DeviceTalk {
   private static final String NO = "?\n";
 
   private final PartCamera camera;
+  private final String name;
   private final Consumer<String> complain;
   private final StringBuilder line = new StringBuilder();
 
   /**
    * A connection that was just opened.
    *
+   * @param name that of the camera
    * @param complain is told what is no request
    */
-  public CameraLines(PartCamera camera, Consumer<String> complain) {
+  public CameraLines(String name, PartCamera camera, Consumer<String> complain) {
+    this.name = name;
     this.camera = camera;
     this.complain = complain;
   }
@@ -59,7 +62,7 @@ public final class CameraLines implements DeviceTalk {
     }
     Matcher request = REQUEST.matcher(text);
     if (!request.matches()) {
-      complain.accept(text("badRequest", text));
+      complain.accept(text("badRequest", name, text));
       return NO;
     }
     List<SeenPart> parts = camera.look(request.group(1) == null ? "" : request.group(1));

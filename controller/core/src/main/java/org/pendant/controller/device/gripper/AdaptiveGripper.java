@@ -76,6 +76,7 @@ public final class AdaptiveGripper {
   }
 
   private final Fingers fingers = new Fingers(STROKE_M);
+  private final String name;
   private final Consumer<String> tell;
   private Phase phase = Phase.RESET;
   private boolean goes;
@@ -89,15 +90,22 @@ public final class AdaptiveGripper {
   /**
    * A gripper with open fingers.
    *
+   * @param name its own, for what it tells
    * @param activated whether it was activated and told to go before, as an installation does
    * @param tell is told what a user wants to know
    */
-  public AdaptiveGripper(boolean activated, Consumer<String> tell) {
+  public AdaptiveGripper(String name, boolean activated, Consumer<String> tell) {
+    this.name = name;
     this.tell = tell;
     if (activated) {
       phase = Phase.READY;
       goes = true;
     }
+  }
+
+  /** What it is called. */
+  String name() {
+    return name;
   }
 
   /** Its fingers. */
@@ -160,7 +168,7 @@ public final class AdaptiveGripper {
     }
     phase = Phase.RELEASES;
     fault = Fault.RELEASE_RUNS;
-    tell.accept(text("releasesItself"));
+    tell.accept(text("releasesItself", name));
     fingers.drive(releaseOpens ? STROKE_M : 0, RELEASE_M_PER_S, MIN_FORCE_N);
   }
 
@@ -183,7 +191,7 @@ public final class AdaptiveGripper {
   private void fault(Fault what, String key) {
     if (fault != what) {
       fault = what;
-      tell.accept(text(key, what.number()));
+      tell.accept(text(key, name, what.number()));
     }
   }
 
@@ -285,7 +293,7 @@ public final class AdaptiveGripper {
     phase = Phase.READY;
     fault = Fault.NONE;
     contact = Contact.AT_POSITION;
-    tell.accept("activated");
+    tell.accept(text("activated", name));
     if (goes) {
       follow();
     } else {
@@ -312,16 +320,17 @@ public final class AdaptiveGripper {
 
   private void tellOf(Contact before) {
     if (holds()) {
-      tell.accept(gripping(fingers));
+      tell.accept(gripping(name, fingers));
     } else if (before == Contact.MET_CLOSING || before == Contact.MET_OPENING) {
-      tell.accept(text("partLost"));
+      tell.accept(text("partLost", name));
     }
   }
 
   /** What fingers hold, for people. */
-  static String gripping(Fingers fingers) {
+  static String gripping(String name, Fingers fingers) {
     return text(
         fingers.direction() > 0 ? "grippedFromInside" : "gripped",
+        name,
         Math.round(1e4 * fingers.openingM()) / 10.0,
         Math.round(fingers.pressN()));
   }

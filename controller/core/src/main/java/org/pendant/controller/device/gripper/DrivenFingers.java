@@ -10,19 +10,22 @@ public final class DrivenFingers {
 
   private final Fingers fingers;
   private final double speedMPerS;
+  private final String name;
   private final Consumer<String> tell;
   private boolean gripped;
 
   /**
    * Open ones.
    *
+   * @param name that of their gripper, for what it tells
    * @param strokeM how far they open
    * @param timeS how long they take from end to end
    * @param tell is told what a user wants to know
    */
-  public DrivenFingers(double strokeM, double timeS, Consumer<String> tell) {
+  public DrivenFingers(String name, double strokeM, double timeS, Consumer<String> tell) {
     fingers = new Fingers(strokeM);
     speedMPerS = strokeM / timeS;
+    this.name = name;
     this.tell = tell;
   }
 
@@ -45,7 +48,7 @@ public final class DrivenFingers {
     boolean now = fingers.pressing();
     if (now != gripped) {
       gripped = now;
-      tell.accept(gripped ? AdaptiveGripper.gripping(fingers) : text("partLetGo"));
+      tell.accept(gripped ? AdaptiveGripper.gripping(name, fingers) : text("partLetGo", name));
     }
   }
 }

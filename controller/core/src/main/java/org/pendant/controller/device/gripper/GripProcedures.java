@@ -48,13 +48,20 @@ public final class GripProcedures {
   }
 
   private final Make make;
+  private final String name;
   private final Consumer<String> tell;
   private final Fingers fingers;
   private boolean gripped;
 
-  /** An open gripper. */
-  public GripProcedures(Make make, Consumer<String> tell) {
+  /**
+   * An open gripper.
+   *
+   * @param name its own, for what it tells
+   * @param tell is told what a user wants to know
+   */
+  public GripProcedures(String name, Make make, Consumer<String> tell) {
     this.make = make;
+    this.name = name;
     this.tell = tell;
     fingers = new Fingers(make.strokeM());
   }
@@ -148,7 +155,7 @@ public final class GripProcedures {
     boolean now = fingers.pressing() && (gripped || fingers.pressedS() >= AdaptiveGripper.SETTLE_S);
     if (now != gripped) {
       gripped = now;
-      tell.accept(gripped ? AdaptiveGripper.gripping(fingers) : text("partLetGo"));
+      tell.accept(gripped ? AdaptiveGripper.gripping(name, fingers) : text("partLetGo", name));
     }
   }
 }

@@ -75,7 +75,7 @@ public final class GripperLines implements DeviceTalk {
       if (value.isPresent()) {
         return named ? words[1] + " " + value.get() + "\n" : value.get();
       }
-      return no("noVariable", text, words[1]);
+      return no("noVariable", gripper.name(), text, words[1]);
     }
     if (words[0].equals("SET") && words.length >= 3 && words.length % 2 == 1) {
       for (int i = 1; i < words.length; i += 2) {
@@ -88,7 +88,7 @@ public final class GripperLines implements DeviceTalk {
       set(words);
       return "ack";
     }
-    return no("badRequest", text);
+    return no("badRequest", gripper.name(), text);
   }
 
   private String no(String key, Object... values) {
@@ -96,7 +96,7 @@ public final class GripperLines implements DeviceTalk {
     return NO;
   }
 
-  private static Optional<String> refusal(String line, String name, String text) {
+  private Optional<String> refusal(String line, String name, String text) {
     int most =
         switch (name) {
           case "ACT", "GTO", "ATR", "ARD", "ADR" -> 1;
@@ -104,12 +104,12 @@ public final class GripperLines implements DeviceTalk {
           default -> -1;
         };
     if (most < 0) {
-      return Optional.of(GripperTexts.text("cannotBeSet", line, name));
+      return Optional.of(GripperTexts.text("cannotBeSet", gripper.name(), line, name));
     }
     OptionalInt number = number(text);
     return number.isPresent() && number.getAsInt() >= 0 && number.getAsInt() <= most
         ? Optional.empty()
-        : Optional.of(GripperTexts.text("numberRange", line, name, text, most));
+        : Optional.of(GripperTexts.text("numberRange", gripper.name(), line, name, text, most));
   }
 
   private static OptionalInt number(String text) {
