@@ -58,10 +58,13 @@ final class TextLiterals {
           "UncheckedIOException",
           "MigLayout");
 
-  /** What is called with words that nobody reads. */
+  /** What is called with words that nobody reads, or that are the reference of functions. */
   private static final Set<String> CALLS =
       Set.of(
           "compile",
+          "doc",
+          "takes",
+          "mayTake",
           "matches",
           "replaceAll",
           "replaceFirst",

@@ -80,7 +80,7 @@ public final class DeviceReader {
         }
         signals.add(device.name(), device.signals());
       } catch (IllegalArgumentException e) {
-        throw name.place().refusal("name " + e.getMessage());
+        throw name.place().refusal(e.getMessage());
       }
     }
     return device;
