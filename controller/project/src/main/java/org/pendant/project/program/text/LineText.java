@@ -90,16 +90,16 @@ public record LineText(String word, Map<String, Value> fields) {
     }
 
     LineText line() throws WrongText {
-      String word = word("a word that says what the line is");
+      String word = word("lineWord");
       Map<String, Value> fields = new LinkedHashMap<>();
       while (skipBlanks()) {
         int keyAt = at;
-        String key = word("a field such as speed=0.25");
+        String key = word("exampleField");
         if (!accept('=')) {
-          throw wrong(at, "= must follow " + key + ", with its value");
+          throw wrong(at, ProgramLineTexts.text("equalsMissing", key));
         }
         if (fields.putIfAbsent(key, value()) != null) {
-          throw wrong(keyAt, key + " stands in the line twice");
+          throw wrong(keyAt, ProgramLineTexts.text("fieldTwice", key));
         }
       }
       return new LineText(word, fields);
@@ -112,7 +112,7 @@ public record LineText(String word, Map<String, Value> fields) {
       }
       return accept('[')
           ? new Value.Items(column, items())
-          : new Value.Word(column, word("a value"));
+          : new Value.Word(column, word("aValue"));
     }
 
     private List<Value> items() throws WrongText {
@@ -124,10 +124,10 @@ public record LineText(String word, Map<String, Value> fields) {
       while (true) {
         skipBlanks();
         if (items.size() == MAX_LIST) {
-          throw wrong(at, "a list has more than " + MAX_LIST + " values");
+          throw wrong(at, ProgramLineTexts.text("listTooLong", MAX_LIST));
         }
         if (at < text.length() && text.charAt(at) == '[') {
-          throw wrong(at, "a list stands within a list");
+          throw wrong(at, ProgramLineTexts.text("listInList"));
         }
         items.add(value());
         skipBlanks();
@@ -135,7 +135,7 @@ public record LineText(String word, Map<String, Value> fields) {
           return items;
         }
         if (!accept(',')) {
-          throw wrong(at, "the list must continue with , or end with ]");
+          throw wrong(at, ProgramLineTexts.text("listOpen"));
         }
       }
     }
@@ -150,7 +150,7 @@ public record LineText(String word, Map<String, Value> fields) {
         }
         value.append(c == '\\' ? escaped() : c);
       }
-      throw wrong(begin, "the closing quote is missing");
+      throw wrong(begin, ProgramLineTexts.text("quoteOpen"));
     }
 
     private char escaped() throws WrongText {
@@ -161,28 +161,30 @@ public record LineText(String word, Map<String, Value> fields) {
         case 'r' -> '\r';
         case '"', '\\' -> c;
         case 'u' -> code();
-        default ->
-            throw wrong(at - 2, "a backslash must be followed by n, t, r, u, \" or a backslash");
+        default -> throw wrong(at - 2, ProgramLineTexts.text("unknownEscape"));
       };
     }
 
     private char code() throws WrongText {
       String digits = text.substring(at, Math.min(at + 4, text.length()));
       if (!digits.matches("[0-9a-fA-F]{4}")) {
-        throw wrong(at - 2, "\\u must be followed by four hexadecimal digits");
+        throw wrong(at - 2, ProgramLineTexts.text("wrongCode"));
       }
       at += 4;
       return (char) Integer.parseInt(digits, 16);
     }
 
-    private String word(String what) throws WrongText {
+    /** A word; {@code expectedKey} names what must stand here, for the message. */
+    private String word(String expectedKey) throws WrongText {
       int begin = at;
       while (at < text.length() && inWord(text.charAt(at))) {
         at++;
       }
       if (begin == at) {
-        String found = at < text.length() ? "'" + text.charAt(at) + "'" : "the end of the line";
-        throw wrong(at, "found " + found + ", there must be " + what);
+        String found =
+            at < text.length() ? "'" + text.charAt(at) + "'" : ProgramLineTexts.text("endOfLine");
+        throw wrong(
+            at, ProgramLineTexts.text("foundInstead", found, ProgramLineTexts.text(expectedKey)));
       }
       return text.substring(begin, at);
     }

@@ -41,10 +41,10 @@ final class StepReader {
       throw new WrongText(
           // the key and = stand before the value
           first.getValue().column() - first.getKey().length() - 1,
-          line.word()
-              + " has no field "
-              + first.getKey()
-              + (known.isEmpty() ? ", it has none" : ", it has " + String.join(", ", known)));
+          known.isEmpty()
+              ? ProgramLineTexts.text("noFieldsAtAll", line.word(), first.getKey())
+              : ProgramLineTexts.text(
+                  "noField", line.word(), first.getKey(), String.join(", ", known)));
     }
     return read;
   }
@@ -103,7 +103,7 @@ final class StepReader {
 
   private Value required(String key, Value value) throws WrongText {
     if (value == null) {
-      throw new WrongText(column, line.word() + " must have a field " + key);
+      throw new WrongText(column, ProgramLineTexts.text("fieldMissing", line.word(), key));
     }
     return value;
   }
@@ -123,7 +123,8 @@ final class StepReader {
     throw wrong(
         key,
         value,
-        "one of " + variants.stream().map(Forms::word).collect(Collectors.joining(", ")));
+        ProgramLineTexts.text(
+            "oneOf", variants.stream().map(Forms::word).collect(Collectors.joining(", "))));
   }
 
   private static Object constant(String key, Class<?> type, Value value) throws WrongText {
@@ -135,13 +136,13 @@ final class StepReader {
         return each;
       }
     }
-    throw wrong(key, value, "one of " + String.join(", ", words));
+    throw wrong(key, value, ProgramLineTexts.text("oneOf", String.join(", ", words)));
   }
 
   private static List<?> items(String key, Value value, java.lang.reflect.Type type)
       throws WrongText {
     if (!(value instanceof Value.Items items)) {
-      throw wrong(key, value, "a list in brackets");
+      throw wrong(key, value, ProgramLineTexts.text("list"));
     }
     List<Object> list = new ArrayList<>();
     for (Value each : items.values()) {
@@ -159,7 +160,7 @@ final class StepReader {
   /** So many numbers in brackets. */
   static double[] numbers(String key, Value value, int count) throws WrongText {
     if (!(value instanceof Value.Items items) || items.values().size() != count) {
-      throw wrong(key, value, "a list of " + count + " numbers in brackets");
+      throw wrong(key, value, ProgramLineTexts.text("numberList", count));
     }
     double[] numbers = new double[count];
     for (int i = 0; i < count; i++) {
@@ -176,16 +177,16 @@ final class StepReader {
           return number;
         }
       } catch (NumberFormatException e) {
-        throw wrong(key, value, "a number");
+        throw wrong(key, value, ProgramLineTexts.text("aNumber"));
       }
     }
-    throw wrong(key, value, "a number");
+    throw wrong(key, value, ProgramLineTexts.text("aNumber"));
   }
 
   private static int whole(String key, Value value) throws WrongText {
     double number = number(key, value);
     if (number != Math.rint(number) || Math.abs(number) > 1e9) {
-      throw wrong(key, value, "a whole number");
+      throw wrong(key, value, ProgramLineTexts.text("wholeNumber"));
     }
     return (int) number;
   }
@@ -193,7 +194,7 @@ final class StepReader {
   private static boolean flag(String key, Value value) throws WrongText {
     String word = word(key, value);
     if (!word.equals("true") && !word.equals("false")) {
-      throw wrong(key, value, "true or false");
+      throw wrong(key, value, ProgramLineTexts.text("trueOrFalse"));
     }
     return word.equals("true");
   }
@@ -203,23 +204,25 @@ final class StepReader {
     if (value instanceof Value.Quoted quoted) {
       return quoted.text();
     }
-    throw wrong(key, value, "a text in quotes");
+    throw wrong(key, value, ProgramLineTexts.text("quotedText"));
   }
 
   private static String word(String key, Value value) throws WrongText {
     if (value instanceof Value.Word word) {
       return word.text();
     }
-    throw wrong(key, value, "a word without quotes");
+    throw wrong(key, value, ProgramLineTexts.text("plainWord"));
   }
 
   private static WrongText wrong(String key, Value value, String expected) {
-    String found =
+    String message =
         switch (value) {
-          case Value.Quoted quoted -> LineText.quoted(quoted.text());
-          case Value.Word word -> word.text();
-          case Value.Items items -> "a list of " + items.values().size();
+          case Value.Quoted quoted ->
+              ProgramLineTexts.text("wrongValue", key, LineText.quoted(quoted.text()), expected);
+          case Value.Word word -> ProgramLineTexts.text("wrongValue", key, word.text(), expected);
+          case Value.Items items ->
+              ProgramLineTexts.text("listInstead", key, items.values().size(), expected);
         };
-    return new WrongText(value.column(), key + " is " + found + ", must be " + expected);
+    return new WrongText(value.column(), message);
   }
 }

@@ -91,8 +91,7 @@ final class TextReading {
         nodes.stream().filter(each -> each.step() instanceof Section.MainProgram).toList();
     onlyMain = mains.isEmpty();
     if (mains.size() != 1) {
-      complain(
-          1, 1, "the program has " + mains.size() + " lines main at the left edge, must have one");
+      complain(1, 1, ProgramLineTexts.text("severalMains", mains.size()));
     }
     Optional<ProgramNode> stray =
         nodes.stream().filter(each -> !(each.step() instanceof Section)).findFirst();
@@ -101,9 +100,7 @@ final class TextReading {
             complain(
                 (int) each.key(),
                 1,
-                Forms.word(each.step().getClass())
-                    + " stands at the left edge, must stand below main or another part of the"
-                    + " program, two blanks further right"));
+                ProgramLineTexts.text("strayNode", Forms.word(each.step().getClass()))));
   }
 
   private void complain(int line, int column, String message) {
@@ -116,7 +113,7 @@ final class TextReading {
     List<String> all = text.lines().toList();
     String first = all.isEmpty() ? "" : all.getFirst().stripTrailing();
     if (!first.equals(heading)) {
-      complain(1, 1, "the first line must be: " + heading);
+      complain(1, 1, ProgramLineTexts.text("firstLine", heading));
     }
     for (int i = 1; i < all.size(); i++) {
       split(i + 1, all.get(i));
@@ -130,16 +127,11 @@ final class TextReading {
     }
     String blanks = line.substring(0, line.length() - content.length());
     if (!blanks.chars().allMatch(c -> c == ' ') || blanks.length() % 2 != 0) {
-      complain(
-          number,
-          1,
-          "the line begins with an odd number of blanks or with tabs, each level"
-              + " must have two blanks more");
+      complain(number, 1, ProgramLineTexts.text("oddIndent"));
       return;
     }
     if (content.startsWith("#")) {
-      complain(
-          number, 1 + blanks.length(), "a remark cannot be kept; a node comment text=\"...\" can");
+      complain(number, 1 + blanks.length(), ProgramLineTexts.text("remark"));
       return;
     }
     lines.add(new Line(number, blanks.length() / 2, content));
@@ -148,7 +140,7 @@ final class TextReading {
   private void header(Line line) {
     try {
       if (line.depth() > 0) {
-        throw new WrongText(1, "the line must begin at the left edge");
+        throw new WrongText(1, ProgramLineTexts.text("notAtLeftEdge"));
       }
       LineText fields = LineText.parse(line.text(), line.column());
       if (fields.word().equals("installation")) {
@@ -156,7 +148,7 @@ final class TextReading {
       } else {
         Position position = new StepReader(fields, line.column()).read(Position.class, Map.of());
         if (waypoints.putIfAbsent(position.name(), position.position()) != null) {
-          throw new WrongText(1, "there is a position " + position.name() + " already");
+          throw new WrongText(1, ProgramLineTexts.text("positionTwice", position.name()));
         }
       }
     } catch (WrongText e) {
@@ -190,18 +182,13 @@ final class TextReading {
     }
     try {
       if (line.depth() != depth) {
-        throw new WrongText(
-            1,
-            "the line begins "
-                + 2 * line.depth()
-                + " blanks from the left, must begin at most "
-                + 2 * depth);
+        throw new WrongText(1, ProgramLineTexts.text("tooFarRight", 2 * line.depth(), 2 * depth));
       }
       if (line.block()) {
-        throw new WrongText(line.column(), "no node above it has lines of text");
+        throw new WrongText(line.column(), ProgramLineTexts.text("blockWithoutNode"));
       }
       if (++nodeCount > MAX_NODES) {
-        throw new WrongText(1, "the program has more than " + MAX_NODES + " nodes");
+        throw new WrongText(1, ProgramLineTexts.text("tooManyNodes", MAX_NODES));
       }
       boolean suppressed = line.text().startsWith(SUPPRESSED);
       int skip = suppressed ? SUPPRESSED.length() : 0;
@@ -218,7 +205,7 @@ final class TextReading {
 
   private void skipBelow(int depth, Line line) {
     if (at < lines.size() && lines.get(at).depth() > depth) {
-      complain(line.number(), 1, "nodes are more than " + ProgramTree.DEEPEST + " levels deep");
+      complain(line.number(), 1, ProgramLineTexts.text("tooDeep", ProgramTree.DEEPEST));
     }
     while (at < lines.size() && lines.get(at).depth() > depth) {
       at++;
@@ -229,7 +216,8 @@ final class TextReading {
     Class<? extends Record> type = Forms.step(line.word());
     if (type == null) {
       throw new WrongText(
-          column, "found " + line.word() + ", must be one of " + String.join(", ", Forms.words()));
+          column,
+          ProgramLineTexts.text("unknownNode", line.word(), String.join(", ", Forms.words())));
     }
     Map<String, List<?>> blocks = new HashMap<>();
     String marks = "";
@@ -243,7 +231,7 @@ final class TextReading {
       char mark = each.text().charAt(0);
       if (marks.indexOf(mark) < 0) {
         complain(
-            each.number(), each.column(), line.word() + " has no lines that begin with " + mark);
+            each.number(), each.column(), ProgramLineTexts.text("unknownBlock", line.word(), mark));
         break;
       }
     }
