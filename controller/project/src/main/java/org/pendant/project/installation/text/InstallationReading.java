@@ -1,5 +1,7 @@
 package org.pendant.project.installation.text;
 
+import static org.pendant.project.installation.text.InstallationLineTexts.text;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -86,13 +88,13 @@ final class InstallationReading {
 
   InstallationReading(String text) {
     if (text.length() > LONGEST) {
-      complain(1, 1, "the text has " + text.length() + " characters, must have at most " + LONGEST);
+      complain(1, 1, text("tooLong", text.length(), LONGEST));
       return;
     }
     List<String> lines = text.lines().toList();
     String first = lines.isEmpty() ? "" : lines.getFirst().stripTrailing();
     if (!first.equals(InstallationText.HEADING)) {
-      complain(1, 1, "the first line must be: " + InstallationText.HEADING);
+      complain(1, 1, text("firstLine", InstallationText.HEADING));
     }
     for (int i = 1; i < lines.size(); i++) {
       line(i + 1, lines.get(i));
@@ -141,15 +143,12 @@ final class InstallationReading {
     }
     try {
       if (content.startsWith("#")) {
-        throw new WrongText(
-            1 + line.indexOf('#'),
-            "a remark cannot be kept, since the file is written anew after a change: take it out");
+        throw new WrongText(1 + line.indexOf('#'), text("remark"));
       }
       if (line.startsWith(INDENT) && line.charAt(INDENT.length()) != ' ') {
         below(LineText.parse(content, 1 + INDENT.length()));
       } else if (line.startsWith(" ") || line.startsWith("\t")) {
-        throw new WrongText(
-            1, "the line must begin at the left edge, or with two blanks below feature or safety");
+        throw new WrongText(1, text("indented"));
       } else {
         above = BROKEN;
         top(number, LineText.parse(content, 1));
@@ -167,7 +166,7 @@ final class InstallationReading {
     switch (above) {
       case "feature" -> {
         if (!line.word().equals("point")) {
-          throw fields.wrong("below feature there can only be point");
+          throw fields.wrong(text("belowFeature"));
         }
         Feature feature = features.getLast();
         List<Pose> points = new ArrayList<>(feature.points());
@@ -175,11 +174,7 @@ final class InstallationReading {
         fields.requireAllKnown();
         if (points.size() > feature.kind().points()) {
           throw fields.wrong(
-              "a "
-                  + Words.of(feature.kind())
-                  + " has "
-                  + feature.kind().points()
-                  + " points, this is one more");
+              text("tooManyPoints", Words.of(feature.kind()), feature.kind().points()));
         }
         features.set(
             features.size() - 1,
@@ -191,9 +186,7 @@ final class InstallationReading {
         fields.requireAllKnown();
       }
       case BROKEN -> {}
-      default ->
-          throw fields.wrong(
-              "a line that begins with two blanks must stand below feature or safety");
+      default -> throw fields.wrong(text("belowNothing"));
     }
   }
 
@@ -201,7 +194,7 @@ final class InstallationReading {
     LineFields fields = new LineFields(line, 1);
     Integer before = firstLines.putIfAbsent(line.word(), number);
     if (before != null && !REPEATED.contains(line.word())) {
-      throw fields.wrong("line " + before + " says that already");
+      throw fields.wrong(text("saidAlready", before));
     }
     switch (line.word()) {
       case "robot" -> {
@@ -230,7 +223,7 @@ final class InstallationReading {
           controlHost = new ControlHost(fields.text("host"), fields.whole("port"));
       case "transition" -> transitionHardness = fields.number("hardness");
       case SafetyLines.HEADING -> safetyLines = Optional.of(new SafetyLines());
-      default -> throw new WrongText(1, line.word() + " is no such line, there can be " + WORDS);
+      default -> throw new WrongText(1, text("unknownLine", line.word(), WORDS));
     }
     fields.requireAllKnown();
     above = line.word();

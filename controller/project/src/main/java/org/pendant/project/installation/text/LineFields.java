@@ -45,13 +45,13 @@ final class LineFields {
       if (!asked.contains(each.getKey())) {
         throw new WrongText(
             each.getValue().column(),
-            line.word()
-                + " has no field "
-                + each.getKey()
-                + ", it may have "
-                + (asked.isEmpty()
-                    ? "none"
-                    : asked.stream().sorted().collect(Collectors.joining(", "))));
+            asked.isEmpty()
+                ? InstallationLineTexts.text("noFieldsAtAll", line.word(), each.getKey())
+                : InstallationLineTexts.text(
+                    "noField",
+                    line.word(),
+                    each.getKey(),
+                    asked.stream().sorted().collect(Collectors.joining(", "))));
       }
     }
   }
@@ -64,7 +64,7 @@ final class LineFields {
   private Value require(String key) throws WrongText {
     Optional<Value> found = find(key);
     if (found.isEmpty()) {
-      throw wrong("the field " + key + " is missing");
+      throw wrong(InstallationLineTexts.text("fieldMissing", key));
     }
     return found.get();
   }
@@ -88,7 +88,7 @@ final class LineFields {
     if (value instanceof Value.Quoted quoted) {
       return quoted.text();
     }
-    throw new WrongText(value.column(), key + " must be a text in quotes");
+    throw new WrongText(value.column(), InstallationLineTexts.text("noText", key));
   }
 
   double number(String key) throws WrongText {
@@ -105,8 +105,7 @@ final class LineFields {
         return Double.parseDouble(word.text());
       }
     }
-    throw new WrongText(
-        value.column(), key + " is " + shown(value) + ", must be a number such as 0.25");
+    throw new WrongText(value.column(), InstallationLineTexts.text("noNumber", key, shown(value)));
   }
 
   /** A number, or {@code inf} or {@code -inf}. */
@@ -123,7 +122,7 @@ final class LineFields {
       return Integer.parseInt(word.text());
     }
     throw new WrongText(
-        value.column(), key + " is " + shown(value) + ", must be a whole number such as 3");
+        value.column(), InstallationLineTexts.text("noWholeNumber", key, shown(value)));
   }
 
   /** Whole numbers in brackets. */
@@ -157,7 +156,7 @@ final class LineFields {
     List<Value> items = items(key, value);
     if (items.size() != count) {
       throw new WrongText(
-          value.column(), key + " has " + items.size() + " numbers, must have " + count);
+          value.column(), InstallationLineTexts.text("numberCount", key, items.size(), count));
     }
     double[] numbers = new double[count];
     for (int i = 0; i < count; i++) {
@@ -170,7 +169,7 @@ final class LineFields {
     if (value instanceof Value.Items items) {
       return items.values();
     }
-    throw new WrongText(value.column(), key + " must be a list in brackets");
+    throw new WrongText(value.column(), InstallationLineTexts.text("noList", key));
   }
 
   Pose pose(String key) throws WrongText {
@@ -197,7 +196,8 @@ final class LineFields {
       return word.text().equals(yes);
     }
     throw new WrongText(
-        found.get().column(), key + " is " + shown(found.get()) + ", must be " + yes + " or " + no);
+        found.get().column(),
+        InstallationLineTexts.text("neitherOf", key, shown(found.get()), yes, no));
   }
 
   <E extends Enum<E>> E constant(String key, Class<E> type) throws WrongText {
@@ -219,7 +219,7 @@ final class LineFields {
     }
     if (all.size() != count) {
       throw new WrongText(
-          value.column(), key + " has " + all.size() + " words, must have " + count);
+          value.column(), InstallationLineTexts.text("wordCount", key, all.size(), count));
     }
     return all;
   }
@@ -235,7 +235,8 @@ final class LineFields {
     }
     String words =
         Stream.of(type.getEnumConstants()).map(Words::of).collect(Collectors.joining(", "));
-    throw new WrongText(value.column(), key + " is " + shown(value) + ", must be one of " + words);
+    throw new WrongText(
+        value.column(), InstallationLineTexts.text("noneOf", key, shown(value), words));
   }
 
   private static String shown(Value value) {

@@ -1,5 +1,7 @@
 package org.pendant.project.installation.text;
 
+import static org.pendant.project.installation.text.InstallationLineTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -102,12 +104,11 @@ final class SafetyLines {
       case "plane" -> planes.add(plane(fields));
       case "tool-direction" -> {
         if (direction.isPresent()) {
-          throw fields.wrong("there is such a line already, only one tool direction can hold");
+          throw fields.wrong(text("directionTwice"));
         }
         direction = Optional.of(toolDirection(fields));
       }
-      default ->
-          throw fields.wrong("below safety there can be normal, reduced, plane and tool-direction");
+      default -> throw fields.wrong(text("belowSafety"));
     }
   }
 
@@ -127,14 +128,14 @@ final class SafetyLines {
     }
     if (!any) {
       fields.requireAllKnown();
-      throw fields.wrong("the line must name a limit, such as tool-speed-m-per-s=1.5");
+      throw fields.wrong(text("limitMissing"));
     }
   }
 
   private static void put(LineFields fields, Map<String, double[]> into, String key, double[] value)
       throws WrongText {
     if (into.putIfAbsent(key, value) != null) {
-      throw fields.wrong(key + " is given in an earlier line already");
+      throw fields.wrong(text("limitTwice", key));
     }
   }
 
