@@ -4,10 +4,12 @@ import static org.pendant.kit.dock.DockTexts.text;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Graphics2D;
+import java.util.List;
 import java.util.function.IntConsumer;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.pendant.kit.icon.Glyph;
 import org.pendant.kit.layout.WholeTabs;
@@ -28,6 +30,10 @@ final class DockTabs extends JTabbedPane {
     // Arrows come and go, and cover what was just brought in sight: the wheel scrolls, too.
     putClientProperty("JTabbedPane.scrollButtonsPolicy", "never");
     putClientProperty("JTabbedPane.tabsPopupPolicy", "asNeeded");
+    // the look turns tabs with Ctrl+Tab, which is an action of the window
+    for (String keys : List.of("ctrl TAB", "ctrl shift TAB")) {
+      getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(keys), "none");
+    }
   }
 
   /** {@code chosen} hears which tab is chosen from the list behind the dots, selected or not. */

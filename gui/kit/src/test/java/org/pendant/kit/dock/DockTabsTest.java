@@ -1,6 +1,7 @@
 package org.pendant.kit.dock;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -9,8 +10,10 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.HashSet;
 import java.util.Set;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JViewport;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.pendant.kit.dispatch.OnDispatchThread;
@@ -86,5 +89,14 @@ final class DockTabsTest {
       }
     }
     assertTrue(whole >= 1 && cut >= 1, whole + " whole, " + cut + " cut");
+  }
+
+  @Test
+  void ctrlTabIsLeftToTheWindow() {
+    DockTabs tabs = new DockTabs();
+    Object bound =
+        tabs.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+            .get(KeyStroke.getKeyStroke("ctrl TAB"));
+    assertNull(tabs.getActionMap().get(bound), "the look turns tabs with it");
   }
 }
