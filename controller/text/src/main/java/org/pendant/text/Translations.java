@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.MissingResourceException;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.regex.Pattern;
 
 /**
  * Says in another language what packages have said in English. What runs and what is written into
@@ -31,6 +32,8 @@ import java.util.Properties;
 public final class Translations {
   /** Texts within texts that are followed. */
   private static final int MAX_DEPTH = 4;
+
+  private static final Pattern SENTENCE = Pattern.compile("[a-z]+ [a-z]+ [a-z]+");
 
   private final Map<String, String> plain;
   private final List<Translated> filled;
@@ -113,16 +116,27 @@ public final class Translations {
     }
     for (Translated each : filled) {
       Optional<List<String>> values = each.english().valuesIn(message);
-      if (values.isPresent()) {
+      if (values.isPresent() && !beginsLikeAnother(each, values.get())) {
         Said other = said(each, values.get(), depth);
         best = other.values() < best.values() ? other : best;
       }
     }
     best = better(ofSentences(message, depth), best);
     best = better(ofPlace(message, depth), best);
-    return best.values() < message.length() || message.indexOf('\n') < 0
-        ? best
-        : ofLines(message, depth);
+    if (best.values() < message.length()) {
+      return best;
+    }
+    return message.indexOf('\n') < 0 ? behindName(message, depth) : ofLines(message, depth);
+  }
+
+  /** A message behind the name of what says it, such as {@code gripper: part lost}. */
+  private Said behindName(String message, int depth) {
+    int colon = message.indexOf(": ");
+    if (colon < 0) {
+      return new Said(message, message.length());
+    }
+    Said rest = said(message.substring(colon + 2), depth + 1);
+    return new Said(message.substring(0, colon + 2) + rest.text(), colon + 2 + rest.values());
   }
 
   private static Said better(Optional<Said> other, Said than) {
@@ -150,6 +164,18 @@ public final class Translations {
     Said rest = said(message.substring(end + 2), depth + 1);
     return Optional.of(
         new Said(plain.getOrDefault(place, place) + ": " + rest.text(), end + 2 + rest.values()));
+  }
+
+  /**
+   * Whether a message that fits a text like {@code {0} is {1}} has a sentence where that has a name
+   * or a number: it was made of another text, which is not known here.
+   */
+  private static boolean beginsLikeAnother(Translated text, List<String> values) {
+    boolean first = text.english().pieces().getFirst().isEmpty();
+    int number = text.english().places().getFirst().number();
+    boolean known =
+        text.other().places().stream().anyMatch(each -> each.number() == number && each.isText());
+    return first && !known && SENTENCE.matcher(values.getFirst()).find();
   }
 
   private Said said(Translated text, List<String> values, int depth) {

@@ -54,6 +54,17 @@ class TranslationsTest {
   }
 
   @Test
+  void aSentenceWhereATextHasANameIsNotTakenForOne() {
+    assertEquals("where the lamp is refused", german.of("where the lamp is refused"));
+    assertEquals("big lamp.script wird abgelehnt", german.of("big lamp.script is refused"));
+  }
+
+  @Test
+  void aMessageIsRecognisedBehindTheNameOfWhatSaysIt() {
+    assertEquals("left arm: elbow wird abgelehnt", german.of("left arm: elbow is refused"));
+  }
+
+  @Test
   void linesOfSeveralTextsAreSaidOneByOne() {
     assertEquals("Ellbogen\nmine\nBasisgelenk\n", german.of("elbow\nmine\nbase joint\n"));
   }
