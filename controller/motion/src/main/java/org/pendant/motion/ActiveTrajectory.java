@@ -1,5 +1,7 @@
 package org.pendant.motion;
 
+import static org.pendant.motion.MotionTexts.text;
+
 import java.util.Optional;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.text.FloatText;
@@ -199,7 +201,7 @@ final class ActiveTrajectory {
         .map(
             goal ->
                 new MotionFailure(
-                    failure.code(), failure.message() + "; on the way to " + FloatText.of(goal)))
+                    failure.code(), text("onTheWay", failure.message(), FloatText.of(goal))))
         .orElse(failure);
   }
 

@@ -107,14 +107,7 @@ public record ArcRoute(
 
   private PlanningException noCircle(Pose start) {
     return new PlanningException(
-        "no-arc",
-        "no circle leads from "
-            + text(start)
-            + " through "
-            + text(via)
-            + " to "
-            + text(goal)
-            + ": the points lie on a line and the second is not between the others");
+        "no-arc", MotionTexts.text("noCircle", text(start), text(via), text(goal)));
   }
 
   private static String text(Pose pose) {

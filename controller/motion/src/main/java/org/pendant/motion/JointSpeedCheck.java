@@ -1,5 +1,7 @@
 package org.pendant.motion;
 
+import static org.pendant.motion.MotionTexts.text;
+
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.JointNumbers;
@@ -51,8 +53,7 @@ final class JointSpeedCheck {
         return Optional.of(singular(before, i, needed));
       }
       if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
-        return Optional.of(
-            tooFast(i, needed, "the path is too fast or passes close to a singularity"));
+        return Optional.of(tooFast(i, needed, text("pathTooFast")));
       }
     }
     return Optional.empty();
@@ -64,7 +65,7 @@ final class JointSpeedCheck {
     for (int i = 0; i < Joints.COUNT; i++) {
       double needed = Math.abs(speed[i]);
       if (!(needed <= maxSpeed[i] * MEAN_SPEED_TOLERANCE)) {
-        return Optional.of(tooFast(i, needed, "what carries the tool aside does so too suddenly"));
+        return Optional.of(tooFast(i, needed, text("carriedTooSuddenly")));
       }
     }
     return Optional.empty();
@@ -73,25 +74,13 @@ final class JointSpeedCheck {
   /** The path continues only where the joint stands a turn further back. */
   private static MotionFailure rangeEnds(int joint, double atRad) {
     return new MotionFailure(
-        MotionFailure.RANGE_ENDS,
-        "joint "
-            + joint
-            + " reaches the end of its range at "
-            + FloatText.of(atRad)
-            + " rad, where the path would turn it on; begin with the joint a turn farther back");
+        MotionFailure.RANGE_ENDS, text("rangeEnds", joint, FloatText.of(atRad)));
   }
 
   private MotionFailure tooFast(int joint, double needed, String why) {
     return new MotionFailure(
         MotionFailure.TOO_FAST,
-        "joint "
-            + joint
-            + " would turn at "
-            + FloatText.of(needed)
-            + " rad/s, must be at most "
-            + FloatText.of(maxSpeed[joint])
-            + " rad/s; "
-            + why);
+        text("tooFast", joint, FloatText.of(needed), FloatText.of(maxSpeed[joint]), why));
   }
 
   /** The path needs a joint to turn faster than any slowing down helps against. */
@@ -108,16 +97,10 @@ final class JointSpeedCheck {
   /** As it gets closer to the singularity the speed grows without end, and says nothing then. */
   private MotionFailure singular(double[] q, int joint, double speed) {
     double most = BEYOND_SLOWING * maxSpeed[joint];
-    String needed = speed > most ? "more than " + FloatText.of(most) : FloatText.of(speed);
+    String needed = speed > most ? text("moreThan", FloatText.of(most)) : FloatText.of(speed);
     return new MotionFailure(
         MotionFailure.SINGULARITY,
-        where(q)
-            + ": joint "
-            + joint
-            + " would turn at "
-            + needed
-            + " rad/s; "
-            + (straightElbow(q) ? "the tool must stay nearer" : "a joint move can pass it"));
+        text(straightElbow(q) ? "singularElbow" : "singular", where(q), joint, needed));
   }
 
   private static boolean straightElbow(double[] q) {
@@ -126,10 +109,8 @@ final class JointSpeedCheck {
 
   private static String where(double[] q) {
     if (straightElbow(q)) {
-      return "the path leads to the end of the arm's reach, where the elbow is straight";
+      return text("straightElbow");
     }
-    return Math.abs(Math.sin(q[4])) < NEAR_RAD
-        ? "the path passes too close to a singularity of the wrist, where joint 4 is straight"
-        : "the path passes too close to a singularity";
+    return Math.abs(Math.sin(q[4])) < NEAR_RAD ? text("straightWrist") : text("nearSingularity");
   }
 }

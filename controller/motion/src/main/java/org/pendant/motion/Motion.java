@@ -1,5 +1,7 @@
 package org.pendant.motion;
 
+import static org.pendant.motion.MotionTexts.text;
+
 import java.util.Optional;
 import org.pendant.models.pose.Pose;
 
@@ -78,7 +80,7 @@ public interface Motion {
 
   /** The function that keeps the arm moving after the hand-over, for messages. */
   default String driver() {
-    return "another motion";
+    return text("anotherMotion");
   }
 
   /** The move that a next one may blend with from {@link #handOverS} on; empty if none may. */

@@ -1,5 +1,7 @@
 package org.pendant.motion;
 
+import static org.pendant.motion.MotionTexts.text;
+
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.JointNumbers;
@@ -22,12 +24,6 @@ public final class MotionControl {
 
   /** Frames at rest after which the arm counts as steady: 500 ms (manual 16.39). */
   private static final int STEADY_FRAMES = 250;
-
-  private static final MotionFailure PATH_ENDED =
-      new MotionFailure("path-ended", "another motion has taken the arm over");
-
-  private static final MotionFailure POWER_LOST =
-      new MotionFailure("power-off", "the arm has no power");
 
   private final ControlSource controlSource = new ControlSource();
   private final JointSetpoint jointSetpoint;
@@ -239,12 +235,20 @@ public final class MotionControl {
     offsets.setTool(inFlange);
   }
 
+  private static MotionFailure pathEnded() {
+    return new MotionFailure("path-ended", text("pathEnded"));
+  }
+
+  private static MotionFailure powerLost() {
+    return new MotionFailure("power-off", text("powerLost"));
+  }
+
   /**
    * From now on the path is where the target is, so that an offset can end without a jump. A motion
    * under way is given up; the caller that ends an offset stops the arm with {@link #takeOver}.
    */
   public void takeTargetForPath() {
-    motionQueue.giveUp(PATH_ENDED);
+    motionQueue.giveUp(MotionControl::pathEnded);
     jointSetpoint.takeForPath();
   }
 
@@ -259,7 +263,7 @@ public final class MotionControl {
     motionQueue.refuseSecondOwner();
     ending.end();
     if (offsets.engaged()) {
-      motionQueue.giveUp(PATH_ENDED);
+      motionQueue.giveUp(MotionControl::pathEnded);
       jointSetpoint.rebase();
     }
   }
@@ -290,7 +294,7 @@ public final class MotionControl {
   private void stopBeside(MotionFailure failure) {
     fault = Optional.of(failure);
     newFault = fault;
-    motionQueue.giveUpAll(failure);
+    motionQueue.giveUpAll(() -> failure);
     if (path.moves()) {
       motionQueue.stop(FAULT_DECELERATION_RAD_PER_S2);
     } else {
@@ -333,7 +337,7 @@ public final class MotionControl {
   /** Gives up every motion: the arm has been stopped by its brakes and rests elsewhere. */
   public void adopt(Joints positionRad) {
     controlSource.clear();
-    motionQueue.giveUpAll(POWER_LOST);
+    motionQueue.giveUpAll(MotionControl::powerLost);
     offsets.end();
     path.restAt(positionRad);
     acceleration.setZero();
@@ -360,7 +364,7 @@ public final class MotionControl {
   public void jumpTo(Joints positionRad) throws PlanningException {
     motionQueue.refuseGuided();
     if (moving() || carried()) {
-      throw new PlanningException("robot-in-use", "the arm is moving, must be at rest");
+      throw new PlanningException("robot-in-use", text("notAtRest"));
     }
     path.restAt(positionRad);
     acceleration.setZero();

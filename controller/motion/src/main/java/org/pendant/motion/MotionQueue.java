@@ -1,7 +1,10 @@
 package org.pendant.motion;
 
+import static org.pendant.motion.MotionTexts.text;
+
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.text.FloatText;
 
@@ -134,12 +137,7 @@ final class MotionQueue {
     if (fastest > AT_REST_RAD_PER_S) {
       String driver =
           controlSource.torqueDriven() ? "direct_torque" : activeTrajectory.motion().driver();
-      throw new PlanningException(
-          "moving",
-          driver
-              + " has left the arm moving, its fastest joint at "
-              + FloatText.of(fastest)
-              + " rad/s, must be at rest before a move; stopj or stopl brings it to rest");
+      throw new PlanningException("moving", text("leftMoving", driver, FloatText.of(fastest)));
     }
     controlSource.endTorque();
     forget();
@@ -241,15 +239,13 @@ final class MotionQueue {
   void refuseSecondOwner() throws PlanningException {
     refuseGuided();
     if (owner.isPresent() || pending.isPresent() || controlSource.torqueGiven()) {
-      throw new PlanningException(
-          "robot-in-use", "another thread controls the robot, only one can at a time");
+      throw new PlanningException("robot-in-use", text("otherThread"));
     }
   }
 
   void refuseGuided() throws PlanningException {
     if (controlSource.guided()) {
-      throw new PlanningException(
-          "freedrive", "the arm is in freedrive, which must be ended first");
+      throw new PlanningException("freedrive", text("inFreedrive"));
     }
   }
 
@@ -368,14 +364,14 @@ final class MotionQueue {
   }
 
   /** Gives up the motion under way; a thread that waits for it is told why. */
-  void giveUp(MotionFailure reason) {
-    owner.ifPresent(ticket -> ticket.fail(reason));
+  void giveUp(Supplier<MotionFailure> reason) {
+    owner.ifPresent(ticket -> ticket.fail(reason.get()));
     forget();
   }
 
   /** Gives up the motion under way and the one after it. */
-  void giveUpAll(MotionFailure reason) {
-    pending.ifPresent(next -> next.ticket.fail(reason));
+  void giveUpAll(Supplier<MotionFailure> reason) {
+    pending.ifPresent(next -> next.ticket.fail(reason.get()));
     pending = Optional.empty();
     giveUp(reason);
   }

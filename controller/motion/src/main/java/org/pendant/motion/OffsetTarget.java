@@ -1,5 +1,7 @@
 package org.pendant.motion;
 
+import static org.pendant.motion.MotionTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -105,9 +107,7 @@ final class OffsetTarget {
       }
     }
     if (!solveNear(position.numbers())) {
-      return Optional.of(
-          new MotionFailure(
-              MotionFailure.OUT_OF_REACH, "an offset takes the tool out of the arm's reach"));
+      return Optional.of(new MotionFailure(MotionFailure.OUT_OF_REACH, text("offsetOutOfReach")));
     }
     hold.leadBack(position.numbers(), q);
     propose(q);

@@ -1,5 +1,7 @@
 package org.pendant.motion;
 
+import static org.pendant.motion.MotionTexts.text;
+
 import java.util.Optional;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
@@ -82,9 +84,7 @@ public final class ToolPathFollower {
     curve.at(at, tcp);
     Transforms.multiply(tcp, flangeInTcp, flange);
     if (!inverse.track(flange, q)) {
-      return Optional.of(
-          new MotionFailure(
-              MotionFailure.OUT_OF_REACH, "no joint positions reach a point on the path"));
+      return Optional.of(new MotionFailure(MotionFailure.OUT_OF_REACH, text("unreachablePoint")));
     }
     System.arraycopy(q, 0, sample.position, 0, N);
     if (atPerS == 0 && atPerS2 == 0) {
@@ -158,9 +158,6 @@ public final class ToolPathFollower {
   }
 
   private static Optional<MotionFailure> singular() {
-    return Optional.of(
-        new MotionFailure(
-            MotionFailure.SINGULARITY,
-            "the path leads through a singularity; a joint move can pass it"));
+    return Optional.of(new MotionFailure(MotionFailure.SINGULARITY, text("throughSingularity")));
   }
 }

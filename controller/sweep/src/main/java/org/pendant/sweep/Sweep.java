@@ -1,5 +1,7 @@
 package org.pendant.sweep;
 
+import static org.pendant.sweep.SweepFolderTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -154,7 +156,7 @@ public final class Sweep {
     List<Path> files = new ArrayList<>();
     for (long run : runs) {
       if (!rows.containsKey(run)) {
-        throw new SweepFolderException(folder + " has no row of run " + run);
+        throw new SweepFolderException(text("noRow", folder, run));
       }
       files.add(KeptRuns.record(folder, job, rows.get(run).variant(), rows.get(run).digest()));
     }
@@ -167,7 +169,7 @@ public final class Sweep {
     try (ResultReader rows = new ResultReader(folder.resolve(SweepFolder.RESULTS))) {
       int column =
           rows.column("digest")
-              .orElseThrow(() -> new SweepFolderException(folder + " has no digests"));
+              .orElseThrow(() -> new SweepFolderException(text("noDigests", folder)));
       Optional<List<String>> row = rows.next();
       while (row.isPresent() && found.size() < runs.size()) {
         long number = rows.rows() - 1;
@@ -190,8 +192,7 @@ public final class Sweep {
   public static Sweep of(Path folder) throws IOException, SweepFolderException, PlanException {
     Path plan = SweepFolder.planOf(folder);
     if (!Files.isRegularFile(plan)) {
-      throw new SweepFolderException(
-          "the plan " + plan + " is not there any more, the run cannot be run again");
+      throw new SweepFolderException(text("planGone", plan));
     }
     return read(plan);
   }

@@ -1,5 +1,7 @@
 package org.pendant.motion.force;
 
+import static org.pendant.motion.force.ForceTexts.text;
+
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -92,11 +94,10 @@ public final class ForceMode implements PathOffset {
    */
   public void start(ForceTask wanted, Pose tcpInBase) throws PlanningException {
     if (motion.guided()) {
-      throw new PlanningException(
-          "freedrive", "the arm is in freedrive, which must be ended first");
+      throw new PlanningException("freedrive", text("inFreedrive"));
     }
     if (motion.torqueDriven()) {
-      throw new PlanningException("robot-in-use", "torques drive the arm, which must end first");
+      throw new PlanningException("robot-in-use", text("drivenByTorques"));
     }
     if (phase == Phase.ON && wanted.equals(task)) {
       return;
@@ -124,11 +125,7 @@ public final class ForceMode implements PathOffset {
     if (distance < TaskAxes.NEAREST_POINT_M) {
       throw new PlanningException(
           "value-out-of-range",
-          "the origin of task_frame is "
-              + FloatText.of(distance)
-              + " m from the TCP, must be at least "
-              + FloatText.of(TaskAxes.NEAREST_POINT_M)
-              + " m away when type is 1");
+          text("nearPoint", FloatText.of(distance), FloatText.of(TaskAxes.NEAREST_POINT_M)));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.motion.toolpath;
 
+import static org.pendant.motion.toolpath.ToolpathTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -51,7 +53,7 @@ final class Route {
    * @throws PlanningException when there is no such way, or there are too many
    */
   void add(QueuedMotion queuedMotion, int id) throws PlanningException {
-    String name = "motion " + id;
+    String name = text("motion", id);
     switch (queuedMotion) {
       case QueuedMotion.Line line -> line(line.to(), line.pace(), name);
       case QueuedMotion.Arc arc -> arc(arc, name);
@@ -99,15 +101,7 @@ final class Route {
     double whole = Poses.pointDistance(at, to);
     if (there + on > whole * (1 + 1e-6) || whole <= NOTHING_M) {
       throw new PlanningException(
-          "no-arc",
-          name
-              + ": there is no arc from "
-              + place(at)
-              + " through pose_via "
-              + place(order.via())
-              + " to pose_to "
-              + place(to)
-              + ", the three must be different points, in a line only with pose_via in the middle");
+          "no-arc", text("noArc", name, place(at), place(order.via()), place(to)));
     }
     line(
         order.withTangent() ? to.with(3, at.rx()).with(4, at.ry()).with(5, at.rz()) : to,
@@ -121,9 +115,7 @@ final class Route {
 
   private void add(Leg leg) throws PlanningException {
     if (legs.size() == MAX_LEGS) {
-      throw new PlanningException(
-          "toolpath-too-long",
-          leg.name() + ": too long for one run, must have at most " + MAX_LEGS + " legs");
+      throw new PlanningException("toolpath-too-long", text("tooLong", leg.name(), MAX_LEGS));
     }
     legs.add(leg);
   }

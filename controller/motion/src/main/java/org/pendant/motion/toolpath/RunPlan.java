@@ -1,5 +1,7 @@
 package org.pendant.motion.toolpath;
 
+import static org.pendant.motion.toolpath.ToolpathTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleSupplier;
@@ -75,8 +77,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
    */
   public Motion begin(Joints positionRad) throws PlanningException {
     if (!positionRad.equals(from)) {
-      throw new PlanningException(
-          "robot-in-use", "something else has moved the arm while the run was being planned");
+      throw new PlanningException("robot-in-use", text("movedMeanwhile"));
     }
     return motion.orElseThrow();
   }
@@ -158,12 +159,10 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
       JointLimits limit = arm.joints().get(i);
       double q = before.get(i);
       if (Math.min(q - limit.lowestRad(), limit.highestRad() - q) < 2 * LOOK_RAD) {
-        throw new PlanningException(
-            "no-solution",
-            name + ": joint " + i + " is at the end of its range, " + degrees(q) + " degrees");
+        throw new PlanningException("no-solution", text("rangeEnds", name, i, degrees(q)));
       }
     }
-    throw new PlanningException("singularity", name + ": the path leads through a singularity");
+    throw new PlanningException("singularity", text("throughSingularity", name));
   }
 
   private static long degrees(double rad) {
@@ -177,12 +176,7 @@ public record RunPlan(Optional<Motion> motion, Pose endInWork, Joints from) {
       if (Math.abs(speedRadPerS.get(i)) * SLOWEST > limits.get(i).maxSpeedRadPerS()) {
         throw new PlanningException(
             "singularity",
-            name
-                + ": the path passes too close to a singularity, joint "
-                + i
-                + " would turn at "
-                + Math.round(Math.abs(speedRadPerS.get(i)))
-                + " rad/s");
+            text("nearSingularity", name, i, Math.round(Math.abs(speedRadPerS.get(i)))));
       }
     }
   }

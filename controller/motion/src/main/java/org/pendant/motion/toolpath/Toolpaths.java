@@ -1,5 +1,7 @@
 package org.pendant.motion.toolpath;
 
+import static org.pendant.motion.toolpath.ToolpathTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -96,8 +98,7 @@ public final class Toolpaths {
    */
   public void initialize(ToolConfiguration holder, boolean free) throws PlanningException {
     if (running) {
-      throw new PlanningException(
-          "robot-in-use", "motions are being run, must wait until mc_run_motion has ended");
+      throw new PlanningException("robot-in-use", text("running"));
     }
     forgetOrders();
     station = Optional.of(holder);
@@ -112,7 +113,7 @@ public final class Toolpaths {
 
   private ToolConfiguration initialized() throws PlanningException {
     return station.orElseThrow(
-        () -> new PlanningException("not-initialized", "mc_initialize must be called first"));
+        () -> new PlanningException("not-initialized", text("notInitialized")));
   }
 
   /** Sets the part's frame for what is queued from now on (manual 20.9). */
@@ -181,8 +182,7 @@ public final class Toolpaths {
   private int queue(QueuedMotion queuedMotion) throws PlanningException {
     initialized();
     if (orders.size() == MAX_ORDERS) {
-      throw new PlanningException(
-          "too-many-motions", "too many motions are queued, must be at most " + MAX_ORDERS);
+      throw new PlanningException("too-many-motions", text("queueFull", MAX_ORDERS));
     }
     orders.add(queuedMotion);
     return orders.size() - 1;
@@ -213,11 +213,7 @@ public final class Toolpaths {
     NcPath path = NcReader.read(found.shortName(), found.read());
     if (feeds && path.points().getFirst().feedMPerS() == 0) {
       throw new PlanningException(
-          "toolpath-file",
-          path.file()
-              + ":"
-              + path.points().getFirst().line()
-              + ": no feed rate yet, must have F on this line or before, as useFeedRate is True");
+          "toolpath-file", text("noFeedRate", path.file(), path.points().getFirst().line()));
     }
     return path;
   }
@@ -226,12 +222,7 @@ public final class Toolpaths {
   public int keep(NcPath path, boolean feeds) throws PlanningException {
     if (files.size() == MAX_FILES || loadedPoints + path.points().size() > MAX_LOADED_POINTS) {
       throw new PlanningException(
-          "toolpath-too-long",
-          "too much is loaded, must be at most "
-              + MAX_FILES
-              + " files with "
-              + MAX_LOADED_POINTS
-              + " points");
+          "toolpath-too-long", text("tooMuchLoaded", MAX_FILES, MAX_LOADED_POINTS));
     }
     loadedPoints += path.points().size();
     files.add(new Loaded(path, feeds));
@@ -248,17 +239,12 @@ public final class Toolpaths {
   public OptionalInt lastOf(int id) throws PlanningException {
     initialized();
     if (running) {
-      throw new PlanningException(
-          "robot-in-use", "another thread runs motions, only one can at a time");
+      throw new PlanningException("robot-in-use", text("otherThread"));
     }
     if (id < -1 || id >= orders.size()) {
       throw new PlanningException(
           "value-out-of-range",
-          "id is "
-              + id
-              + (orders.isEmpty()
-                  ? ", must be -1, as no motion is queued"
-                  : ", must be -1 to " + (orders.size() - 1)));
+          orders.isEmpty() ? text("noneQueued", id) : text("idOutside", id, orders.size() - 1));
     }
     int last = id < 0 ? orders.size() - 1 : id;
     return last < done ? OptionalInt.empty() : OptionalInt.of(last);
@@ -295,13 +281,11 @@ public final class Toolpaths {
     if (leftAt.isPresent() && Poses.pointDistance(leftAt.get(), now) > DIVERGENCE_M) {
       throw new PlanningException(
           "path-divergence",
-          String.format(
-              Locale.ROOT,
-              "the tool is %.1f mm from where motion %d has left it, must be within %.0f mm:"
-                  + " nothing else may move the arm between two runs",
-              1000 * Poses.pointDistance(leftAt.get(), now),
+          text(
+              "elsewhere",
+              String.format(Locale.ROOT, "%.1f", 1000 * Poses.pointDistance(leftAt.get(), now)),
               done - 1,
-              1000 * DIVERGENCE_M));
+              String.format(Locale.ROOT, "%.0f", 1000 * DIVERGENCE_M)));
     }
   }
 

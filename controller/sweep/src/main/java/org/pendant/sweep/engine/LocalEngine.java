@@ -1,5 +1,7 @@
 package org.pendant.sweep.engine;
 
+import static org.pendant.sweep.engine.EngineTexts.text;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,7 +44,7 @@ public final class LocalEngine implements Engine {
 
   @Override
   public String description() {
-    return workers == 1 ? "1 worker on this machine" : workers + " workers on this machine";
+    return workers == 1 ? text("oneWorker") : text("workers", workers);
   }
 
   @Override

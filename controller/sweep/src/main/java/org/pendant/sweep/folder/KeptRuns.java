@@ -65,17 +65,14 @@ public final class KeptRuns {
       int count = equals < 0 ? 0 : number(each.substring(equals + 1).strip());
       if (!names.contains(what)) {
         throw new IllegalArgumentException(
-            "\""
-                + what
-                + "\" is not failed, worst or a column of numbers"
-                + new Nearest()
-                    .to(what, () -> names)
-                    .map(n -> ", did you mean " + n + "?")
-                    .orElse(""));
+            new Nearest()
+                .to(what, () -> names)
+                .map(near -> FolderTexts.text("notToKeepDidYouMean", what, near))
+                .orElseGet(() -> FolderTexts.text("notToKeep", what)));
       }
       if (count < 1) {
         throw new IllegalArgumentException(
-            "\"" + each.strip() + "\" must be " + what + "=N with N from 1 to " + MAX_KEPT);
+            FolderTexts.text("wrongCount", each.strip(), what, MAX_KEPT));
       }
       wishes.add(new Wish(what, count));
     }
@@ -186,11 +183,9 @@ public final class KeptRuns {
     if (!recorded[0] || !now.equals(digest)) {
       Files.deleteIfExists(file);
       throw new SweepFolderException(
-          "run "
-              + run
-              + (recorded[0]
-                  ? " comes out otherwise than its row says: its digest is " + now
-                  : " ended before its first frame: " + result[0].reason()));
+          recorded[0]
+              ? FolderTexts.text("otherDigest", run, now)
+              : FolderTexts.text("endedAtOnce", run, result[0].reason()));
     }
     return file;
   }

@@ -1,5 +1,7 @@
 package org.pendant.sweep.folder;
 
+import static org.pendant.sweep.folder.FolderTexts.text;
+
 import java.io.BufferedReader;
 import java.io.Closeable;
 import java.io.IOException;
@@ -35,7 +37,7 @@ public final class ResultReader implements Closeable {
       columns =
           line()
               .map(CsvRows::cells)
-              .orElseThrow(() -> new SweepFolderException(file + " has no header"));
+              .orElseThrow(() -> new SweepFolderException(text("noHeader", file)));
     } catch (IOException | SweepFolderException e) {
       in.close();
       throw e;
@@ -65,8 +67,7 @@ public final class ResultReader implements Closeable {
     }
     List<String> cells = CsvRows.cells(line.get());
     if (cells.size() != columns.size() || !cells.getFirst().equals(Long.toString(rows))) {
-      throw new SweepFolderException(
-          file + ": row " + rows + " is not a row of run " + rows + " with all columns");
+      throw new SweepFolderException(text("wrongRow", file, rows, rows));
     }
     rows++;
     return Optional.of(cells);
@@ -95,7 +96,7 @@ public final class ResultReader implements Closeable {
       inQuotes ^= each == '"';
       line.append((char) each);
       if (line.length() > MAX_ROW) {
-        throw new SweepFolderException(file + ": row " + rows + " is no row, it never ends");
+        throw new SweepFolderException(text("endlessRow", file, rows));
       }
     }
     return Optional.empty();

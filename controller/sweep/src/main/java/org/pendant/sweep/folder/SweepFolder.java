@@ -1,5 +1,7 @@
 package org.pendant.sweep.folder;
 
+import static org.pendant.sweep.folder.FolderTexts.text;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -61,8 +63,7 @@ public final class SweepFolder implements Closeable {
       throws IOException, SweepFolderException {
     Path results = folder.resolve(RESULTS);
     if (begun(folder)) {
-      throw new SweepFolderException(
-          folder + " has results already; --resume goes on with them, --force begins anew");
+      throw new SweepFolderException(text("hasResults", folder));
     }
     Files.createDirectories(folder);
     AtomicFile.write(folder.resolve(PLAN), job.planText().getBytes(StandardCharsets.UTF_8));
@@ -85,10 +86,7 @@ public final class SweepFolder implements Closeable {
       throws IOException, SweepFolderException {
     Path results = folder.resolve(RESULTS);
     if (!origin(folder).getFirst().equals(job.identity())) {
-      throw new SweepFolderException(
-          folder
-              + " has results of another plan, or of files that have changed since: their rows"
-              + " would not be of one table; --force begins anew");
+      throw new SweepFolderException(text("otherResults", folder));
     }
     ResultTable table = ResultTable.of(job.plan());
     long done;
@@ -111,11 +109,11 @@ public final class SweepFolder implements Closeable {
   private static List<String> origin(Path folder) throws IOException, SweepFolderException {
     Path origin = folder.resolve(ORIGIN);
     if (!Files.isRegularFile(origin)) {
-      throw new SweepFolderException(folder + " is no folder of a sweep, it has no " + ORIGIN);
+      throw new SweepFolderException(text("noSweepFolder", folder, ORIGIN));
     }
     List<String> lines = Files.readAllLines(origin, StandardCharsets.UTF_8);
     if (lines.size() < 2) {
-      throw new SweepFolderException(origin + " has " + lines.size() + " lines, must have 2");
+      throw new SweepFolderException(text("lineCount", origin, lines.size()));
     }
     return lines;
   }

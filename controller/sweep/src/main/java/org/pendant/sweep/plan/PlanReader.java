@@ -1,5 +1,7 @@
 package org.pendant.sweep.plan;
 
+import static org.pendant.sweep.plan.PlanTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -26,7 +28,7 @@ public final class PlanReader {
 
   private PlanReader(String name, TomlParseResult toml) {
     this.name = name;
-    fields = new TomlFields(name, toml, "the plan", TomlPosition.positionAt(1, 1), mistakes);
+    fields = new TomlFields(name, toml, text("thePlan"), TomlPosition.positionAt(1, 1), mistakes);
   }
 
   /**
@@ -68,9 +70,9 @@ public final class PlanReader {
         "sampling",
         "search",
         "parameter");
-    Optional<String> program = fields.text("program", "the file with the program");
+    Optional<String> program = fields.text("program", text("programFile"));
     if (program.isEmpty() && !fields.has("program")) {
-      fields.wrong("program", "program is missing, must be the file with the program");
+      fields.wrong("program", text("programMissing"));
     }
     List<SweepParameter> parameters = new ArrayList<>();
     Set<String> names = new HashSet<>();
@@ -78,12 +80,12 @@ public final class PlanReader {
       parameter(each, names).ifPresent(parameters::add);
     }
     if (parameters.isEmpty() && mistakes.isEmpty()) {
-      fields.wrong("parameter", "there is no [[parameter]], must be one or more");
+      fields.wrong("parameter", text("parameterMissing"));
     }
     RunSettings settings = settings();
-    Optional<String> robot = fields.text("robot", "the name of an arm, or its file");
-    Optional<String> installation = fields.text("installation", "the file of an installation");
-    Optional<String> scene = fields.text("scene", "the file of a scene");
+    Optional<String> robot = fields.text("robot", text("armOrFile"));
+    Optional<String> installation = fields.text("installation", text("installationFile"));
+    Optional<String> scene = fields.text("scene", text("sceneFile"));
     Optional<SearchGoal> search = fields.fields("search").flatMap(each -> search(each, parameters));
     Optional<Sampling> sampling = fields.has("search") ? searched(search) : sampling(parameters);
     return mistakes.isEmpty() && program.isPresent() && sampling.isPresent()
@@ -102,11 +104,11 @@ public final class PlanReader {
   }
 
   private RunSettings settings() {
-    List<String> inputs = fields.texts("inputs", MAX_NAMES, "texts like \"digital_in[0]=true\"");
+    List<String> inputs = fields.texts("inputs", MAX_NAMES, text("inputTexts"));
     for (String each : inputs) {
       int equals = each.indexOf('=');
       if (equals < 0) {
-        fields.wrong("inputs", "inputs has \"" + each + "\", must be NAME=LEVEL");
+        fields.wrong("inputs", text("wrongInput", each));
       } else {
         checkInput("inputs", each.substring(0, equals), each.substring(equals + 1), fields);
       }
@@ -119,8 +121,8 @@ public final class PlanReader {
         choice("arm", "dynamic", "ideal"),
         choice("noise", "none", "measured"),
         fields.flag("start_ramp", true),
-        fields.texts("variables", MAX_NAMES, "names of script variables"),
-        fields.texts("fixed", MAX_NAMES, "names of script variables that are poses"),
+        fields.texts("variables", MAX_NAMES, text("variableNames")),
+        fields.texts("fixed", MAX_NAMES, text("poseVariableNames")),
         inputs);
   }
 
@@ -136,9 +138,7 @@ public final class PlanReader {
   private boolean choice(String key, String standard, String other) {
     Optional<String> word = fields.text(key, '"' + standard + "\" or \"" + other + '"');
     if (word.isPresent() && !List.of(standard, other).contains(word.get())) {
-      fields.wrong(
-          key,
-          key + " is \"" + word.get() + "\", must be \"" + standard + "\" or \"" + other + '"');
+      fields.wrong(key, text("wrongChoice", key, word.get(), standard, other));
     }
     return word.filter(other::equals).isPresent();
   }
@@ -149,25 +149,20 @@ public final class PlanReader {
       return sized(new Sampling(SamplingMethod.GRID, 0, 0), parameters, fields);
     }
     given.allow("method", "runs", "seed");
-    String word = given.text("method", "a method").orElse(SamplingMethod.GRID.word());
+    String word = given.text("method", text("aMethod")).orElse(SamplingMethod.GRID.word());
     Optional<SamplingMethod> method = SamplingMethod.of(word);
     if (method.isEmpty()) {
-      given.wrong(
-          "method",
-          "method is \""
-              + word
-              + "\", must be one of "
-              + String.join(", ", SamplingMethod.words()));
+      given.wrong("method", text("wrongMethod", word, String.join(", ", SamplingMethod.words())));
       return Optional.empty();
     }
     long most = method.get() == SamplingMethod.SOBOL ? Integer.MAX_VALUE : Sampling.MAX_RUNS;
     long runs = given.whole("runs", 1, Math.min(most, Sampling.MAX_RUNS)).orElse(0);
     if (method.get().counted() && runs == 0) {
-      given.wrong("runs", "runs is missing, must say how many runs there are for " + word);
+      given.wrong("runs", text("runsMissing", word));
       return Optional.empty();
     }
     if (!method.get().counted() && given.has("runs")) {
-      given.wrong("runs", "runs does not go with " + word + ", whose parameters say how many");
+      given.wrong("runs", text("runsWithout", word));
     }
     long seed = given.whole("seed", Long.MIN_VALUE, Long.MAX_VALUE).orElse(0);
     return sized(new Sampling(method.get(), runs, seed), parameters, given);
@@ -175,15 +170,15 @@ public final class PlanReader {
 
   private static Optional<SearchGoal> search(TomlFields given, List<SweepParameter> parameters) {
     given.allow("minimize", "maximize", "limits", "runs", "population", "stall", "seed");
-    Optional<String> least = given.text("minimize", "a column of the results");
-    Optional<String> most = given.text("maximize", "a column of the results");
+    Optional<String> least = given.text("minimize", text("resultColumn"));
+    Optional<String> most = given.text("maximize", text("resultColumn"));
     if (least.isPresent() == most.isPresent()) {
-      given.wrong("minimize", "must have one of minimize and maximize, a column of the results");
+      given.wrong("minimize", text("goalMissing"));
       return Optional.empty();
     }
     for (SweepParameter each : parameters) {
       if (!(each.range() instanceof ParameterRange.Between)) {
-        given.wrong("minimize", each.name() + " has values, must have from and to for a search");
+        given.wrong("minimize", text("searchedByValues", each.name()));
         return Optional.empty();
       }
     }
@@ -191,7 +186,7 @@ public final class PlanReader {
         new SearchGoal(
             least.or(() -> most).orElseThrow(),
             most.isPresent(),
-            given.texts("limits", MAX_NAMES, "texts like \"torque_share <= 0.8\""),
+            given.texts("limits", MAX_NAMES, text("limitTexts")),
             (int)
                 given
                     .whole("population", 4, 10_000)
@@ -201,7 +196,7 @@ public final class PlanReader {
 
   private Optional<Sampling> searched(Optional<SearchGoal> goal) {
     if (fields.has("sampling")) {
-      fields.wrong("sampling", "[sampling] does not go with [search], which says all");
+      fields.wrong("sampling", text("samplingWithSearch"));
     }
     TomlFields given = fields.fields("search").orElse(null);
     if (given == null || goal.isEmpty()) {
@@ -222,29 +217,23 @@ public final class PlanReader {
     for (SweepParameter each : parameters) {
       long size = each.gridSize();
       if (size < 1) {
-        at.wrong(
-            "method",
-            each.name()
-                + " has neither values nor steps, must have one of them for "
-                + wanted.method().word());
+        at.wrong("method", text("noSize", each.name(), wanted.method().word()));
         return Optional.empty();
       }
       if (list && parameters.getFirst().gridSize() != size) {
         at.wrong(
             "method",
-            each.name()
-                + " has "
-                + size
-                + " values, must have "
-                + parameters.getFirst().gridSize()
-                + " as "
-                + parameters.getFirst().name()
-                + " has: a list takes the first of all, then the second of all");
+            text(
+                "otherSize",
+                each.name(),
+                size,
+                parameters.getFirst().gridSize(),
+                parameters.getFirst().name()));
         return Optional.empty();
       }
       runs = list ? size : runs * size;
       if (runs > Sampling.MAX_RUNS) {
-        at.wrong("method", "the grid has more than " + Sampling.MAX_RUNS + " runs");
+        at.wrong("method", text("gridTooLarge", Sampling.MAX_RUNS));
         return Optional.empty();
       }
     }
@@ -256,18 +245,18 @@ public final class PlanReader {
     Optional<String> set = at.text("set", TargetText.LEGAL);
     if (set.isEmpty()) {
       if (!at.has("set")) {
-        at.wrong("set", "set is missing, must be " + TargetText.LEGAL);
+        at.wrong("set", text("setMissing", TargetText.LEGAL));
       }
       return Optional.empty();
     }
     Optional<ParameterTarget> target = TargetText.parse(set.get());
     if (target.isEmpty()) {
-      at.wrong("set", "set is \"" + set.get() + "\", must be " + TargetText.LEGAL);
+      at.wrong("set", text("wrongSet", set.get(), TargetText.LEGAL));
       return Optional.empty();
     }
-    String name = at.text("name", "a name").orElse(set.get());
+    String name = at.text("name", text("aName")).orElse(set.get());
     if (!names.add(name)) {
-      at.wrong("name", "two parameters are called " + name + ", each must have its own name");
+      at.wrong("name", text("sameName", name));
     }
     Optional<ParameterRange> range =
         at.has("values") ? listed(at, target.get()) : between(at, target.get());
@@ -277,19 +266,19 @@ public final class PlanReader {
   private static Optional<ParameterRange> listed(TomlFields at, ParameterTarget target) {
     for (String key : List.of("from", "to", "steps")) {
       if (at.has(key)) {
-        at.wrong(key, key + " does not go with values, which say all");
+        at.wrong(key, text("besideValues", key));
       }
     }
     List<ParameterValue> values = new ArrayList<>();
-    for (Object each : at.array("values", 1_000_000, "an array of values")) {
+    for (Object each : at.array("values", 1_000_000, text("valueArray"))) {
       Optional<ParameterValue> value = value(each, target);
       if (value.isEmpty()) {
         at.wrong(
             "values",
-            "values has "
-                + TomlFields.shown(each)
-                + ", must be "
-                + (target.whole() ? "whole numbers" : target.numeric() ? "numbers" : "values"));
+            text(
+                "wrongValues",
+                TomlFields.shown(each),
+                text(target.whole() ? "wholeNumbers" : target.numeric() ? "numbers" : "values")));
         return Optional.empty();
       }
       if (target instanceof ParameterTarget.InputLevel(var signal)) {
@@ -298,7 +287,7 @@ public final class PlanReader {
       values.add(value.get());
     }
     if (values.isEmpty()) {
-      at.wrong("values", "values is empty, must have one or more");
+      at.wrong("values", text("valuesEmpty"));
       return Optional.empty();
     }
     return Optional.of(new ParameterRange.Listed(values));
@@ -322,16 +311,16 @@ public final class PlanReader {
     OptionalDouble to = at.number("to", -largest, largest, "");
     if (from.isEmpty() || to.isEmpty()) {
       if (!at.has("from") || !at.has("to")) {
-        at.wrong("set", "the values are missing, must be values = [...], or from and to");
+        at.wrong("set", text("valuesMissing"));
       }
       return Optional.empty();
     }
     if (target instanceof ParameterTarget.RobotModel) {
-      at.wrong("from", "robot has no numbers, must have values = [\"ur5e\", ...]");
+      at.wrong("from", text("robotByNumbers"));
       return Optional.empty();
     }
     if (!(from.getAsDouble() < to.getAsDouble())) {
-      at.wrong("to", "to is " + to.getAsDouble() + ", must be above from, " + from.getAsDouble());
+      at.wrong("to", text("toBelowFrom", to.getAsDouble(), from.getAsDouble()));
       return Optional.empty();
     }
     long steps = at.whole("steps", 2, 1_000_000).orElse(0);

@@ -1,5 +1,7 @@
 package org.pendant.sweep.plan;
 
+import static org.pendant.sweep.plan.PlanTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -13,11 +15,7 @@ public final class TargetText {
   private static final List<String> LOAD = List.of("mass", "cog_x", "cog_y", "cog_z");
 
   /** What is right, for messages. */
-  public static final String LEGAL =
-      "one of \"variable NAME\", \"variable NAME[i]\", \"argument LINE NAME\", \"speed\","
-          + " \"acceleration\", \"slider\", \"load mass|cog_x|cog_y|cog_z\", \"base AXIS\","
-          + " \"feature NAME AXIS\", \"object NAME AXIS\", \"input SIGNAL\", \"input SIGNAL time\","
-          + " \"seed\", \"robot\"; AXIS is x, y, z, rx, ry or rz";
+  public static final String LEGAL = text("legalTargets");
 
   private TargetText() {}
 

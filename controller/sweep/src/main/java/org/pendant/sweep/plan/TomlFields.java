@@ -1,5 +1,7 @@
 package org.pendant.sweep.plan;
 
+import static org.pendant.sweep.plan.PlanTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -53,12 +55,13 @@ final class TomlFields {
     List<String> legal = Arrays.asList(keys);
     for (String key : table.keySet()) {
       if (!legal.contains(key)) {
-        String hint =
+        wrong(
+            key,
             new Nearest()
                 .to(key, () -> legal)
-                .map(near -> ", did you mean " + near + "?")
-                .orElse(", must be one of " + String.join(", ", legal));
-        wrong(key, "there is no " + key + " in " + what + hint);
+                .map(near -> PlanTexts.text("unknownKeyDidYouMean", key, what, near))
+                .orElseGet(
+                    () -> PlanTexts.text("unknownKeyOneOf", key, what, String.join(", ", legal))));
       }
     }
   }
@@ -73,7 +76,7 @@ final class TomlFields {
       return Optional.empty();
     }
     if (!type.isInstance(found)) {
-      wrong(key, key + " is " + shown(found) + ", must be " + expected);
+      wrong(key, PlanTexts.text("wrongType", key, shown(found), expected));
       return Optional.empty();
     }
     return Optional.of(type.cast(found));
@@ -82,8 +85,8 @@ final class TomlFields {
   static String shown(Object found) {
     return switch (found) {
       case String text -> '"' + text + '"';
-      case TomlTable _ -> "a table";
-      case TomlArray _ -> "an array";
+      case TomlTable _ -> PlanTexts.text("aTable");
+      case TomlArray _ -> PlanTexts.text("anArray");
       default -> found.toString();
     };
   }
@@ -91,34 +94,34 @@ final class TomlFields {
   Optional<String> text(String key, String expected) {
     Optional<String> found = value(key, String.class, expected);
     if (found.filter(String::isBlank).isPresent()) {
-      wrong(key, key + " is empty, must be " + expected);
+      wrong(key, PlanTexts.text("emptyText", key, expected));
       return Optional.empty();
     }
     return found;
   }
 
   boolean flag(String key, boolean otherwise) {
-    return value(key, Boolean.class, "true or false").orElse(otherwise);
+    return value(key, Boolean.class, PlanTexts.text("trueOrFalse")).orElse(otherwise);
   }
 
   /** A number, whole or not. */
   OptionalDouble number(String key, double least, double most, String unit) {
-    Optional<Number> found = value(key, Number.class, "a number");
+    Optional<Number> found = value(key, Number.class, PlanTexts.text("aNumber"));
     if (found.isEmpty()) {
       return OptionalDouble.empty();
     }
     double number = found.get().doubleValue();
     if (!(number >= least && number <= most)) {
-      wrong(key, key + " is " + found.get() + unit + ", must be " + least + " to " + most + unit);
+      wrong(key, PlanTexts.text("numberOutside", key, found.get() + unit, least, most + unit));
       return OptionalDouble.empty();
     }
     return OptionalDouble.of(number);
   }
 
   OptionalLong whole(String key, long least, long most) {
-    Optional<Long> found = value(key, Long.class, "a whole number");
+    Optional<Long> found = value(key, Long.class, PlanTexts.text("aWholeNumber"));
     if (found.isPresent() && (found.get() < least || found.get() > most)) {
-      wrong(key, key + " is " + found.get() + ", must be " + least + " to " + most);
+      wrong(key, PlanTexts.text("numberOutside", key, found.get(), least, most));
       return OptionalLong.empty();
     }
     return found.isPresent() ? OptionalLong.of(found.get()) : OptionalLong.empty();
@@ -128,7 +131,7 @@ final class TomlFields {
   List<Object> array(String key, int most, String expected) {
     Optional<TomlArray> found = value(key, TomlArray.class, expected);
     if (found.isPresent() && found.get().size() > most) {
-      wrong(key, key + " has " + found.get().size() + " elements, must have at most " + most);
+      wrong(key, PlanTexts.text("tooManyElements", key, found.get().size(), most));
       return List.of();
     }
     return found.map(TomlArray::toList).orElse(List.of());
@@ -140,7 +143,7 @@ final class TomlFields {
       if (each instanceof String text) {
         texts.add(text);
       } else {
-        wrong(key, key + " has " + shown(each) + ", must be " + expected);
+        wrong(key, PlanTexts.text("wrongElement", key, shown(each), expected));
       }
     }
     return texts;
@@ -148,7 +151,7 @@ final class TomlFields {
 
   /** The table under a key. */
   Optional<TomlFields> fields(String key) {
-    return value(key, TomlTable.class, "a table [" + key + "]")
+    return value(key, TomlTable.class, PlanTexts.text("aTableOf", key))
         .map(
             found ->
                 new TomlFields(
@@ -158,9 +161,9 @@ final class TomlFields {
   /** The tables under a key, which may be there several times. */
   List<TomlFields> allFields(String key, int most) {
     List<TomlFields> all = new ArrayList<>();
-    Optional<TomlArray> found = value(key, TomlArray.class, "tables [[" + key + "]]");
+    Optional<TomlArray> found = value(key, TomlArray.class, PlanTexts.text("tablesOf", key));
     if (found.isPresent() && found.get().size() > most) {
-      wrong(key, "there are " + found.get().size() + " tables [[" + key + "]], at most " + most);
+      wrong(key, PlanTexts.text("tooManyTables", found.get().size(), key, most));
       return all;
     }
     TomlArray array = found.orElse(null);
@@ -168,7 +171,7 @@ final class TomlFields {
       if (array.get(i) instanceof TomlTable each) {
         all.add(new TomlFields(file, each, "[[" + key + "]]", array.inputPositionOf(i), mistakes));
       } else {
-        wrong(key, key + " must be tables [[" + key + "]]");
+        wrong(key, PlanTexts.text("noTables", key, key));
       }
     }
     return all;

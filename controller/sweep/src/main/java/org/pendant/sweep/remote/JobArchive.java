@@ -1,5 +1,7 @@
 package org.pendant.sweep.remote;
 
+import static org.pendant.sweep.remote.RemoteTexts.text;
+
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -64,7 +66,7 @@ public final class JobArchive {
       }
     }
     if (root == null) {
-      throw new IOException("the plan names files that share no folder with it");
+      throw new IOException(text("noCommonFolder"));
     }
     return root;
   }
@@ -98,10 +100,7 @@ public final class JobArchive {
     files.add(plan);
     for (String name : job.files()) {
       if (Path.of(name).isAbsolute()) {
-        throw new IOException(
-            name
-                + ": the plan names a file by its whole path, which other computers do not have;"
-                + " must be seen from the folder of the plan");
+        throw new IOException(text("absoluteFile", name));
       }
       files.add(plan.resolveSibling(name).normalize());
     }
@@ -134,7 +133,7 @@ public final class JobArchive {
         Path file = top.resolve(entry.getName()).normalize();
         count++;
         if (!file.startsWith(top) || entry.isDirectory() || count > JobFiles.MAX_FILES) {
-          throw new IOException(entry.getName() + ": not a file of a job");
+          throw new IOException(text("notOfJob", entry.getName()));
         }
         Files.createDirectories(file.getParent());
         left -= Files.copy(new BoundedStream(zip, left), file);
@@ -142,7 +141,7 @@ public final class JobArchive {
       }
     }
     if (plan == null) {
-      throw new IOException("an archive of a job without a plan");
+      throw new IOException(text("noPlan"));
     }
     return plan;
   }
@@ -174,8 +173,7 @@ public final class JobArchive {
     private void count(int size) throws IOException {
       left -= size;
       if (left < 0) {
-        throw new IOException(
-            "an archive of a job with more than " + (JobFiles.MAX_BYTES >> 20) + " MiB");
+        throw new IOException(text("archiveTooLarge", JobFiles.MAX_BYTES >> 20));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.sweep.remote;
 
+import static org.pendant.sweep.remote.RemoteTexts.text;
+
 import java.io.IOException;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
@@ -34,14 +36,7 @@ final class JobFiles {
     }
     bytes += Files.size(file);
     if (files.size() > MAX_FILES || bytes > MAX_BYTES) {
-      throw new IOException(
-          file.getParent()
-              + ": with the files there are more than "
-              + MAX_FILES
-              + ", or "
-              + (MAX_BYTES >> 20)
-              + " MiB, and all would go to every worker; put the plan and what its program opens"
-              + " into a folder of its own");
+      throw new IOException(text("tooManyFiles", file.getParent(), MAX_FILES, MAX_BYTES >> 20));
     }
   }
 

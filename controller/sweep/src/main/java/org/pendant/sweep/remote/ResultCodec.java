@@ -1,5 +1,7 @@
 package org.pendant.sweep.remote;
 
+import static org.pendant.sweep.remote.RemoteTexts.text;
+
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -101,7 +103,7 @@ public final class ResultCodec {
       throws IOException {
     int outcome = in.readUnsignedByte();
     if (outcome >= RunOutcome.values().length) {
-      throw new IOException("a result whose outcome is " + outcome);
+      throw new IOException(text("wrongOutcome", outcome));
     }
     return new SweepResult(
         variant,
@@ -159,11 +161,11 @@ public final class ResultCodec {
   private static String readText(DataInputStream in) throws IOException {
     int length = in.readInt();
     if (length < 0 || length > MAX_TEXT_BYTES) {
-      throw new IOException("a text of " + length + " bytes");
+      throw new IOException(text("textTooLong", length));
     }
     byte[] bytes = in.readNBytes(length);
     if (bytes.length < length) {
-      throw new IOException("a text that is cut");
+      throw new IOException(text("textCut"));
     }
     return new String(bytes, StandardCharsets.UTF_8);
   }
@@ -186,7 +188,7 @@ public final class ResultCodec {
   private static int readSize(DataInputStream in) throws IOException {
     int size = in.readInt();
     if (size < 0 || size > MAX_ITEMS) {
-      throw new IOException("a list of " + size + " items");
+      throw new IOException(text("listTooLong", size));
     }
     return size;
   }

@@ -1,5 +1,7 @@
 package org.pendant.sweep.report;
 
+import static org.pendant.sweep.report.ReportTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -65,7 +67,7 @@ public final class SweepReport {
   public static String of(Path folder) throws IOException, SweepFolderException {
     Path planFile = folder.resolve(SweepFolder.PLAN);
     if (!Files.isRegularFile(planFile)) {
-      throw new SweepFolderException(folder + " is no folder of a sweep, it has no plan.toml");
+      throw new SweepFolderException(text("noSweepFolder", folder));
     }
     try {
       SweepPlan plan =
@@ -82,7 +84,7 @@ public final class SweepReport {
     Path results = folder.resolve(SweepFolder.RESULTS);
     try (ResultReader reader = new ResultReader(results)) {
       if (!reader.columns().equals(table.columns().stream().map(ResultColumn::name).toList())) {
-        throw new SweepFolderException(results + " has other columns than its plan");
+        throw new SweepFolderException(text("otherColumns", results));
       }
       int outcome = reader.column("outcome").orElseThrow();
       Optional<List<String>> row = reader.next();

@@ -25,31 +25,31 @@ public record ParameterOffer(
   /** What an offer belongs to, in the order in which people look for it. */
   public enum Group {
     /** Variables of the script, and defaults of parameters. */
-    VARIABLES("Variable"),
+    VARIABLES("groupVariable"),
     /** All moves, and each of them. */
-    MOVES("Moves"),
+    MOVES("groupMoves"),
     /** What hangs on the flange. */
-    LOAD("Load"),
+    LOAD("groupLoad"),
     /** Where the base stands. */
-    BASE("Base"),
+    BASE("groupBase"),
     /** Features of the installation. */
-    FEATURES("Feature"),
+    FEATURES("groupFeature"),
     /** Objects of the scene. */
-    OBJECTS("Object"),
+    OBJECTS("groupObject"),
     /** Inputs that the program reads. */
-    INPUTS("Input"),
+    INPUTS("groupInput"),
     /** The arm, its noise, the slider. */
-    ROBOT("Robot");
+    ROBOT("groupRobot");
 
-    private final String title;
+    private final String key;
 
-    Group(String title) {
-      this.title = title;
+    Group(String key) {
+      this.key = key;
     }
 
     /** For people. */
     public String title() {
-      return title;
+      return SweepRunTexts.text(key);
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.sweep.run;
 
+import static org.pendant.sweep.run.SweepRunTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -43,13 +45,15 @@ final class PlanCheck {
     mistakes.add(inputs.plan().name() + ": error: " + what + ": " + message);
   }
 
-  private static String near(String name, Supplier<? extends Iterable<String>> among) {
+  /** A complaint about a name, with the name that may be meant. */
+  private static String near(
+      String complaint, String name, Supplier<? extends Iterable<String>> among) {
     List<String> names = new ArrayList<>();
     among.get().forEach(names::add);
     return new Nearest()
         .to(name, () -> names)
-        .map(each -> ", did you mean " + each + "?")
-        .orElse("");
+        .map(each -> text("didYouMean", complaint, each))
+        .orElse(complaint);
   }
 
   private void look(SweepParameter parameter) {
@@ -59,17 +63,13 @@ final class PlanCheck {
         if (variable(name, variable.name())
             && variable.element().isPresent()
             && places.firstElement(variable.name(), variable.element().getAsInt()).isEmpty()) {
-          wrong(
-              name,
-              variable.name()
-                  + " is not first assigned a list or pose with an element "
-                  + variable.element().getAsInt());
+          wrong(name, text("noSuchElement", variable.name(), variable.element().getAsInt()));
         }
       }
       case ParameterTarget.CallArgument(var line, var argument) -> call(name, line, argument);
       case ParameterTarget.MoveFactor _ -> {
         if (places.moves().isEmpty()) {
-          wrong(name, "the program has no movej, movel, movep or movec");
+          wrong(name, text("noMoves"));
         }
       }
       case ParameterTarget.BasePlace(var axis) -> base(name, axis);
@@ -77,7 +77,7 @@ final class PlanCheck {
       case ParameterTarget.ObjectPlace(var object, var _) -> {
         List<String> names = inputs.scene().objects().stream().map(SceneObject::name).toList();
         if (!names.contains(object)) {
-          wrong(name, "the scene has no object \"" + object + '"' + near(object, () -> names));
+          wrong(name, near(text("noObject", object), object, () -> names));
         }
       }
       case ParameterTarget.Slider _,
@@ -93,33 +93,31 @@ final class PlanCheck {
     if (places.firstValue(variable).isPresent()) {
       return true;
     }
-    wrong(what, "the program assigns no variable " + variable + near(variable, places::variables));
+    wrong(what, near(text("noVariable", variable), variable, places::variables));
     return false;
   }
 
   private void call(String what, int line, String argument) {
     if (line > inputs.program().lineCount()) {
-      wrong(what, "the program has " + inputs.program().lineCount() + " lines, line is " + line);
+      wrong(what, text("lineBeyondEnd", inputs.program().lineCount(), line));
       return;
     }
     Optional<Expression.Call> call = places.callIn(line);
     if (call.isEmpty()) {
-      wrong(what, "no function is called in line " + line);
+      wrong(what, text("noCall", line));
     } else if (places.parameter(call.get(), argument).isEmpty()) {
-      wrong(what, call.get().function() + " in line " + line + " has no parameter " + argument);
+      wrong(what, text("noParameter", call.get().function(), line, argument));
     }
   }
 
   private void base(String what, FrameAxis axis) {
     if (!OF_BASE.contains(axis)) {
-      wrong(
-          what, "the base can be moved along x, y, z and turned about z, not about " + axis.word());
+      wrong(what, text("baseAxis", axis.word()));
     }
     inputs.equipment().devices().stream()
         .filter(CellShift::standsInCell)
         .map(DeviceSetup::name)
-        .forEach(
-            device -> wrong(what, "the base cannot be moved: device " + device + " would not be"));
+        .forEach(device -> wrong(what, text("baseWithDevice", device)));
   }
 
   private void feature(String what, String feature) {
@@ -128,7 +126,7 @@ final class PlanCheck {
             .map(Feature::name)
             .toList();
     if (!names.contains(feature)) {
-      wrong(what, "the installation has no feature " + feature + near(feature, () -> names));
+      wrong(what, near(text("noFeature", feature), feature, () -> names));
     }
   }
 }

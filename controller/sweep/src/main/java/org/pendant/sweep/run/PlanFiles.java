@@ -1,5 +1,7 @@
 package org.pendant.sweep.run;
 
+import static org.pendant.sweep.run.SweepRunTexts.text;
+
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -115,7 +117,7 @@ final class PlanFiles {
     try {
       return folder.resolve(name);
     } catch (InvalidPathException e) {
-      throw wrong(name + " is not a file name, " + e.getReason());
+      throw wrong(text("noFileName", name, e.getReason()));
     }
   }
 
@@ -123,7 +125,7 @@ final class PlanFiles {
     try (InputStream in = Files.newInputStream(path(name))) {
       byte[] bytes = in.readNBytes(MAX_BYTES + 1);
       if (bytes.length > MAX_BYTES) {
-        throw wrong(key + " " + name + " has more than " + MAX_BYTES + " bytes");
+        throw wrong(text("fileTooLong", key, name, MAX_BYTES));
       }
       read.put(name, bytes);
       return bytes;
@@ -164,10 +166,7 @@ final class PlanFiles {
         throw new PlanException(whole.problems());
       }
       if (whole.waitingNodes() > 0) {
-        throw wrong(
-            "program "
-                + plan.program()
-                + " gets a part of its script from a driver outside, which no sweep reaches");
+        throw wrong(text("partFromDriver", plan.program()));
       }
       return whole;
     } catch (BrokenTree e) {
@@ -200,13 +199,7 @@ final class PlanFiles {
       String id =
           ArmLibrary.find(name)
               .orElseThrow(
-                  () ->
-                      wrong(
-                          "robot is "
-                              + name
-                              + ", must be one of "
-                              + String.join(", ", ArmLibrary.ids())
-                              + ", or an arm file, FILE.json"));
+                  () -> wrong(text("unknownRobot", name, String.join(", ", ArmLibrary.ids()))));
       arm = ArmLibrary.load(id);
     }
     String calibration = installation.map(Installation::calibration).orElse("");
@@ -224,7 +217,7 @@ final class PlanFiles {
   private void refuseUnlessFor(Installation installation, ArmDescription arm) throws PlanException {
     Optional<InstallationProblem> refusal = InstallationCheck.refusal(installation, arm);
     if (refusal.isPresent()) {
-      throw wrong("the installation cannot be used: " + refusal.get());
+      throw wrong(text("installationUnusable", refusal.get()));
     }
   }
 
@@ -254,7 +247,7 @@ final class PlanFiles {
         bytes("mesh", Path.of(scene).resolveSibling(each).toString().replace('\\', '/'));
       }
     } catch (IOException e) {
-      throw wrong("mesh " + file + ": " + e.getMessage());
+      throw wrong(text("mesh", file, e.getMessage()));
     }
   }
 
@@ -267,7 +260,7 @@ final class PlanFiles {
       CellEquipment equipment =
           EquipmentReader.read(name, new ByteArrayInputStream(bytes("scene", name)));
       if (equipment.controllers().size() > 1) {
-        throw new PlanException(name + " has several controllers; a sweep works with one");
+        throw new PlanException(text("severalControllers", name));
       }
       return equipment;
     } catch (JsonException e) {

@@ -1,5 +1,7 @@
 package org.pendant.sweep.run;
 
+import static org.pendant.sweep.run.SweepRunTexts.text;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -60,10 +62,7 @@ public final class SweepJob {
     }
     if (loaded.program().orElseThrow().secondary()) {
       throw new PlanException(
-          inputs.plan().name()
-              + ": error: program "
-              + inputs.plan().program()
-              + " is a secondary program, must be one that runs");
+          text("secondaryProgram", inputs.plan().name(), inputs.plan().program()));
     }
     List<String> mistakes = PlanCheck.mistakes(inputs, places);
     if (!mistakes.isEmpty()) {
@@ -85,11 +84,7 @@ public final class SweepJob {
       throw new PlanException(name + ": error: " + FileTrouble.reason(e));
     }
     if (bytes.length > PlanReader.MAX_BYTES) {
-      throw new PlanException(
-          name
-              + ": error: has more than "
-              + PlanReader.MAX_BYTES
-              + " bytes, no plan is that large");
+      throw new PlanException(text("planTooLong", name, PlanReader.MAX_BYTES));
     }
     String text = new String(bytes, StandardCharsets.UTF_8);
     return of(PlanReader.read(name, text), text, file.toAbsolutePath().getParent());

@@ -1,5 +1,7 @@
 package org.pendant.sweep.run;
 
+import static org.pendant.sweep.run.SweepRunTexts.text;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -100,7 +102,7 @@ final class SweepRun {
   private static String firstError(Source program, List<Diagnostic> diagnostics) {
     Diagnostic first = diagnostics.stream().filter(Diagnostic::isError).findFirst().orElseThrow();
     int at = Math.min(first.range().start(), program.text().length());
-    return "line " + program.line(at) + ": " + ByteText.decoded(first.message());
+    return text("line", program.line(at), ByteText.decoded(first.message()));
   }
 
   private static void prepare(Controller controller, VariantSetup setup) {
@@ -178,7 +180,7 @@ final class SweepRun {
           measure,
           durationS,
           RunOutcome.NEVER_ENDED,
-          "still runs after " + job.plan().settings().timeLimitS() + " s",
+          text("stillRuns", job.plan().settings().timeLimitS()),
           measure.line());
     }
     return switch (state.program().ending().orElseThrow()) {

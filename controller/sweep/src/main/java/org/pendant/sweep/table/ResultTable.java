@@ -1,5 +1,7 @@
 package org.pendant.sweep.table;
 
+import static org.pendant.sweep.table.TableTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -33,14 +35,14 @@ public final class ResultTable {
   /** The table of a plan. */
   public static ResultTable of(SweepPlan plan) {
     List<ResultColumn> all = new ArrayList<>();
-    all.add(ResultColumn.whole("run", "number of the variant", r -> r.variant().number()));
+    all.add(ResultColumn.whole("run", text("variantNumber"), r -> r.variant().number()));
     for (int i = 0; i < plan.parameters().size(); i++) {
       all.add(parameter(plan.parameters().get(i), i));
     }
     outcome(all);
-    joints(all, "torque", "Nm", "torque of the drive", SweepResult::torque, true);
-    joints(all, "speed", "rad/s", "speed of the joint", SweepResult::speed, true);
-    joints(all, "current", "A", "current of the motor", SweepResult::current, false);
+    joints(all, "torque", "Nm", text("driveTorque"), SweepResult::torque, true);
+    joints(all, "speed", "rad/s", text("jointSpeed"), SweepResult::speed, true);
+    joints(all, "current", "A", text("motorCurrent"), SweepResult::current, false);
     nearest(all);
     List<String> variables = plan.settings().variables();
     for (int i = 0; i < variables.size(); i++) {
@@ -50,7 +52,7 @@ public final class ResultTable {
               "var_" + variables.get(i),
               CellType.TEXT,
               "",
-              "last value of the variable",
+              text("lastValue"),
               r ->
                   place < r.variables().size()
                       ? Optional.of(r.variables().get(place))
@@ -81,7 +83,7 @@ public final class ResultTable {
           case ParameterRange.Listed(var values) ->
               values.stream().allMatch(ParameterValue::numeric);
         };
-    String description = "value of the parameter";
+    String description = text("parameterValue");
     return numbers
         ? ResultColumn.number(
             parameter.name(), "", description, r -> r.variant().values().get(place).number())
@@ -90,15 +92,10 @@ public final class ResultTable {
   }
 
   private static void outcome(List<ResultColumn> all) {
-    all.add(ResultColumn.text("outcome", "how the run ended", r -> r.outcome().word()));
-    all.add(
-        ResultColumn.text("reason", "why, where it did not end by itself", SweepResult::reason));
-    all.add(
-        ResultColumn.whole(
-            "line", "where it stopped, or the last line that it reached", r -> (long) r.line()));
-    all.add(
-        ResultColumn.number(
-            "duration", "s", "robot time from the start to the end", SweepResult::durationS));
+    all.add(ResultColumn.text("outcome", text("howEnded"), r -> r.outcome().word()));
+    all.add(ResultColumn.text("reason", text("whyEnded"), SweepResult::reason));
+    all.add(ResultColumn.whole("line", text("whereEnded"), r -> (long) r.line()));
+    all.add(ResultColumn.number("duration", "s", text("robotTime"), SweepResult::durationS));
   }
 
   private static void joints(
@@ -113,23 +110,26 @@ public final class ResultTable {
           ResultColumn.number(
               name + "_share",
               "",
-              "largest " + what + ", as a share of what it can do, of all joints",
+              text("largestShareOfAll", what),
               r -> largest(loads.apply(r).share())));
     }
     for (int i = 0; i < Joints.COUNT; i++) {
       int joint = i;
       all.add(
           ResultColumn.number(
-              name + "_peak_" + i, unit, "largest " + what, r -> loads.apply(r).peak().get(joint)));
+              name + "_peak_" + i,
+              unit,
+              text("largest", what),
+              r -> loads.apply(r).peak().get(joint)));
       all.add(
           ResultColumn.number(
-              name + "_rms_" + i, unit, "rms " + what, r -> loads.apply(r).rms().get(joint)));
+              name + "_rms_" + i, unit, text("rms", what), r -> loads.apply(r).rms().get(joint)));
       if (limited) {
         all.add(
             ResultColumn.number(
                 name + "_share_" + i,
                 "",
-                "largest " + what + ", as a share of what it can do",
+                text("largestShare", what),
                 r -> loads.apply(r).share().get(joint)));
       }
     }
@@ -145,52 +145,27 @@ public final class ResultTable {
 
   private static void nearest(List<ResultColumn> all) {
     all.add(
-        ResultColumn.number(
-            "tool_speed", "m/s", "largest speed of the tool", SweepResult::toolSpeedMPerS));
+        ResultColumn.number("tool_speed", "m/s", text("toolSpeed"), SweepResult::toolSpeedMPerS));
     all.add(
         ResultColumn.number(
-            "tool_speed_share",
-            "",
-            "the same as a share of the safety limit",
-            SweepResult::toolSpeedShare));
+            "tool_speed_share", "", text("toolSpeedShare"), SweepResult::toolSpeedShare));
     all.add(
-        ResultColumn.number(
-            "joint_limit",
-            "rad",
-            "least distance of a joint from the end of its range",
-            SweepResult::jointLimitRad));
-    all.add(
-        ResultColumn.number(
-            "plane",
-            "m",
-            "least distance of tool or elbow from a safety plane",
-            SweepResult::planeM));
-    all.add(
-        ResultColumn.number(
-            "singularity",
-            "",
-            "how near the arm came to a singularity: 0 in it, about 1 far from it",
-            SweepResult::singularity));
-    all.add(
-        ResultColumn.number(
-            "force", "N", "largest force from outside at the flange", SweepResult::forceN));
-    all.add(
-        ResultColumn.number(
-            "moment", "Nm", "largest torque from outside at the flange", SweepResult::torqueNm));
-    all.add(ResultColumn.number("energy", "J", "what the arm took", SweepResult::energyJ));
+        ResultColumn.number("joint_limit", "rad", text("jointLimit"), SweepResult::jointLimitRad));
+    all.add(ResultColumn.number("plane", "m", text("plane"), SweepResult::planeM));
+    all.add(ResultColumn.number("singularity", "", text("singularity"), SweepResult::singularity));
+    all.add(ResultColumn.number("force", "N", text("force"), SweepResult::forceN));
+    all.add(ResultColumn.number("moment", "Nm", text("torque"), SweepResult::torqueNm));
+    all.add(ResultColumn.number("energy", "J", text("energy"), SweepResult::energyJ));
     for (int i = 0; i < 3; i++) {
       int axis = i;
       all.add(
           ResultColumn.number(
-              "end_" + "xyz".charAt(i),
-              "m",
-              "where the tool was at the end, in the base frame",
-              r -> r.endTcpInBase().get(axis)));
+              "end_" + "xyz".charAt(i), "m", text("end"), r -> r.endTcpInBase().get(axis)));
     }
     all.add(
         ResultColumn.text(
             "lines",
-            "time in each line, s, as JSON",
+            text("lineTimes"),
             r ->
                 r.lines().stream()
                     .map(
@@ -203,7 +178,7 @@ public final class ResultTable {
     all.add(
         ResultColumn.text(
             "outputs",
-            "changes of digital outputs: signal, level, time in s, as JSON",
+            text("outputs"),
             r ->
                 r.outputs().stream()
                     .map(
@@ -217,11 +192,7 @@ public final class ResultTable {
                                     Math.round(each.timeS() / FrameTime.FRAME_S) * 2 / 1000.0)
                                 + "]")
                     .collect(Collectors.joining(",", "[", "]"))));
-    all.add(
-        ResultColumn.text(
-            "digest",
-            "of all frames: joints, lines, signals",
-            r -> String.format("%016x", r.digest())));
+    all.add(ResultColumn.text("digest", text("digest"), r -> String.format("%016x", r.digest())));
   }
 
   /** In their order. */

@@ -29,8 +29,7 @@ public record RowCondition(String text, String column, String relation, String b
   public static RowCondition parse(String text, List<ResultColumn> columns) {
     Matcher parts = FORM.matcher(text);
     if (!parts.matches()) {
-      throw new IllegalArgumentException(
-          "\"" + text + "\" is no condition, must be like \"duration < 12\"");
+      throw new IllegalArgumentException(TableTexts.text("noCondition", text));
     }
     String name = parts.group(1);
     Optional<ResultColumn> column =
@@ -38,22 +37,17 @@ public record RowCondition(String text, String column, String relation, String b
     if (column.isEmpty()) {
       Supplier<List<String>> names = () -> columns.stream().map(ResultColumn::name).toList();
       throw new IllegalArgumentException(
-          "\""
-              + text
-              + "\": there is no column "
-              + name
-              + new Nearest()
-                  .to(name, names::get)
-                  .map(near -> ", did you mean " + near + "?")
-                  .orElse(""));
+          new Nearest()
+              .to(name, names::get)
+              .map(near -> TableTexts.text("noColumnDidYouMean", text, name, near))
+              .orElseGet(() -> TableTexts.text("noColumn", text, name)));
     }
     RowCondition condition = new RowCondition(text, name, parts.group(2), parts.group(3));
     boolean words =
         column.get().type() == CellType.TEXT
             && (condition.relation.equals("==") || condition.relation.equals("!="));
     if (!words && Double.isNaN(number(condition.bound))) {
-      throw new IllegalArgumentException(
-          "\"" + text + "\" compares " + name + " with " + condition.bound + ", must be a number");
+      throw new IllegalArgumentException(TableTexts.text("noNumber", text, name, condition.bound));
     }
     return condition;
   }

@@ -1,5 +1,7 @@
 package org.pendant.motion.toolpath.nc;
 
+import static org.pendant.motion.toolpath.nc.NcTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.motion.PlanningException;
@@ -39,13 +41,13 @@ final class NcLine {
     int begin = at;
     char letter = text.charAt(at);
     if (letter == '(') {
-      throw wrong("( begins no comment here, must be ;");
+      throw wrong(text("wrongComment"));
     }
     if (letter >= 'a' && letter <= 'z') {
       letter = (char) (letter - 'a' + 'A');
     }
     if (letter < 'A' || letter > 'Z') {
-      throw wrong("found " + shown(letter) + ", must be a letter that begins a word, such as G01");
+      throw wrong(text("wrongLetter", shown(letter)));
     }
     at++;
     int number = at;
@@ -54,22 +56,17 @@ final class NcLine {
     }
     String digits = text.substring(number, at);
     if (!digits.matches("[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)")) {
-      String found = digits.isEmpty() ? "no number" : cut(digits);
-      throw wrong("after " + letter + " found " + found + ", must be a number such as -39.5178");
+      String found = digits.isEmpty() ? text("noNumber") : cut(digits);
+      throw wrong(text("wrongNumber", letter, found));
     }
     if (digits.length() > MAX_NUMBER) {
-      throw wrong(
-          "the number of "
-              + letter
-              + " is too long, must have at most "
-              + MAX_NUMBER
-              + " characters");
+      throw wrong(text("numberTooLong", letter, MAX_NUMBER));
     }
     return new NcWord(letter, Double.parseDouble(digits), text.substring(begin, at));
   }
 
   private static String shown(char c) {
-    return c > ' ' && c < 127 ? String.valueOf(c) : "byte " + (int) c;
+    return c > ' ' && c < 127 ? String.valueOf(c) : text("byteCode", (int) c);
   }
 
   private static String cut(String text) {

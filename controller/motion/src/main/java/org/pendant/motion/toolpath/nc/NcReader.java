@@ -1,5 +1,7 @@
 package org.pendant.motion.toolpath.nc;
 
+import static org.pendant.motion.toolpath.nc.NcTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -28,10 +30,6 @@ public final class NcReader {
   private static final double MAX_DEG = 36_000;
   private static final double MAX_MM_PER_MIN = 600_000;
   private static final double MM_PER_MIN_IN_M_PER_S = 1 / 60_000.0;
-
-  private static final String KNOWN_G =
-      "known are G00 and G01; ignored are G7, G17, G21, G40, G49, G54 to G59, G74, G80, G90, G94";
-  private static final String KNOWN_M = "known are M2 and M30; ignored are M3 to M9";
 
   /** G codes that ask for what is so anyway, or for nothing that a robot does. */
   private static final Set<Integer> IDLE_G =
@@ -74,14 +72,13 @@ public final class NcReader {
       boolean windows = end > at && text.charAt(end - 1) == '\r';
       line++;
       if (line > MAX_LINES) {
-        throw NcLine.wrong(file, line, "too many lines, must be at most " + MAX_LINES);
+        throw NcLine.wrong(file, line, text("tooManyLines", MAX_LINES));
       }
       reader.line(line, text.substring(at, windows ? end - 1 : end));
       at = end + 1;
     }
     if (reader.points.isEmpty()) {
-      throw NcLine.wrong(
-          file, Math.max(1, line), "the file ends without a point, must have one after G00 or G01");
+      throw NcLine.wrong(file, Math.max(1, line), text("noPoint"));
     }
     return new NcPath(file, reader.points, List.copyOf(reader.ignored));
   }
@@ -105,7 +102,7 @@ public final class NcReader {
       return;
     }
     if (!text.equals("%")) {
-      throw NcLine.wrong(file, line, "found " + cut(text) + " in the middle, must be the first");
+      throw NcLine.wrong(file, line, text("notFirst", cut(text)));
     }
     ended = true;
   }
@@ -127,7 +124,7 @@ public final class NcReader {
     /** A letter that may stand on a line only once. */
     void once(char letter) throws PlanningException {
       if (letters.indexOf(String.valueOf(letter)) >= 0) {
-        throw line.wrong("found " + letter + " twice, must be once");
+        throw line.wrong(text("twice", letter));
       }
       letters.append(letter);
     }
@@ -145,16 +142,13 @@ public final class NcReader {
         ignored.add(String.valueOf(word.letter()));
       }
       case 'I', 'L' -> parameter(block, word);
-      default ->
-          throw block.line.wrong(
-              "found " + word.text() + ", letters must be N, G, X, Y, Z, B, C, F, S, T, M, I or L");
+      default -> throw block.line.wrong(text("unknownLetter", word.text()));
     }
   }
 
   private static void number(Block block, NcWord word) throws PlanningException {
     if (!block.letters.isEmpty() || !(word.number() >= 0)) {
-      throw block.line.wrong(
-          "found " + word.text() + ", a line number must come first and be 0 or more");
+      throw block.line.wrong(text("wrongLineNumber", word.text()));
     }
     block.once('N');
   }
@@ -167,16 +161,16 @@ public final class NcReader {
       return;
     }
     if (word.is(20)) {
-      throw block.line.wrong("G20 asks for inches, must be millimetres (G21)");
+      throw block.line.wrong(text("inches"));
     }
     if (word.is(91)) {
-      throw block.line.wrong("G91 asks for relative coordinates, must be absolute ones (G90)");
+      throw block.line.wrong(text("relative"));
     }
     if (word.is(2) || word.is(3)) {
-      throw block.line.wrong(word.text() + " asks for an arc, must be straight lines (G01)");
+      throw block.line.wrong(text("arc", word.text()));
     }
     if (!word.is(code) || !IDLE_G.contains(code)) {
-      throw block.line.wrong("found " + word.text() + "; " + KNOWN_G);
+      throw block.line.wrong(text("wrongG", word.text()));
     }
     block.homing |= code == HOMING;
     block.shifts |= code >= 54 && code <= 59;
@@ -189,7 +183,7 @@ public final class NcReader {
     } else if (word.number() >= 3 && word.number() <= 9 && word.is((int) word.number())) {
       ignored.add("M" + (int) word.number());
     } else {
-      throw block.line.wrong("found " + word.text() + "; " + KNOWN_M);
+      throw block.line.wrong(text("wrongM", word.text()));
     }
   }
 
@@ -198,8 +192,8 @@ public final class NcReader {
     block.once(word.letter());
     boolean right = word.letter() == 'I' ? block.shifts : block.homing;
     if (!right) {
-      String owner = word.letter() == 'I' ? "G54 to G59" : "G74";
-      throw block.line.wrong("found " + word.text() + ", must follow " + owner + " on its line");
+      String owner = word.letter() == 'I' ? text("g54ToG59") : "G74";
+      throw block.line.wrong(text("mustFollow", word.text(), owner));
     }
   }
 
@@ -211,15 +205,8 @@ public final class NcReader {
     int axis = AXES.indexOf(word.letter());
     double farthest = axis < 3 ? MAX_MM : MAX_DEG;
     if (!(Math.abs(word.number()) <= farthest)) {
-      String unit = axis < 3 ? " mm" : " degrees";
       throw block.line.wrong(
-          "found "
-              + word.text()
-              + ", must be within -"
-              + (int) farthest
-              + " to "
-              + (int) farthest
-              + unit);
+          text(axis < 3 ? "beyondMm" : "beyondDegrees", word.text(), (int) farthest));
     }
     place[axis] = word.number();
     known[axis] = true;
@@ -229,12 +216,7 @@ public final class NcReader {
   private void feed(Block block, NcWord word) throws PlanningException {
     block.once('F');
     if (!(word.number() > 0 && word.number() <= MAX_MM_PER_MIN)) {
-      throw block.line.wrong(
-          "found "
-              + word.text()
-              + ", a feed rate must be above 0 and at most "
-              + (int) MAX_MM_PER_MIN
-              + " mm/min");
+      throw block.line.wrong(text("wrongFeedRate", word.text(), (int) MAX_MM_PER_MIN));
     }
     feedMmPerMin = word.number();
   }
@@ -246,16 +228,15 @@ public final class NcReader {
       return;
     }
     if (!motionKnown) {
-      throw block.line.wrong("a point without G00 or G01 on its line or before");
+      throw block.line.wrong(text("pointWithoutMotion"));
     }
     for (int i = 0; i < known.length; i++) {
       if (!known[i]) {
-        throw block.line.wrong(
-            "the first point has no " + AXES.charAt(i) + ", must have X, Y and Z");
+        throw block.line.wrong(text("incompletePoint", AXES.charAt(i)));
       }
     }
     if (points.size() == MAX_POINTS) {
-      throw block.line.wrong("too many points, must be at most " + MAX_POINTS);
+      throw block.line.wrong(text("tooManyPoints", MAX_POINTS));
     }
     points.add(new NcPoint(pose(), feedMmPerMin * MM_PER_MIN_IN_M_PER_S, number));
   }
