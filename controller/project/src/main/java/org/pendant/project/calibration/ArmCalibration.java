@@ -57,11 +57,7 @@ public final class ArmCalibration {
               ? UrpCalibration.read(bytes, model)
               : UrInstallations.calibration(bytes, model);
       return read.orElseThrow(
-          () ->
-              new CalibrationTrouble(
-                  name
-                      + ": describes no arm, expected kinematics with deltaTheta, a, d and"
-                      + " alpha"));
+          () -> new CalibrationTrouble(ArmCalibrationTexts.text("noArm", name)));
     } catch (UnreadableFile e) {
       throw new CalibrationTrouble(name + ": " + e.getMessage());
     }

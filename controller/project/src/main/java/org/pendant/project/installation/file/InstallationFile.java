@@ -63,7 +63,7 @@ public final class InstallationFile {
       throws InstallationTrouble {
     if (!hasEnding(name)) {
       throw new InstallationTrouble(
-          name + ": is no installation, must end with " + String.join(" or ", ENDINGS));
+          InstallationFileTexts.text("otherEnding", name, String.join(" or ", ENDINGS)));
     }
     Optional<String> variablesName = variablesOf(name);
     return variablesName.isPresent()
@@ -110,21 +110,17 @@ public final class InstallationFile {
     try {
       text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
     } catch (CharacterCodingException e) {
-      throw new InstallationTrouble(name + ": is no text in UTF-8");
+      throw new InstallationTrouble(InstallationFileTexts.text("noText", name));
     }
     ReadInstallation read = InstallationText.read(text);
     if (!read.problems().isEmpty()) {
       TextProblem first = read.problems().getFirst();
       int others = read.problems().size() - 1;
+      String place = name + ":" + first.line() + ":" + first.column();
       throw new InstallationTrouble(
-          name
-              + ":"
-              + first.line()
-              + ":"
-              + first.column()
-              + ": "
-              + first.message()
-              + (others > 0 ? " (and " + others + " more)" : ""));
+          others > 0
+              ? InstallationFileTexts.text("severalProblems", place, first.message(), others)
+              : place + ": " + first.message());
     }
     return read.installation();
   }

@@ -151,7 +151,7 @@ public final class TreeFile {
     try {
       text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
     } catch (CharacterCodingException e) {
-      throw new BrokenTree(List.of(name + ": error: is no text in UTF-8"));
+      throw new BrokenTree(List.of(ProgramFileTexts.text("noText", name)));
     }
     ReadProgram read = ProgramText.read(text);
     if (!read.problems().isEmpty()) {
@@ -247,7 +247,7 @@ public final class TreeFile {
 
   /** What was not understood; the program can run all the same. */
   public List<String> remarks() {
-    return remarks.stream().map(each -> name + ": note: " + each).toList();
+    return remarks.stream().map(each -> ProgramFileTexts.text("note", name, each)).toList();
   }
 
   /** Whether there are nodes that do nothing because it is not said what they should do. */
@@ -332,7 +332,7 @@ public final class TreeFile {
   }
 
   private static String text(int number, ProgramNode node) {
-    return "node " + number + " \"" + StepNames.label(node) + "\"";
+    return ProgramFileTexts.text("node", number, StepNames.label(node));
   }
 
   /** The name of the program: that of the file, without folders and ending. */
