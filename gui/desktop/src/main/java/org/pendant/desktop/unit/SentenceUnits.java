@@ -12,11 +12,14 @@ import java.util.regex.Pattern;
 public final class SentenceUnits {
   private static final MathContext DIGITS = new MathContext(4);
 
-  /** Names that people gave are quoted: what looks like a number there is none. */
+  /**
+   * Names that people gave are quoted: what looks like a number there is none. A unit ends where no
+   * letter of any language that puts spaces between words follows.
+   */
   private static final Pattern IN_SENTENCE =
       Pattern.compile(
-          "\"[^\"]*\"|(?<![\\w.])(?<number>-?\\d+(\\.\\d+)?)"
-              + " (?<unit>rad/s|rad|m/s|m)(?![\\w/\u00b2])");
+          "\"[^\"]*\"|(?<![\\w\\p{IsLatin}.])(?<number>-?\\d+(\\.\\d+)?)"
+              + " (?<unit>rad/s|rad|m/s|m)(?![\\w\\p{IsLatin}/\u00b2])");
 
   private SentenceUnits() {}
 
