@@ -19,6 +19,7 @@ import org.pendant.controller.quantity.StateQuantity;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.workbench.ScreenUnit;
 import org.pendant.kit.text.Messages;
+import org.pendant.text.Language;
 
 /** Chart quantities: what can be drawn, in the order of the list; script variables come first. */
 public final class ChartQuantities {
@@ -108,9 +109,9 @@ public final class ChartQuantities {
       add(
           new ChartQuantity(
               id,
-              state.group(),
+              shownGroup(state.group()),
               Messages.shown(component.title()),
-              Messages.shown(label(state.group(), component.title())),
+              label(state.group(), component.title()),
               unit.symbol(),
               value(state, i, unit.scale()),
               () -> names.apply(id.replace('_', '-')),
@@ -132,17 +133,24 @@ public final class ChartQuantities {
             : value.applyAsDouble(state);
   }
 
+  /** A group in the language of the window, level by level. */
+  private static String shownGroup(String group) {
+    return Stream.of(group.split("/")).map(Messages::shown).collect(Collectors.joining("/"));
+  }
+
   /** Titles of signals say enough alone, and those of quantities without others beside them. */
   private static String label(String group, String title) {
     int slash = group.indexOf('/');
     String top = slash < 0 ? group : group.substring(0, slash);
     if (slash < 0 || top.equals("Signals") || top.equals("Registers")) {
-      return title;
+      return Messages.shown(title);
     }
-    String of = group.substring(slash + 1);
+    Language language = Language.ofProcess();
+    String of = Messages.shown(group.substring(slash + 1));
+    String component = Messages.shown(title);
     return top.equals("Joints")
-        ? of + ", " + title.toLowerCase(Locale.ROOT)
-        : top + " " + of.toLowerCase(Locale.ROOT) + ", " + title;
+        ? of + ", " + language.withinSentence(component)
+        : Messages.shown(top) + " " + language.withinSentence(of) + ", " + component;
   }
 
   private static String hint(StateQuantity quantity) {
