@@ -17,13 +17,17 @@ import org.pendant.language.service.HighlightToken;
 final class EditorTheme {
   private EditorTheme() {}
 
-  /** JetBrains Mono at the size of the window's font. */
+  /**
+   * JetBrains Mono at the size of the window's font, and other fonts for letters that it does not
+   * have, such as Chinese ones. Java keeps one width of a letter for all fonts of a name and size,
+   * so other texts in this font would be broken into lines by wrong widths if it were without.
+   */
   static Font codeFont() {
     Font font = UIManager.getFont("defaultFont");
     int size = font == null ? 13 : font.getSize();
     // The family may be installed without having been read yet.
     FontUtils.loadFontFamily(FlatJetBrainsMonoFont.FAMILY);
-    return new Font(FlatJetBrainsMonoFont.FAMILY, Font.PLAIN, size);
+    return FontUtils.getCompositeFont(FlatJetBrainsMonoFont.FAMILY, Font.PLAIN, size);
   }
 
   static void apply(ScriptArea area, RTextScrollPane pane) {
