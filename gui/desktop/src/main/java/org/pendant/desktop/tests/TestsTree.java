@@ -141,7 +141,8 @@ final class TestsTree extends JTree {
 
   /** The test or the file that keys go to. */
   Optional<Object> front() {
-    return Optional.ofNullable(getLeadSelectionPath())
+    // the tree's own lead follows only when all have been told of a selection
+    return Optional.ofNullable(getSelectionModel().getLeadSelectionPath())
         .filter(this::isPathSelected)
         .map(each -> ((DefaultMutableTreeNode) each.getLastPathComponent()).getUserObject());
   }
