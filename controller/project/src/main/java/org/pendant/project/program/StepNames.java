@@ -45,7 +45,7 @@ public final class StepNames {
   private static String section(Section section) {
     return switch (section) {
       case Section.InitialValues _ -> text("initialValues");
-      case Section.BeforeStart _ -> "BeforeStart";
+      case Section.BeforeStart _ -> text("beforeStartSection");
       case Section.MainProgram _ -> text("robotProgram");
       case Section.ThreadSection thread -> name(thread.name());
       case Section.Event event -> text("eventOf", condition(event.condition()));

@@ -8,10 +8,12 @@ import org.pendant.controller.installation.SignalUse;
 import org.pendant.kit.text.Messages;
 import org.pendant.project.program.ActionStep;
 import org.pendant.project.program.ExternalControl;
+import org.pendant.project.program.FlowStep;
 import org.pendant.project.program.MotionStep;
 import org.pendant.project.program.Section;
 import org.pendant.project.program.Step;
 import org.pendant.project.program.StepNames;
+import org.pendant.project.program.TemplateStep;
 
 /**
  * Node labels: what nodes are called on the screen, with what people call things in an
@@ -54,7 +56,20 @@ final class NodeLabels {
           case ActionStep.Folder folder -> !folder.name().isBlank();
           default -> false;
         };
-    return written ? label : Messages.shown(label);
+    return written ? label : Messages.shown(label, writtenIn(step));
+  }
+
+  /** What people have written in the line of a step that says more; empty for nothing. */
+  private static String writtenIn(Step step) {
+    return switch (step) {
+      case ActionStep.Call call -> call.subProgram().strip();
+      case ActionStep.Popup popup -> popup.text();
+      case ActionStep.ScriptFile file -> file.file().strip();
+      case TemplateStep.Palletizing pallet -> pallet.name();
+      case TemplateStep.Seek seek -> seek.name();
+      case FlowStep.Case each -> each.value().strip();
+      default -> "";
+    };
   }
 
   /** The name of a signal such as {@code digital_out[0]}; itself if it has none. */

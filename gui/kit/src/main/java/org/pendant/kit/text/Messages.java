@@ -20,6 +20,9 @@ public final class Messages {
   /** Messages whose translation is remembered, since what is painted asks again and again. */
   private static final int MAX_REMEMBERED = 4096;
 
+  /** Stands for what people have written; a character that no text has. */
+  private static final String WRITTEN = "\uE000";
+
   private static final boolean ENGLISH = Language.ofProcess() == Language.ENGLISH;
   private static final Map<String, String> REMEMBERED = new ConcurrentHashMap<>();
 
@@ -39,6 +42,18 @@ public final class Messages {
       REMEMBERED.put(message, known);
     }
     return known;
+  }
+
+  /**
+   * A message with something that people have written: words of that are none of the message's, as
+   * in the call of a subprogram {@code Open gripper}. Any thread may ask.
+   *
+   * @param written what stands in the message as it is; may be empty
+   */
+  public static String shown(String message, String written) {
+    return written.isEmpty()
+        ? shown(message)
+        : shown(message.replace(written, WRITTEN)).replace(WRITTEN, written);
   }
 
   /** Names of the bundles that messages come from. */
