@@ -29,8 +29,7 @@ public final class CalibrationFile {
    */
   public static Calibration read(String name, byte[] bytes) throws CalibrationTrouble {
     if (bytes.length > MAX_BYTES) {
-      throw new CalibrationTrouble(
-          name + ": has more than " + MAX_BYTES + " bytes, no calibration is that large");
+      throw new CalibrationTrouble(CalibrationTexts.text("fileTooLong", name, MAX_BYTES));
     }
     String text = new String(bytes, StandardCharsets.UTF_8);
     if (isYaml(name)) {
@@ -39,7 +38,7 @@ public final class CalibrationFile {
     if (isConf(name)) {
       return ConfCalibration.read(name, text);
     }
-    throw new CalibrationTrouble(name + ": must end in .yaml, .yml or .conf");
+    throw new CalibrationTrouble(CalibrationTexts.text("wrongEnding", name));
   }
 
   /** The text of a file, deltas or frames; {@link #ofText} reads the same calibration from it. */

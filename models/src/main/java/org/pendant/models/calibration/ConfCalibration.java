@@ -1,5 +1,7 @@
 package org.pendant.models.calibration;
 
+import static org.pendant.models.calibration.CalibrationTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -54,7 +56,7 @@ final class ConfCalibration {
         int column = begin + value.length() - value.stripLeading().length() + 1;
         FilePosition place = new FilePosition(file, number, column);
         if (settings.put(key, new Setting(value.strip(), place)) != null) {
-          throw CalibrationTrouble.at(place, "found " + key + " a second time, expected it once");
+          throw CalibrationTrouble.at(place, CalibrationTexts.text("foundAgain", key));
         }
       }
     }
@@ -66,7 +68,7 @@ final class ConfCalibration {
     return new Calibration(
         deltas,
         settings.containsKey(CHECKSUM)
-            ? six(CHECKSUM, "a number of 32 bits", CalibrationNumbers::word)
+            ? six(CHECKSUM, CalibrationTexts.text("numberOf32Bits"), CalibrationNumbers::word)
             : made.jointChecksums(),
         settings.containsKey(STATUS) ? status() : made.status());
   }
@@ -80,18 +82,17 @@ final class ConfCalibration {
       throws CalibrationTrouble {
     Setting setting = settings.get(key);
     if (setting == null) {
-      throw new CalibrationTrouble(
-          file + ": " + key + " is missing, expected " + key + " = [six numbers]");
+      throw new CalibrationTrouble(CalibrationTexts.text("sixMissing", file, key, key));
     }
     String text = setting.text();
     if (!text.startsWith("[") || !text.endsWith("]")) {
       throw CalibrationTrouble.at(
-          setting.place(), key + ": found " + shown(text) + ", expected [six numbers]");
+          setting.place(), CalibrationTexts.text("notSix", key, shown(text)));
     }
     String[] parts = text.substring(1, text.length() - 1).split(",", -1);
     if (parts.length != Joints.COUNT) {
       throw CalibrationTrouble.at(
-          setting.place(), key + ": found " + parts.length + " numbers, expected 6");
+          setting.place(), CalibrationTexts.text("otherCount", key, parts.length));
     }
     List<T> values = new ArrayList<>();
     int column = setting.place().column() + 1;
@@ -104,7 +105,8 @@ final class ConfCalibration {
               .orElseThrow(
                   () ->
                       CalibrationTrouble.at(
-                          place, key + ": found " + shown(part.strip()) + ", expected " + kind)));
+                          place,
+                          CalibrationTexts.text("wrongValue", key, shown(part.strip()), kind))));
       column += part.length() + 1;
     }
     return values;
@@ -118,8 +120,7 @@ final class ConfCalibration {
       case "2" -> Calibration.Status.LINEARISED;
       default ->
           throw CalibrationTrouble.at(
-              setting.place(),
-              STATUS + ": found " + shown(setting.text()) + ", expected 0, 1 or 2");
+              setting.place(), CalibrationTexts.text("wrongStatus", STATUS, shown(setting.text())));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.models.calibration;
 
+import static org.pendant.models.calibration.CalibrationTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -55,7 +57,7 @@ public final class MeasuredPoses {
       if (columns[i] < 0) {
         throw CalibrationTrouble.at(
             new FilePosition(file, 1, 1),
-            "the column " + NAMES.get(i) + " is missing, expected " + String.join(",", NAMES));
+            text("columnMissing", NAMES.get(i), String.join(",", NAMES)));
       }
     }
   }
@@ -75,15 +77,10 @@ public final class MeasuredPoses {
               .orElseThrow(
                   () ->
                       CalibrationTrouble.at(
-                          place,
-                          name
-                              + ": found "
-                              + (cell.isEmpty() ? "nothing" : cell)
-                              + ", expected a number"));
+                          place, text("noNumber", name, cell.isEmpty() ? text("nothing") : cell)));
     }
     if (poses.size() == MAX_POSES) {
-      throw CalibrationTrouble.at(
-          new FilePosition(file, line, 1), "expected at most " + MAX_POSES + " poses");
+      throw CalibrationTrouble.at(new FilePosition(file, line, 1), text("tooManyPoses", MAX_POSES));
     }
     poses.add(
         new MeasuredPose(

@@ -75,7 +75,7 @@ final class YamlCalibration {
       if (!known.contains(each.getKey())) {
         throw CalibrationTrouble.at(
             each.getValue().place(),
-            "found " + each.getKey() + ", expected " + String.join(", ", known));
+            CalibrationTexts.text("unknownKey", each.getKey(), String.join(", ", known)));
       }
     }
   }
@@ -83,7 +83,7 @@ final class YamlCalibration {
   private static Yaml value(Yaml.Mapping mapping, String key) throws CalibrationTrouble {
     Yaml.Entry entry = mapping.entries().get(key);
     if (entry == null) {
-      throw CalibrationTrouble.at(mapping.place(), key + " is missing");
+      throw CalibrationTrouble.at(mapping.place(), CalibrationTexts.text("missing", key));
     }
     return entry.value();
   }
@@ -93,7 +93,7 @@ final class YamlCalibration {
       case Yaml.Mapping mapping -> mapping;
       case Yaml.Scalar scalar ->
           throw CalibrationTrouble.at(
-              scalar.place(), "found " + shown(scalar) + ", expected the numbers of " + key);
+              scalar.place(), CalibrationTexts.text("noNumbers", shown(scalar), key));
     };
   }
 
@@ -104,11 +104,10 @@ final class YamlCalibration {
               .orElseThrow(
                   () ->
                       CalibrationTrouble.at(
-                          scalar.place(),
-                          key + ": found " + shown(scalar) + ", expected a number"));
+                          scalar.place(), CalibrationTexts.text("noNumber", key, shown(scalar))));
       case Yaml.Mapping mapping ->
           throw CalibrationTrouble.at(
-              mapping.place(), key + ": found a mapping, expected a number");
+              mapping.place(), CalibrationTexts.text("mappingForNumber", key));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.models.calibration;
 
+import static org.pendant.models.calibration.CalibrationTexts.text;
+
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.pendant.models.json.FilePosition;
@@ -34,7 +36,7 @@ final class YamlReader {
     Yaml.Mapping root = reader.block(reader.column());
     reader.skipBlank();
     if (!reader.ended()) {
-      throw reader.refused("expected a key as far in as the others, or the end of the file");
+      throw reader.refused(text("keyOrEnd"));
     }
     return root;
   }
@@ -52,7 +54,7 @@ final class YamlReader {
       skipBlank();
     }
     if (entries.isEmpty() || (!ended() && column() > column)) {
-      throw refused("expected a key as far in as the others");
+      throw refused(text("keyAsFarIn"));
     }
     depth--;
     return new Yaml.Mapping(entries, begin);
@@ -107,7 +109,7 @@ final class YamlReader {
       Map<String, Yaml.Entry> entries, String key, Yaml.Entry entry, FilePosition place)
       throws CalibrationTrouble {
     if (entries.put(key, entry) != null) {
-      throw CalibrationTrouble.at(place, "found " + key + " a second time, expected it once");
+      throw CalibrationTrouble.at(place, text("foundAgain", key));
     }
   }
 
@@ -119,15 +121,15 @@ final class YamlReader {
     }
     String key = text.substring(begin, at);
     if (key.isEmpty()) {
-      throw refused("expected a key of letters, digits and _");
+      throw refused(text("keyLetters"));
     }
     skipSpaces();
     if (ended() || text.charAt(at) != ':') {
-      throw refused("expected : after " + key);
+      throw refused(text("colonAfter", key));
     }
     at++;
     if (!lineEnded() && !isSpace(text.charAt(at))) {
-      throw refused("expected a space after the colon of " + key);
+      throw refused(text("spaceAfterColon", key));
     }
     return key;
   }
@@ -153,7 +155,7 @@ final class YamlReader {
       at++;
     }
     if (at == begin) {
-      throw refused("expected a number, a word or a mapping");
+      throw refused(text("scalar"));
     }
     return new Yaml.Scalar(text.substring(begin, at), place);
   }
@@ -170,20 +172,20 @@ final class YamlReader {
   private void enter() throws CalibrationTrouble {
     depth++;
     if (depth > MAX_DEPTH) {
-      throw refused("expected at most " + MAX_DEPTH + " mappings in one another");
+      throw refused(text("mappingsTooDeep", MAX_DEPTH));
     }
   }
 
   private void requireSpacesBefore() throws CalibrationTrouble {
     if (text.substring(lineStart(), at).indexOf('\t') >= 0) {
-      throw refused("expected spaces before it, there is a tab");
+      throw refused(text("tabBefore"));
     }
   }
 
   private void requireLineEnd() throws CalibrationTrouble {
     skipSpaces();
     if (!lineEnded()) {
-      throw refused("expected the end of the line");
+      throw refused(text("lineEnd"));
     }
   }
 
@@ -240,11 +242,11 @@ final class YamlReader {
   }
 
   private CalibrationTrouble refused(String expected) {
-    String found = "the end of the file";
+    String found = text("endOfFile");
     if (!ended()) {
       char c = text.charAt(at);
-      found = c == '\n' || c == '\r' ? "the end of the line" : "'" + c + "'";
+      found = c == '\n' || c == '\r' ? text("endOfLine") : "'" + c + "'";
     }
-    return CalibrationTrouble.at(place(), "found " + found + ", " + expected);
+    return CalibrationTrouble.at(place(), text("foundWhere", found, expected));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.models.dynamics;
 
+import static org.pendant.models.dynamics.DynamicsTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import org.ejml.data.DMatrixRMaj;
@@ -42,8 +44,7 @@ final class PayloadEquations {
 
   PayloadEstimate solve() {
     if (!(gravityMPerS2 >= MIN_GRAVITY_M_PER_S2)) {
-      return new PayloadEstimate.Refused(
-          "gravity is " + gravityMPerS2 + " m/s\u00b2, a load has no weight there");
+      return new PayloadEstimate.Refused(text("noWeight", gravityMPerS2));
     }
     int rows = 3 * flangesInBase.size();
     // unknown: weight m |a| and the zero of the forces
@@ -63,17 +64,12 @@ final class PayloadEquations {
       set(torques, 3 * i, 0, wrench.mx(), wrench.my(), wrench.mz());
     }
     if (!telling(force) || !telling(torque)) {
-      return new PayloadEstimate.Refused(
-          "the poses hardly tilt the tool, must turn it against gravity");
+      return new PayloadEstimate.Refused(text("hardlyTilted"));
     }
     double massKg = solution(force, forces).get(0) / gravityMPerS2;
     if (massKg < -PayloadEstimate.MIN_MASS_KG) {
       return new PayloadEstimate.Refused(
-          String.format(
-              Locale.ROOT,
-              "the wrenches pull against gravity, as a mass of %.3f kg would; must be loads on"
-                  + " the tool along the axes of the base, as get_tcp_force gives them",
-              massKg));
+          DynamicsTexts.text("pullsAgainstGravity", String.format(Locale.ROOT, "%.3f", massKg)));
     }
     if (massKg < PayloadEstimate.MIN_MASS_KG) {
       return new PayloadEstimate.Found(Payload.NONE);

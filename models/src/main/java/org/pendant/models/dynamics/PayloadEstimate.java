@@ -1,5 +1,7 @@
 package org.pendant.models.dynamics;
 
+import static org.pendant.models.dynamics.DynamicsTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -58,16 +60,10 @@ public sealed interface PayloadEstimate {
       double gravityZ) {
     int count = flangesInBase.size();
     if (count != wrenchesInBase.size()) {
-      return new Refused(
-          "there are "
-              + count
-              + " poses and "
-              + wrenchesInBase.size()
-              + " wrenches, must be as many of both");
+      return new Refused(text("otherCount", count, wrenchesInBase.size()));
     }
     if (count < MIN_POSES || count > MAX_POSES) {
-      return new Refused(
-          "there are " + count + " poses, must be " + MIN_POSES + " to " + MAX_POSES);
+      return new Refused(text("poseCount", count, MIN_POSES, MAX_POSES));
     }
     Optional<String> tooClose = tooClose(flangesInBase, Math.PI / (2 * count));
     if (tooClose.isPresent()) {
@@ -83,14 +79,12 @@ public sealed interface PayloadEstimate {
         double apartRad = Poses.rotationAngle(poses.get(i), poses.get(k));
         if (!(apartRad >= leastRad)) {
           return Optional.of(
-              String.format(
-                  Locale.ROOT,
-                  "poses %d and %d are turned against each other by %.4f rad, must be at least"
-                      + " %.4f rad for %d poses",
+              DynamicsTexts.text(
+                  "tooClose",
                   i,
                   k,
-                  apartRad,
-                  leastRad,
+                  String.format(Locale.ROOT, "%.4f", apartRad),
+                  String.format(Locale.ROOT, "%.4f", leastRad),
                   poses.size()));
         }
       }

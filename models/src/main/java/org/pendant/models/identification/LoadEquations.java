@@ -1,5 +1,7 @@
 package org.pendant.models.identification;
 
+import static org.pendant.models.identification.IdentificationTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -42,7 +44,7 @@ final class LoadEquations {
 
   LoadFit solve(Optional<Payload> given, Payload assumed) {
     if (samples.isEmpty()) {
-      return new LoadFit.Refused("there are no samples");
+      return new LoadFit.Refused(text("noSamples"));
     }
     Payload before = given.orElse(assumed);
     int ofPayload = given.isPresent() ? 0 : OF_PAYLOAD;
@@ -50,13 +52,10 @@ final class LoadEquations {
     double rmsBefore =
         LeastSquares.rms(new DMatrixRMaj(N * samples.size(), 0), new double[0], rest(before, true));
     if (system.numCols == 0) {
-      return new LoadFit.Refused("the joints are hardly accelerated");
+      return new LoadFit.Refused(text("hardlyAccelerated"));
     }
     if (!LeastSquares.determined(system)) {
-      return new LoadFit.Refused(
-          ofPayload == 0
-              ? "the joints are hardly accelerated"
-              : "the postures do not tell the payload, must turn the tool against gravity");
+      return new LoadFit.Refused(ofPayload == 0 ? text("hardlyAccelerated") : text("payloadOpen"));
     }
     Payload payload = before;
     double[] unknowns = {};
@@ -67,10 +66,8 @@ final class LoadEquations {
       if (ofPayload > 0) {
         if (unknowns[0] < -LoadFit.MIN_MASS_KG) {
           return new LoadFit.Refused(
-              String.format(
-                  Locale.ROOT,
-                  "the moments are those of a payload of %.3f kg, is the robot another one?",
-                  unknowns[0]));
+              IdentificationTexts.text(
+                  "negativePayload", String.format(Locale.ROOT, "%.3f", unknowns[0])));
         }
         payload = payload(unknowns);
       }

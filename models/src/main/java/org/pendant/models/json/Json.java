@@ -1,5 +1,7 @@
 package org.pendant.models.json;
 
+import static org.pendant.models.json.JsonTexts.text;
+
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -24,7 +26,7 @@ public sealed interface Json {
 
     @Override
     public String described() {
-      return "an object";
+      return text("anObject");
     }
   }
 
@@ -39,7 +41,7 @@ public sealed interface Json {
 
     @Override
     public String described() {
-      return "an array of " + values.size();
+      return text("anArrayOf", values.size());
     }
   }
 

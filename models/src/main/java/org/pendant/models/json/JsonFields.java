@@ -1,5 +1,7 @@
 package org.pendant.models.json;
 
+import static org.pendant.models.json.JsonTexts.text;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -31,7 +33,7 @@ public final class JsonFields {
    */
   public JsonFields(Json value, String what) throws JsonException {
     if (!(value instanceof Json.Members object)) {
-      throw value.place().refusal(what + " is " + value.described() + ", must be an object");
+      throw value.place().refusal(JsonTexts.text("noObject", what, value.described()));
     }
     this.members = object;
     this.what = what;
@@ -53,18 +55,16 @@ public final class JsonFields {
     for (var member : members.byKey().entrySet()) {
       String key = member.getKey();
       if (!known.contains(key)) {
-        String hint = spelling.nearest(key, known).map(n -> "did you mean " + n + "? ").orElse("");
+        String quoted = Json.quoted(key);
+        String legal = String.join(", ", known);
         throw member
             .getValue()
             .keyPlace()
             .refusal(
-                "unknown key "
-                    + Json.quoted(key)
-                    + ", "
-                    + hint
-                    + what
-                    + " may have "
-                    + String.join(", ", known));
+                spelling
+                    .nearest(key, known)
+                    .map(near -> JsonTexts.text("unknownKeyDidYouMean", quoted, near, what, legal))
+                    .orElseGet(() -> JsonTexts.text("unknownKey", quoted, what, legal)));
       }
     }
   }
@@ -79,7 +79,7 @@ public final class JsonFields {
   public Json required(String key) throws JsonException {
     Json.Member member = members.byKey().get(key);
     if (member == null) {
-      throw place().refusal("key \"" + key + "\" is missing, " + what + " must have it");
+      throw place().refusal(JsonTexts.text("keyMissing", key, what));
     }
     return member.value();
   }
@@ -90,7 +90,7 @@ public final class JsonFields {
     if (value instanceof Json.Text text) {
       return text;
     }
-    throw wrong(key, value, "a text");
+    throw wrong(key, value, JsonTexts.text("aText"));
   }
 
   /** Whether a key is there and true. */
@@ -102,7 +102,7 @@ public final class JsonFields {
     if (member.value() instanceof Json.Word word && !word.word().equals("null")) {
       return word.word().equals("true");
     }
-    throw wrong(key, member.value(), "true or false");
+    throw wrong(key, member.value(), JsonTexts.text("trueOrFalse"));
   }
 
   /** An object that must be there; messages call it by its key. */
@@ -113,7 +113,7 @@ public final class JsonFields {
   /** The objects of an array that must be there; messages call each by the key. */
   public List<JsonFields> objects(String key) throws JsonException {
     List<JsonFields> objects = new ArrayList<>();
-    for (Json each : elements(key, "an array of objects")) {
+    for (Json each : elements(key, "objectArray")) {
       objects.add(new JsonFields(each, key));
     }
     return objects;
@@ -122,21 +122,21 @@ public final class JsonFields {
   /** The texts of an array that must be there. */
   public List<String> texts(String key) throws JsonException {
     List<String> texts = new ArrayList<>();
-    for (Json each : elements(key, "an array of texts")) {
+    for (Json each : elements(key, "textArray")) {
       if (!(each instanceof Json.Text text)) {
-        throw wrong(key, each, "a text");
+        throw wrong(key, each, JsonTexts.text("aText"));
       }
       texts.add(text.value());
     }
     return texts;
   }
 
-  private List<Json> elements(String key, String expected) throws JsonException {
+  private List<Json> elements(String key, String expectedKey) throws JsonException {
     Json value = required(key);
     if (value instanceof Json.Elements array) {
       return array.values();
     }
-    throw wrong(key, value, expected);
+    throw wrong(key, value, JsonTexts.text(expectedKey));
   }
 
   /** A number of any size that must be there. */
@@ -171,7 +171,7 @@ public final class JsonFields {
     if (value instanceof Json.Elements array && array.values().size() == count) {
       return array.values();
     }
-    throw wrong(key, value, "an array of " + count + " numbers");
+    throw wrong(key, value, JsonTexts.text("numberArray", count));
   }
 
   /** The values of an array that may be left out, which is like an empty one. */
@@ -183,7 +183,7 @@ public final class JsonFields {
     if (value.get() instanceof Json.Elements array && array.values().size() <= most) {
       return array.values();
     }
-    throw wrong(key, value.get(), "an array of at most " + most);
+    throw wrong(key, value.get(), JsonTexts.text("shortArray", most));
   }
 
   /** The number that {@code value} must be. */
@@ -199,11 +199,11 @@ public final class JsonFields {
     if (value instanceof Json.Numeral number) {
       return number;
     }
-    throw wrong(name, value, "a number");
+    throw wrong(name, value, JsonTexts.text("aNumber"));
   }
 
   /** The complaint that {@code value} is not of the right kind. */
   public static JsonException wrong(String name, Json value, String expected) {
-    return value.place().refusal(name + " is " + value.described() + ", must be " + expected);
+    return value.place().refusal(JsonTexts.text("wrongKind", name, value.described(), expected));
   }
 }

@@ -95,12 +95,11 @@ public final class JsonFile {
     try (JsonParser parser = new JsonFactory().createParser(ObjectReadContext.empty(), text)) {
       try {
         if (parser.nextToken() == null) {
-          throw place(parser.currentLocation()).refusal("the file is empty, must be an object");
+          throw place(parser.currentLocation()).refusal(JsonTexts.text("fileEmpty"));
         }
         Json value = value(parser, 1);
         if (parser.nextToken() != null) {
-          throw here(parser)
-              .refusal("there is more text after the end of the object, must be one object");
+          throw here(parser).refusal(JsonTexts.text("moreText"));
         }
         return value;
       } catch (JacksonException e) {
@@ -115,12 +114,11 @@ public final class JsonFile {
       // what a device or a pipe says of its size is worth nothing, so the reading itself is bounded
       byte[] bytes = in.readNBytes(maxBytes + 1);
       if (bytes.length > maxBytes) {
-        throw new JsonException(
-            file + ": has more than " + maxBytes + " bytes, must be at most that many");
+        throw new JsonException(JsonTexts.text("fileTooLong", file, maxBytes));
       }
       return bytes;
     } catch (IOException e) {
-      throw new JsonException(file + ": cannot be read, " + e.getMessage());
+      throw new JsonException(JsonTexts.text("unreadable", file, e.getMessage()));
     }
   }
 
@@ -135,8 +133,7 @@ public final class JsonFile {
             .isError();
     String text = letters.flip().toString();
     if (wrong) {
-      throw FilePosition.after(file, text)
-          .refusal("a byte is no letter, the file must be in UTF-8");
+      throw FilePosition.after(file, text).refusal(JsonTexts.text("notUtf8"));
     }
     return text.startsWith("\ufeff") ? text.substring(1) : text;
   }
@@ -144,10 +141,10 @@ public final class JsonFile {
   private Json value(JsonParser parser, int depth) throws JsonException {
     FilePosition place = here(parser);
     if (depth > deepest) {
-      throw place.refusal("more than " + deepest + " values within one another");
+      throw place.refusal(JsonTexts.text("tooDeep", deepest));
     }
     if (++values > MAX_VALUES) {
-      throw place.refusal("more than " + MAX_VALUES + " values");
+      throw place.refusal(JsonTexts.text("tooManyValues", MAX_VALUES));
     }
     return switch (parser.currentToken()) {
       case START_OBJECT -> members(parser, depth, place);
@@ -174,7 +171,7 @@ public final class JsonFile {
       String key = parser.currentName();
       FilePosition keyPlace = here(parser);
       if (members.containsKey(key)) {
-        throw keyPlace.refusal("key " + Json.quoted(key) + " again, must be there once");
+        throw keyPlace.refusal(JsonTexts.text("keyAgain", Json.quoted(key)));
       }
       parser.nextToken();
       members.put(key, new Json.Member(value(parser, depth + 1), keyPlace));
@@ -192,8 +189,9 @@ public final class JsonFile {
 
   private static String complaint(JacksonException e) {
     return e instanceof UnexpectedEndOfInputException
-        ? "not JSON: the file ends too early"
-        : "not JSON: "
-            + Pattern.compile(PARSER_TALK).matcher(e.getOriginalMessage()).replaceFirst("");
+        ? JsonTexts.text("endsTooEarly")
+        : JsonTexts.text(
+            "notJson",
+            Pattern.compile(PARSER_TALK).matcher(e.getOriginalMessage()).replaceFirst(""));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.models.json;
 
+import static org.pendant.models.json.JsonTexts.text;
+
 /**
  * Range: what a number of a file may be; NaN is in no range.
  *
@@ -15,7 +17,7 @@ public record Range(double least, double most, String unit) {
 
   /** The message that {@code value} is not allowed. */
   public String refusal(String name, double value) {
-    return name + " is " + measure(value) + ", must be " + number(least) + " to " + measure(most);
+    return text("outside", name, measure(value), number(least), measure(most));
   }
 
   /**

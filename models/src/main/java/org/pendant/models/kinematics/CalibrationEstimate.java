@@ -1,5 +1,7 @@
 package org.pendant.models.kinematics;
 
+import static org.pendant.models.kinematics.KinematicsTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import org.ejml.data.DMatrixRMaj;
@@ -83,7 +85,7 @@ public final class CalibrationEstimate {
    */
   public static Result of(ArmDescription arm, List<MeasuredPose> measured) {
     if (measured.size() < MIN_POSES) {
-      return new Result.Refused("has " + measured.size() + " poses, must be at least " + MIN_POSES);
+      return new Result.Refused(text("tooFewPoses", measured.size(), MIN_POSES));
     }
     return new CalibrationEstimate(arm, measured).estimate(arm);
   }
@@ -93,19 +95,17 @@ public final class CalibrationEstimate {
     double condition = condition();
     if (!(condition <= MAX_CONDITION)) {
       return new Result.Refused(
-          String.format(
-              Locale.ROOT,
-              "its %d poses leave some of the arm open: the condition number of their equations is"
-                  + " %.3g, must be at most %.0f; take poses with all joints turned far apart",
+          KinematicsTexts.text(
+              "openPoses",
               measured.size(),
-              condition,
-              MAX_CONDITION));
+              String.format(Locale.ROOT, "%.3g", condition),
+              String.format(Locale.ROOT, "%.0f", MAX_CONDITION)));
     }
     LinearSolverDense<DMatrixRMaj> solver =
         LinearSolverFactory_DDRM.leastSquares(matrix.getNumRows(), UNKNOWNS);
     for (int count = 0; count < MAX_STEPS; count++) {
       if (!solver.setA(matrix)) {
-        return new Result.Refused("its equations cannot be solved");
+        return new Result.Refused(text("unsolvable"));
       }
       solver.solve(error, step);
       double largest = apply();

@@ -29,25 +29,25 @@ public sealed interface InverseResult {
    */
   enum Cause {
     /** Wrist 1 would have to be nearer to the axis of joint 1 than the offset of the wrist. */
-    TOO_CLOSE_TO_BASE_AXIS("the wrist would be too close to the axis of the base joint"),
+    TOO_CLOSE_TO_BASE_AXIS("tooCloseToBaseAxis"),
     /** Farther from the shoulder than upper arm and forearm together. */
-    TOO_FAR("farther than the stretched arm reaches"),
+    TOO_FAR("tooFar"),
     /** Nearer to the shoulder than the folded arm comes. */
-    TOO_FOLDED("nearer to the shoulder than the folded arm comes"),
+    TOO_FOLDED("tooFolded"),
     /** Every solution has a joint outside its range. */
-    JOINT_LIMITS("every solution has a joint outside its range"),
+    JOINT_LIMITS("jointLimits"),
     /** Reached, but not as exactly as was asked. */
-    TOLERANCE("the errors allowed are smaller than the precision of the computation");
+    TOLERANCE("tolerance");
 
-    private final String text;
+    private final String key;
 
-    Cause(String text) {
-      this.text = text;
+    Cause(String key) {
+      this.key = key;
     }
 
     /** The cause as part of a sentence. */
     public String text() {
-      return text;
+      return KinematicsTexts.text(key);
     }
   }
 }

@@ -66,17 +66,19 @@ public record NominalDeviation(
     return found.maxM <= MAX_M
         ? Optional.empty()
         : Optional.of(
-            String.format(
-                Locale.ROOT,
-                "puts the flange up to %.1f mm (mean %.1f mm) from where a %s has it, must be at"
-                    + " most %.0f mm; its frame %s is %.1f mm and %.2f degrees from its place",
-                1000 * found.maxM,
-                1000 * found.meanM,
+            KinematicsTexts.text(
+                "offNominal",
+                rounded(1, 1000 * found.maxM),
+                rounded(1, 1000 * found.meanM),
                 arm.displayName(),
-                1000 * MAX_M,
+                rounded(0, 1000 * MAX_M),
                 found.frame,
-                1000 * found.frameM,
-                Math.toDegrees(found.frameRad)));
+                rounded(1, 1000 * found.frameM),
+                rounded(2, Math.toDegrees(found.frameRad))));
+  }
+
+  private static String rounded(int decimals, double number) {
+    return String.format(Locale.ROOT, "%." + decimals + "f", number);
   }
 
   private static NominalDeviation furthest(ArmDescription arm, double meanM, double maxM) {

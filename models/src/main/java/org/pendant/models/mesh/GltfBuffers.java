@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -33,18 +35,11 @@ final class GltfBuffers {
       int length = whole(buffer, "byteLength", BYTES);
       ByteBuffer bytes = buffer(buffer, file, beside);
       if (bytes.remaining() < length) {
-        throw new MeshException(
-            "is cut: buffer "
-                + buffers.size()
-                + " has "
-                + bytes.remaining()
-                + " bytes, must have "
-                + length);
+        throw new MeshException(text("bufferCut", buffers.size(), bytes.remaining(), length));
       }
       all += length;
       if (all > MeshFile.MAX_BYTES) {
-        throw new MeshException(
-            "has more than " + MeshFile.MAX_BYTES + " bytes of buffers, must be at most that many");
+        throw new MeshException(text("buffersTooLong", MeshFile.MAX_BYTES));
       }
       buffers.add(bytes.slice(0, length).order(ByteOrder.LITTLE_ENDIAN));
     }
@@ -74,7 +69,7 @@ final class GltfBuffers {
   static int whole(JsonFields in, String key, Range range) throws JsonException {
     double value = in.number(key, range);
     if (value != Math.rint(value)) {
-      throw in.required(key).place().refusal(key + " is " + value + ", must be a whole number");
+      throw in.required(key).place().refusal(text("noWholeNumber", key, value));
     }
     return (int) value;
   }
@@ -91,7 +86,7 @@ final class GltfBuffers {
   /** The number of an element of a list, which must be there. */
   static int index(JsonFields in, String key, int size) throws JsonException {
     if (size == 0) {
-      throw in.required(key).place().refusal(key + " names what is not there");
+      throw in.required(key).place().refusal(text("namesNothing", key));
     }
     return whole(in, key, new Range(0, size - 1.0, ""));
   }
@@ -99,20 +94,19 @@ final class GltfBuffers {
   private static ByteBuffer buffer(JsonFields buffer, GltfFile file, MeshNeighbours beside)
       throws MeshException, JsonException {
     if (buffer.optional("uri").isEmpty()) {
-      return file.behind()
-          .orElseThrow(() -> new MeshException("has a buffer without a uri, and no bytes of it"));
+      return file.behind().orElseThrow(() -> new MeshException(text("bufferWithoutUri")));
     }
     Json.Text uri = buffer.text("uri");
     String text = uri.value();
     if (text.toLowerCase(Locale.ROOT).startsWith("data:")) {
       int comma = text.indexOf(',');
       if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
-        throw uri.place().refusal("uri is " + uri.described() + ", must be data in base64");
+        throw uri.place().refusal(text("uriNotBase64Data", uri.described()));
       }
       try {
         return ByteBuffer.wrap(Base64.getDecoder().decode(text.substring(comma + 1)));
       } catch (IllegalArgumentException e) {
-        throw uri.place().refusal("uri is no base64: " + e.getMessage());
+        throw uri.place().refusal(text("uriNoBase64", e.getMessage()));
       }
     }
     String name = decoded(uri);
@@ -130,8 +124,7 @@ final class GltfBuffers {
         || name.indexOf('\\') >= 0
         || name.indexOf(':') >= 0
         || List.of(name.split("/", -1)).contains("..")) {
-      throw uri.place()
-          .refusal("uri is " + uri.described() + ", must be a file beside this one, or below");
+      throw uri.place().refusal(text("uriOutside", uri.described()));
     }
     return name;
   }
@@ -148,8 +141,7 @@ final class GltfBuffers {
       int high = i + 2 < letters.length ? Character.digit((char) letters[i + 1], 16) : -1;
       int low = i + 2 < letters.length ? Character.digit((char) letters[i + 2], 16) : -1;
       if (high < 0 || low < 0) {
-        throw uri.place()
-            .refusal("uri is " + uri.described() + ", must have two digits behind each %");
+        throw uri.place().refusal(text("uriPercent", uri.described()));
       }
       name.put((byte) (16 * high + low));
       i += 2;
@@ -175,10 +167,10 @@ final class GltfBuffers {
     JsonFields accessor = accessors.get(number);
     Json.Text is = accessor.text("type");
     if (!is.value().equals(type)) {
-      throw is.place().refusal("type is " + is.described() + ", must be " + type);
+      throw is.place().refusal(text("wrongType", is.described(), type));
     }
     if (accessor.optional("sparse").isPresent() || accessor.optional("bufferView").isEmpty()) {
-      throw accessor.place().refusal("an accessor is sparse or has no numbers, which is not read");
+      throw accessor.place().refusal(text("sparse"));
     }
     int component = whole(accessor, "componentType", COMPONENT);
     int size = size(component, accessor);
@@ -195,12 +187,11 @@ final class GltfBuffers {
       throw accessor
           .place()
           .refusal(
-              "an accessor of "
-                  + count
-                  + " elements needs "
-                  + needed
-                  + " bytes, its view has "
-                  + Math.max(0, Math.min(viewLength, buffer.limit() - viewAt)));
+              text(
+                  "accessorTooLong",
+                  count,
+                  needed,
+                  Math.max(0, Math.min(viewLength, buffer.limit() - viewAt))));
     }
     boolean normalized = accessor.flag("normalized");
     int first = viewAt + at;
@@ -226,7 +217,7 @@ final class GltfBuffers {
           throw accessor
               .required("componentType")
               .place()
-              .refusal("componentType is " + component + ", must be 5120 to 5123, 5125 or 5126");
+              .refusal(text("componentType", component));
     };
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.io.ByteArrayInputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -38,11 +40,10 @@ record GltfFile(JsonFields root, Optional<ByteBuffer> behind) {
     int version = file.getInt(4);
     long length = Integer.toUnsignedLong(file.getInt(8));
     if (version != 2) {
-      throw new MeshException(
-          "is of version " + Integer.toUnsignedString(version) + " of glTF, must be 2");
+      throw new MeshException(text("gltfVersion", Integer.toUnsignedString(version)));
     }
     if (length > bytes.length) {
-      throw new MeshException("is cut: has " + bytes.length + " bytes, its header tells " + length);
+      throw new MeshException(text("gltfCut", bytes.length, length));
     }
     ByteBuffer text = chunk(file, HEADER, JSON_CHUNK);
     int next = HEADER + CHUNK_HEADER + text.remaining();
@@ -57,18 +58,14 @@ record GltfFile(JsonFields root, Optional<ByteBuffer> behind) {
 
   private static ByteBuffer chunk(ByteBuffer file, int at, int type) throws MeshException {
     if (at + CHUNK_HEADER > file.limit()) {
-      throw new MeshException("is cut: ends before its JSON");
+      throw new MeshException(text("gltfCutBeforeJson"));
     }
     long length = Integer.toUnsignedLong(file.getInt(at));
     if (length > file.limit() - at - CHUNK_HEADER) {
-      throw new MeshException(
-          "is cut: a part of it has "
-              + (file.limit() - at - CHUNK_HEADER)
-              + " bytes, its header tells "
-              + length);
+      throw new MeshException(text("gltfPartCut", file.limit() - at - CHUNK_HEADER, length));
     }
     if (file.getInt(at + 4) != type) {
-      throw new MeshException("is no binary glTF: its parts are not JSON and then bytes");
+      throw new MeshException(text("gltfParts"));
     }
     return file.slice(at + CHUNK_HEADER, (int) length).order(ByteOrder.LITTLE_ENDIAN);
   }

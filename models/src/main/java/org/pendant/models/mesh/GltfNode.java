@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import org.pendant.models.json.JsonException;
 import org.pendant.models.json.JsonFields;
 
@@ -14,7 +16,7 @@ final class GltfNode {
     if (node.optional("matrix").isPresent()) {
       double[] matrix = node.vector("matrix", NUMBERS);
       if (matrix[3] != 0 || matrix[7] != 0 || matrix[11] != 0 || matrix[15] != 1) {
-        throw node.required("matrix").place().refusal("matrix has no last row of 0, 0, 0, 1");
+        throw node.required("matrix").place().refusal(text("matrixRow"));
       }
       return matrix;
     }
@@ -27,7 +29,7 @@ final class GltfNode {
     double w = turn[3];
     double length = x * x + y * y + z * z + w * w;
     if (!(Math.abs(length - 1) < 0.01)) {
-      throw node.required("rotation").place().refusal("rotation is no quaternion of length 1");
+      throw node.required("rotation").place().refusal(text("rotation"));
     }
     double s = 2 / length;
     return new double[] {

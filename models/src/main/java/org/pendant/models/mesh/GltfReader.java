@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -79,7 +81,7 @@ final class GltfReader {
   private static void requireVersion(JsonFields root) throws JsonException {
     Json.Text version = root.object("asset").text("version");
     if (!version.value().startsWith("2.")) {
-      throw version.place().refusal("version is " + version.described() + ", must be 2.0");
+      throw version.place().refusal(text("version", version.described()));
     }
   }
 
@@ -92,12 +94,11 @@ final class GltfReader {
         throw root.required("extensionsRequired")
             .place()
             .refusal(
-                "needs "
-                    + Json.quoted(extension)
-                    + ", which is not read: export it without"
-                    + (extension.contains("draco") || extension.contains("compression")
-                        ? " compression"
-                        : ""));
+                text(
+                    extension.contains("draco") || extension.contains("compression")
+                        ? "compression"
+                        : "extension",
+                    Json.quoted(extension)));
       }
     }
   }
@@ -131,8 +132,7 @@ final class GltfReader {
           || number.value() != Math.rint(number.value())
           || number.value() < 0
           || number.value() >= nodes.size()) {
-        throw each.place()
-            .refusal(key + " has " + each.described() + ", must be of nodes there are");
+        throw each.place().refusal(text("wrongChild", key, each.described()));
       }
       children.add((int) number.value());
     }
@@ -142,11 +142,11 @@ final class GltfReader {
   private void visit(int number, int depth) throws MeshException, JsonException {
     JsonFields node = nodes.get(number);
     if (met[number]) {
-      throw node.place().refusal("node " + number + " is in two others, or within itself");
+      throw node.place().refusal(text("nodeTwice", number));
     }
     met[number] = true;
     if (depth > MAX_DEPTH) {
-      throw node.place().refusal("more than " + MAX_DEPTH + " nodes within one another");
+      throw node.place().refusal(text("nodesTooDeep", MAX_DEPTH));
     }
     multiply(frames[depth - 1], GltfNode.matrix(node), frames[depth]);
     Optional<Integer> mesh = GltfBuffers.optionalIndex(node, "mesh", meshes.size());
@@ -173,7 +173,7 @@ final class GltfReader {
   private void addMesh(JsonFields mesh, double[] frame) throws MeshException, JsonException {
     for (JsonFields primitive : GltfBuffers.list(mesh, "primitives", MAX_PRIMITIVES)) {
       if (++primitives > MAX_PRIMITIVES) {
-        throw primitive.place().refusal("more than " + MAX_PRIMITIVES + " primitives");
+        throw primitive.place().refusal(text("tooManyPrimitives", MAX_PRIMITIVES));
       }
       double mode = primitive.optional("mode").isPresent() ? primitive.number("mode") : TRIANGLES;
       if (mode == TRIANGLES || mode == STRIP || mode == FAN) {
@@ -192,19 +192,17 @@ final class GltfReader {
         buffers.points(GltfBuffers.index(attributes, "POSITION", buffers.accessors()));
     pointsRead += points.count();
     if (pointsRead > MAX_POINTS) {
-      throw new MeshException(
-          "has more than "
-              + MAX_POINTS
-              + " points with repeated ones, must be at most that many: export it coarser");
+      throw new MeshException(text("tooManyRepeatedPoints", MAX_POINTS));
     }
     int[] numbers = new int[points.count()];
     for (int i = 0; i < numbers.length; i++) {
+      int number = i;
       double x = points.at(i, 0);
       double y = points.at(i, 1);
       double z = points.at(i, 2);
       numbers[i] =
           into.point(
-              "point " + i,
+              () -> text("point", number),
               frame[0] * x + frame[4] * y + frame[8] * z + frame[12],
               -(frame[2] * x + frame[6] * y + frame[10] * z + frame[14]),
               frame[1] * x + frame[5] * y + frame[9] * z + frame[13]);
@@ -241,7 +239,7 @@ final class GltfReader {
         throw of.object(ROUGHNESS)
             .required(FACTOR)
             .place()
-            .refusal(FACTOR + " has " + linear[i] + ", must be 0 to 1");
+            .refusal(text("colourOutside", FACTOR, linear[i]));
       }
       rgb = rgb << 8 | (int) Math.round(255 * onScreen(linear[i]));
     }
@@ -259,8 +257,7 @@ final class GltfReader {
     for (int i = 0; i < corners.length; i++) {
       double index = indices.at(i, 0);
       if (index < 0 || index >= numbers.length || index != Math.rint(index)) {
-        throw new MeshException(
-            "index " + i + " names point " + index + ", " + numbers.length + " are there");
+        throw new MeshException(text("noSuchPoint", i, index, numbers.length));
       }
       corners[i] = numbers[(int) index];
     }

@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -157,7 +159,7 @@ final class HullTriangles {
       }
     }
     if (fourth < 0 || Math.abs(volume) / base.length < SKIPPED) {
-      throw new MeshException("is flat, must be thick to be a solid");
+      throw new MeshException(text("flat"));
     }
     int a = extreme[0];
     int b = volume < 0 ? extreme[1] : third;

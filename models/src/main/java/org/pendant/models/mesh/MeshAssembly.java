@@ -1,11 +1,14 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.pendant.models.json.JsonValues;
 
 /**
@@ -42,21 +45,19 @@ final class MeshAssembly {
    *
    * @param where it is in the file, for messages
    */
-  int point(String where, double x, double y, double z) throws MeshException {
+  int point(Supplier<String> where, double x, double y, double z) throws MeshException {
     for (double each : new double[] {x, y, z}) {
       if (!Double.isFinite(each)) {
-        throw new MeshException(where + ": a coordinate is " + each + ", must be a number");
+        throw new MeshException(text("coordinateNoNumber", where.get(), each));
       }
       if (Math.abs(each * scale) > MAX_COORDINATE_M) {
         throw new MeshException(
-            String.format(
-                Locale.ROOT,
-                "%s: a coordinate is %s, which is %.3g m; must be at most %.0f m: is the unit"
-                    + " right?",
-                where,
+            text(
+                "coordinateTooLarge",
+                where.get(),
                 each,
-                each * scale,
-                MAX_COORDINATE_M));
+                String.format(Locale.ROOT, "%.3g", each * scale),
+                String.format(Locale.ROOT, "%.0f", MAX_COORDINATE_M)));
       }
     }
     // adding 0 makes one zero of both
@@ -67,8 +68,7 @@ final class MeshAssembly {
     }
     int number = numbers.size();
     if (number == 3 * TriangleMesh.MAX_TRIANGLES) {
-      throw new MeshException(
-          where + ": more points than " + number + ", must be at most that many");
+      throw new MeshException(text("tooManyPoints", where.get(), number));
     }
     if (3 * number == points.length) {
       points = Arrays.copyOf(points, 2 * points.length);
@@ -92,7 +92,7 @@ final class MeshAssembly {
   /** Adds a triangle; one with two corners at the same place is nothing, and left out. */
   void triangle(int a, int b, int c) throws MeshException {
     if (++read > TriangleMesh.MAX_TRIANGLES) {
-      throw new MeshException(tooMany("more than " + TriangleMesh.MAX_TRIANGLES));
+      throw new MeshException(tooMany(text("moreThan", TriangleMesh.MAX_TRIANGLES)));
     }
     if (a == b || b == c || c == a) {
       return;
@@ -108,11 +108,7 @@ final class MeshAssembly {
   }
 
   static String tooMany(String count) {
-    return "has "
-        + count
-        + " triangles, must be at most "
-        + TriangleMesh.MAX_TRIANGLES
-        + ": export it coarser";
+    return text("tooManyTriangles", count, TriangleMesh.MAX_TRIANGLES);
   }
 
   /** What can be told of it, whether it is a solid or not. */
@@ -132,11 +128,11 @@ final class MeshAssembly {
     if (read == 0) {
       corners = new int[0];
       points = new double[0];
-      throw new MeshException("has no triangles, must have at least 4");
+      throw new MeshException(text("noTriangles"));
     }
     corners = Arrays.copyOf(corners, cornerCount);
     if (cornerCount == 0) {
-      throw new MeshException("no triangle has an area");
+      throw new MeshException(text("noArea"));
     }
     keepUsed();
     requireSize();
@@ -149,7 +145,7 @@ final class MeshAssembly {
         new TriangleMesh(points, corners, Arrays.copyOf(colours, corners.length / 3));
     double longest = longest();
     if (mesh.volumeM3() < 1e-9 * longest * longest * longest) {
-      throw new MeshException("fills no space, must be the surface of a solid");
+      throw new MeshException(text("fillsNoSpace"));
     }
     return mesh;
   }
@@ -187,9 +183,7 @@ final class MeshAssembly {
   private void requireSize() throws MeshException {
     double longest = longest();
     if (longest > TriangleMesh.MAX_LENGTH_M || longest < TriangleMesh.MIN_LENGTH_M) {
-      throw new MeshException(
-          String.format(
-              Locale.ROOT, "is %.3g m long, must be 0.001 to 10 m: is the unit right?", longest));
+      throw new MeshException(text("wrongLength", String.format(Locale.ROOT, "%.3g", longest)));
     }
   }
 
@@ -204,20 +198,15 @@ final class MeshAssembly {
       open = new OpenEdges(corners);
     }
     if (corners.length == 0) {
-      throw new MeshException("no triangle has an area");
+      throw new MeshException(text("noArea"));
     }
     long count = open.count();
     if (count > 0) {
       int[] first = open.first();
       throw new MeshException(
-          "is not closed: "
-              + count
-              + (count == 1 ? " edge has" : " edges have")
-              + " no triangle on the other side, or one that faces the other way, the first from "
-              + place(first[0])
-              + " to "
-              + place(first[1])
-              + "; must be the surface of a solid");
+          count == 1
+              ? text("oneOpenEdge", place(first[0]), place(first[1]))
+              : text("openEdges", count, place(first[0]), place(first[1])));
     }
   }
 

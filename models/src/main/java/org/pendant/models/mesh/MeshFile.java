@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -15,7 +17,9 @@ public final class MeshFile {
   public static final List<String> ENDINGS = List.of("stl", "obj", "glb", "gltf");
 
   /** These endings, for messages. */
-  public static final String MUST_END = "must end with .stl, .obj, .glb or .gltf";
+  public static String mustEnd() {
+    return text("mustEnd");
+  }
 
   /** Whether a file is called as meshes are. */
   public static boolean hasEnding(String name) {
@@ -67,11 +71,10 @@ public final class MeshFile {
   private static MeshAssembly triangles(
       String name, byte[] bytes, MeshUnit unit, MeshNeighbours beside) throws MeshException {
     if (bytes.length > MAX_BYTES) {
-      throw new MeshException(
-          "has more than " + MAX_BYTES + " bytes, must be at most that many: export it coarser");
+      throw new MeshException(text("fileTooLong", MAX_BYTES));
     }
     if (!hasEnding(name)) {
-      throw new MeshException("is no mesh that is known: " + MUST_END);
+      throw new MeshException(text("noMesh", mustEnd()));
     }
     MeshAssembly assembly = new MeshAssembly(unit);
     switch (ending(name)) {

@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import org.pendant.models.json.Json;
@@ -49,24 +51,24 @@ final class MeshLines {
   /** Refuses a line that begins with another word. */
   void require(String word) throws MeshException {
     if (!is(word)) {
-      throw new MeshException(where() + ": is " + Json.quoted(words[0]) + ", must be " + word);
+      throw new MeshException(text("wrongWord", where(), Json.quoted(words[0]), word));
     }
   }
 
   /** A word that is a number. */
   double number(int index) throws MeshException {
     if (index >= words.length) {
-      throw new MeshException(where() + ": has too few numbers");
+      throw new MeshException(text("tooFewNumbers", where()));
     }
     try {
       return Double.parseDouble(words[index]);
     } catch (NumberFormatException _) {
-      throw new MeshException(where() + ": is " + Json.quoted(words[index]) + ", must be a number");
+      throw new MeshException(text("wordNoNumber", where(), Json.quoted(words[index])));
     }
   }
 
   /** This line, for messages. */
   String where() {
-    return "line " + line;
+    return text("line", line);
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.io.IOException;
 
 /** Mesh neighbours: files beside that of a mesh, which it names. */
@@ -8,7 +10,7 @@ public interface MeshNeighbours {
   /** None: those of a mesh that is in no folder. */
   MeshNeighbours NONE =
       name -> {
-        throw new IOException("cannot be read, the mesh is in no folder");
+        throw new IOException(text("noFolder"));
       };
 
   /**

@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.util.Arrays;
 import org.pendant.models.json.Json;
 
@@ -31,12 +33,12 @@ final class ObjReader {
     if (count == points.length) {
       points = Arrays.copyOf(points, 2 * count);
     }
-    points[count++] = into.point(lines.where(), lines.number(1), lines.number(2), lines.number(3));
+    points[count++] = into.point(lines::where, lines.number(1), lines.number(2), lines.number(3));
   }
 
   private void addFace(MeshLines lines) throws MeshException {
     if (lines.words() < 4) {
-      throw new MeshException(lines.where() + ": a face has too few corners, must have at least 3");
+      throw new MeshException(text("faceCorners", lines.where()));
     }
     int first = point(lines, 1);
     int before = point(lines, 2);
@@ -56,13 +58,11 @@ final class ObjReader {
     try {
       index = Integer.parseInt(number);
     } catch (NumberFormatException _) {
-      throw new MeshException(
-          lines.where() + ": is " + Json.quoted(corner) + ", must be the number of a point");
+      throw new MeshException(text("noPointNumber", lines.where(), Json.quoted(corner)));
     }
     int place = index < 0 ? count + index : index - 1;
     if (place < 0 || place >= count) {
-      throw new MeshException(
-          lines.where() + ": point " + index + " is not there, " + count + " are so far");
+      throw new MeshException(text("pointNotYet", lines.where(), index, count));
     }
     return points[place];
   }

@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import org.pendant.models.pose.Transforms;
 
 /**
@@ -51,9 +53,7 @@ public final class SolidMass {
     for (int axis = 0; axis < 3; axis++) {
       squaresM2[axis] = second[4 * axis];
       if (!(squaresM2[axis] > 0)) {
-        throw new MeshException(
-            "goes through itself so that parts of it count as less than nothing, must be the"
-                + " surface of a solid to have a mass");
+        throw new MeshException(text("throughItself"));
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.pendant.models.mesh;
 
+import static org.pendant.models.mesh.MeshFileTexts.text;
+
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -48,19 +50,14 @@ final class StlReader {
 
   private static void readBinary(byte[] bytes, MeshAssembly into) throws MeshException {
     if (bytes.length < HEADER) {
-      throw new MeshException(
-          "is cut: has " + bytes.length + " bytes, the header of an STL file alone has " + HEADER);
+      throw new MeshException(text("stlHeaderCut", bytes.length, HEADER));
     }
     long count = count(bytes);
     if (!fits(bytes)) {
       throw new MeshException(
-          (bytes.length < HEADER + TRIANGLE * count ? "is cut: " : "is no STL file: ")
-              + "has "
-              + bytes.length
-              + " bytes, "
-              + count
-              + " triangles as its header tells need "
-              + (HEADER + TRIANGLE * count));
+          text(
+              bytes.length < HEADER + TRIANGLE * count ? "stlTrianglesCut" : "noStl",
+              text("stlTriangles", bytes.length, count, HEADER + TRIANGLE * count)));
     }
     if (count > TriangleMesh.MAX_TRIANGLES) {
       throw new MeshException(MeshAssembly.tooMany(String.valueOf(count)));
@@ -69,10 +66,11 @@ final class StlReader {
     int[] corners = new int[3];
     for (int triangle = 0; triangle < count; triangle++) {
       from.position(HEADER + TRIANGLE * triangle + 3 * Float.BYTES);
+      int number = triangle + 1;
       for (int i = 0; i < corners.length; i++) {
         corners[i] =
             into.point(
-                "triangle " + (triangle + 1), from.getFloat(), from.getFloat(), from.getFloat());
+                () -> text("triangle", number), from.getFloat(), from.getFloat(), from.getFloat());
       }
       into.triangle(corners[0], corners[1], corners[2]);
     }
@@ -89,7 +87,7 @@ final class StlReader {
         for (int i = 0; i < corners.length; i++) {
           require(lines);
           lines.require("vertex");
-          corners[i] = into.point(lines.where(), lines.number(1), lines.number(2), lines.number(3));
+          corners[i] = into.point(lines::where, lines.number(1), lines.number(2), lines.number(3));
         }
         into.triangle(corners[0], corners[1], corners[2]);
         require(lines);
@@ -104,7 +102,7 @@ final class StlReader {
 
   private static void require(MeshLines lines) throws MeshException {
     if (!lines.next()) {
-      throw new MeshException("is cut: ends without endsolid");
+      throw new MeshException(text("stlCut"));
     }
   }
 }

@@ -51,6 +51,6 @@ public record MeshPart(String file, MeshUnit unit, TriangleMesh triangles) {
     }
     return MeshFile.hasEnding(file)
         ? Optional.empty()
-        : Optional.of(text("meshEnding", Json.quoted(file), MeshFile.MUST_END));
+        : Optional.of(text("meshEnding", Json.quoted(file), MeshFile.mustEnd()));
   }
 }
