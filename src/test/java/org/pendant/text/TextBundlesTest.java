@@ -111,4 +111,14 @@ final class TextBundlesTest {
     }
     assertEquals(String.join("\n", List.of()), String.join("\n", wrong));
   }
+
+  @Test
+  void linksOfAnArmThatHitSomethingAreSaidInTheOtherLanguageToo() throws IOException {
+    Translations german =
+        Translations.of(
+            Language.GERMAN, getClass().getClassLoader(), TextBundles.translatedByTheWindow());
+    assertEquals("Unterarm hat „post“ berührt", german.of("the forearm has hit \"post\""));
+    assertEquals(
+        "Handgelenk 1 hat Oberarm berührt", german.of("the wrist 1 has hit the upper arm"));
+  }
 }

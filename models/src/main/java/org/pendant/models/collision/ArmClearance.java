@@ -22,7 +22,7 @@ import org.pendant.models.pose.Transforms;
  * <p>Mutable, for one thread; allocates nothing after it was made.
  */
 public final class ArmClearance {
-  private static final int BODIES = LinkCapsules.NAMES.size();
+  private static final int BODIES = LinkCapsules.BODIES;
 
   /** The first joint is turned all round in so many steps to see whether a distance changes. */
   private static final int TURN_STEPS = 72;

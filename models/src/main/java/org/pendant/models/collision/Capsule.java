@@ -4,7 +4,7 @@ package org.pendant.models.collision;
  * Capsule: all that is within a radius of a line from one point to another, in the frame of the
  * body that it belongs to. With one point twice it is a ball.
  *
- * @param body which body of the arm, in the order of {@link LinkCapsules#NAMES}
+ * @param body which body of the arm, in the order of {@link LinkCapsules#name}
  * @param ax where the line begins, m, along x
  * @param ay the same along y
  * @param az the same along z
@@ -24,9 +24,9 @@ public record Capsule(
     if (!(radiusM > 0)) {
       throw new IllegalArgumentException("capsule: radius is " + radiusM + " m, must be above 0");
     }
-    if (body < 0 || body >= LinkCapsules.NAMES.size()) {
+    if (body < 0 || body >= LinkCapsules.BODIES) {
       throw new IllegalArgumentException(
-          "capsule: body is " + body + ", must be 0 to " + (LinkCapsules.NAMES.size() - 1));
+          "capsule: body is " + body + ", must be 0 to " + (LinkCapsules.BODIES - 1));
     }
   }
 }

@@ -22,9 +22,12 @@ import org.pendant.models.shape.Tube;
  * have the largest of their radii. The socket across wrist 3 is left out.
  */
 public final class LinkCapsules {
-  /** What the bodies are called; what is mounted on the flange is the last. */
-  public static final List<String> NAMES =
-      List.of("base", "shoulder", "upper arm", "forearm", "wrist 1", "wrist 2", "wrist 3", "tool");
+  /** The texts of what the bodies are called; what is mounted on the flange is the last. */
+  private static final List<String> KEYS =
+      List.of("base", "shoulder", "upperArm", "forearm", "wrist1", "wrist2", "wrist3", "tool");
+
+  /** How many bodies there are, with what is mounted on the flange. */
+  public static final int BODIES = KEYS.size();
 
   /** The body that stands still. */
   public static final int BASE = 0;
@@ -39,6 +42,15 @@ public final class LinkCapsules {
   private static final int[] QUARTERS = {0, 1, 0, 0, 1, -1, 0};
 
   private LinkCapsules() {}
+
+  /**
+   * What a body is called, as in {@code upper arm}.
+   *
+   * @param body 0 to {@link #BODIES} - 1
+   */
+  public static String name(int body) {
+    return CollisionTexts.text(KEYS.get(body));
+  }
 
   /**
    * The bodies of an arm, base first: those of the base in the base frame, others in the

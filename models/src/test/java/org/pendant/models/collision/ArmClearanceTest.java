@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.ArmLibrary;
@@ -89,8 +90,8 @@ class ArmClearanceTest {
         String other =
             clearance.obstacle(pair) >= 0
                 ? String.valueOf(clearance.obstacle(pair))
-                : LinkCapsules.NAMES.get(clearance.otherBody(pair));
-        found.add(LinkCapsules.NAMES.get(clearance.body(pair)) + ", " + other);
+                : LinkCapsules.name(clearance.otherBody(pair));
+        found.add(LinkCapsules.name(clearance.body(pair)) + ", " + other);
       }
     }
     return found;
@@ -247,12 +248,18 @@ class ArmClearanceTest {
   }
 
   private static double distance(ArmClearance clearance, String body, String other) {
-    return distanceOf(
-        clearance, LinkCapsules.NAMES.indexOf(body), LinkCapsules.NAMES.indexOf(other), -1);
+    return distanceOf(clearance, number(body), number(other), -1);
   }
 
   private static double distance(ArmClearance clearance, String body, int obstacle) {
-    return distanceOf(clearance, LinkCapsules.NAMES.indexOf(body), -1, obstacle);
+    return distanceOf(clearance, number(body), -1, obstacle);
+  }
+
+  private static int number(String body) {
+    return IntStream.range(0, LinkCapsules.BODIES)
+        .filter(each -> LinkCapsules.name(each).equals(body))
+        .findFirst()
+        .orElseThrow();
   }
 
   private static double distanceOf(ArmClearance clearance, int body, int other, int obstacle) {

@@ -34,8 +34,8 @@ final class ArmEncounters implements LinkPairs {
     this.own = own;
     this.others = List.copyOf(others);
     for (Neighbour other : others) {
-      for (int body = 0; body < LinkCapsules.NAMES.size(); body++) {
-        for (int of = 0; own.has(body) && of < LinkCapsules.NAMES.size(); of++) {
+      for (int body = 0; body < LinkCapsules.BODIES; body++) {
+        for (int of = 0; own.has(body) && of < LinkCapsules.BODIES; of++) {
           boolean move = body != LinkCapsules.BASE || of != LinkCapsules.BASE;
           if (move && other.links().has(of)) {
             encounters.add(new Encounter(body, other, of));
@@ -116,8 +116,8 @@ final class ArmEncounters implements LinkPairs {
   public LinkHit hit(int pair, double depthM) {
     Encounter of = encounters.get(pair);
     return new LinkHit(
-        LinkCapsules.NAMES.get(of.body()),
-        LinkCapsules.NAMES.get(of.otherBody()),
+        LinkCapsules.name(of.body()),
+        LinkCapsules.name(of.otherBody()),
         false,
         Optional.of(of.other().name()),
         ArmSurroundings.jointOf(of.body()),

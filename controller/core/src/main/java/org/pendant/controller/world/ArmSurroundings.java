@@ -184,7 +184,7 @@ public final class ArmSurroundings implements LinkPairs {
     int obstacle = clearance.obstacle(pair);
     if (obstacle >= 0) {
       return new LinkHit(
-          LinkCapsules.NAMES.get(body),
+          LinkCapsules.name(body),
           names.get(obstacle),
           true,
           Optional.empty(),
@@ -193,8 +193,8 @@ public final class ArmSurroundings implements LinkPairs {
     }
     int outer = clearance.otherBody(pair);
     return new LinkHit(
-        LinkCapsules.NAMES.get(outer),
-        LinkCapsules.NAMES.get(body),
+        LinkCapsules.name(outer),
+        LinkCapsules.name(body),
         false,
         Optional.empty(),
         jointOf(outer),

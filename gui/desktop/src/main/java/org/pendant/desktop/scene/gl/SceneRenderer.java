@@ -38,7 +38,7 @@ import org.pendant.models.pose.Pose;
  */
 final class SceneRenderer implements AutoCloseable {
   private static final Vector3f TO_SUN = new Vector3f(0.42f, -0.62f, 1.05f).normalize();
-  private static final String TOOL = LinkCapsules.NAMES.get(LinkCapsules.TOOL);
+  private static final String TOOL = LinkCapsules.name(LinkCapsules.TOOL);
   private static final Vector3f NO_TINT = new Vector3f();
   private static final int LIT_RGB = 0xFFC400;
   private static final int UNLIT_RGB = 0x6B6352;
