@@ -119,7 +119,7 @@ record CellWiring(List<Box> boxes) {
         device.name(),
         field.key(),
         Messages.shown(field.title()),
-        field.help(),
+        Messages.shown(field.help()),
         way,
         field.required(),
         signal,
@@ -139,7 +139,7 @@ record CellWiring(List<Box> boxes) {
             new WirePort(
                 RULES,
                 text(sets ? "ruleSets" : "ruleWatches", signal),
-                sets ? "sets" : "watches",
+                text(sets ? "sets" : "watches"),
                 signal,
                 sets ? WirePort.Way.TELLS : WirePort.Way.WATCHES,
                 true,

@@ -316,7 +316,7 @@ final class DeviceForm {
 
   private void addSpot(DeviceField.Spot spot, Part part) {
     form.check(
-        spot.without(),
+        Messages.shown(spot.without()),
         Messages.shown(spot.title()) + ": " + Messages.shown(spot.help()),
         device -> part.get.apply(device).pose(spot.key()).isEmpty(),
         (device, on) ->
@@ -344,7 +344,7 @@ final class DeviceForm {
         () -> hint(amount, measures.of(usual)),
         usual,
         amount.standing(),
-        amount.without(),
+        Messages.shown(amount.without()),
         device -> part.get.apply(device).number(amount.key()),
         (device, number) -> {
           Measure unit = measures.of(usual);

@@ -23,6 +23,12 @@ import org.pendant.text.Language;
 
 /** Chart quantities: what can be drawn, in the order of the list; script variables come first. */
 public final class ChartQuantities {
+  /** The group of what joints have, in English as the controller says it. */
+  static final String JOINTS = "Joints";
+
+  /** The group of what the TCP has, in English as the controller says it. */
+  static final String TCP = "TCP";
+
   private static final double MA_PER_A = 1e3;
 
   private final Map<String, ChartQuantity> byId = new LinkedHashMap<>();
@@ -148,7 +154,7 @@ public final class ChartQuantities {
     Language language = Language.ofProcess();
     String of = Messages.shown(group.substring(slash + 1));
     String component = Messages.shown(title);
-    return top.equals("Joints")
+    return top.equals(JOINTS)
         ? of + ", " + language.withinSentence(component)
         : Messages.shown(top) + " " + language.withinSentence(of) + ", " + component;
   }

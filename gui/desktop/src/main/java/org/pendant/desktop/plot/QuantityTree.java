@@ -31,12 +31,17 @@ import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreePath;
 import net.miginfocom.swing.MigLayout;
 import org.pendant.kit.layout.Typed;
+import org.pendant.kit.text.Messages;
 import org.pendant.kit.theme.Markup;
 
 /** Quantity tree: the list of what can be drawn, with a search above it. */
 final class QuantityTree {
   /** Groups whose parts are in sight before one is opened; all would be a hundred rows. */
-  private static final Set<String> OPEN_AT_FIRST = Set.of(ScriptVariables.GROUP, "Joints", "TCP");
+  private static final Set<String> OPEN_AT_FIRST =
+      Set.of(
+          ScriptVariables.GROUP,
+          Messages.shown(ChartQuantities.JOINTS),
+          Messages.shown(ChartQuantities.TCP));
 
   private final ChartQuantities quantities;
   private final Consumer<List<ChartQuantity>> chosen;

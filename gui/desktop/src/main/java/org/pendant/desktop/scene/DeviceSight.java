@@ -1,5 +1,7 @@
 package org.pendant.desktop.scene;
 
+import static org.pendant.desktop.scene.SceneTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -194,8 +196,10 @@ public record DeviceSight(
       double share = openShare.getAsDouble();
       String how =
           share <= 0
-              ? "closed"
-              : share >= 1 ? "open" : String.format(Locale.ROOT, "%.0f %% open", 100 * share);
+              ? text("doorClosed")
+              : share >= 1
+                  ? text("doorOpen")
+                  : text("doorOpenPercent", String.format(Locale.ROOT, "%.0f", 100 * share));
       return name + ": " + how;
     }
   }
