@@ -1,6 +1,8 @@
 package org.pendant.window;
 
 import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.MouseInfo;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -21,6 +23,9 @@ final class Hands {
 
   /** A view that moves all the time may keep a window busy for ever. */
   private static final Duration MAX_WAITED = Duration.ofMillis(500);
+
+  /** Looks for somebody whom keys reach; then they are pressed all the same. */
+  private static final int MAX_LOOKS = 20;
 
   private final Robot robot;
 
@@ -59,8 +64,14 @@ final class Hands {
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
   }
 
-  /** Presses and releases keys, such as {@code control shift P}. */
-  void press(String keys) {
+  /**
+   * Presses and releases keys, such as {@code control shift P}, when they go somewhere: a button
+   * that is disabled gives the focus away a moment later, and until then keys are lost.
+   */
+  void press(String keys) throws InterruptedException {
+    for (int i = 0; i < MAX_LOOKS && !Places.dispatched(Hands::keysArrive); i++) {
+      settle();
+    }
     KeyStroke stroke = KeyStroke.getKeyStroke(keys);
     if (stroke == null) {
       throw new IllegalArgumentException("no such keys: " + keys);
@@ -83,6 +94,11 @@ final class Hands {
         robot.keyRelease(held.get(i + 1));
       }
     }
+  }
+
+  private static boolean keysArrive() {
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    return owner != null && owner.isEnabled() && owner.isShowing();
   }
 
   /**
