@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.bench.MockedCall;
 import org.pendant.controller.bench.MockedCalls;
@@ -106,17 +108,21 @@ public final class AnsweringBuiltins {
     if (given < least || asked.needed() > most) {
       throw new ScriptError(
           "wrong-arguments",
-          mismatch(asked.mock().by().orElse(""), least, most, asked.mock().function())
-              + " was called with "
-              + given);
+          text(
+              "calledWith",
+              mismatch(asked.mock().by().orElse(""), least, most),
+              asked.mock().function(),
+              given));
     }
     return Math.min(given, most);
   }
 
-  /** The first part of what is said where a function cannot answer for another one. */
-  public static String mismatch(String by, int least, int most, String function) {
-    String number = least == most ? "" + least : least + " to " + most;
-    return by + " takes " + number + (most == 1 ? " argument; " : " arguments; ") + function;
+  /** How many arguments a function takes that cannot answer for another one. */
+  public static String mismatch(String by, int least, int most) {
+    if (least == most) {
+      return text(most == 1 ? "takesOne" : "takes", by, most);
+    }
+    return text(most == 1 ? "takesUpToOne" : "takesRange", by, least, most);
   }
 
   private static MockedCalls calls(Call<ControlBox> call) {
@@ -126,6 +132,6 @@ public final class AnsweringBuiltins {
   private static MockedCall asked(Call<ControlBox> call) throws ScriptError {
     return calls(call)
         .taken(call.integer(0))
-        .orElseThrow(() -> call.failure("no-such-call", "the call has its answer"));
+        .orElseThrow(() -> call.failure("no-such-call", text("hasAnswer")));
   }
 }

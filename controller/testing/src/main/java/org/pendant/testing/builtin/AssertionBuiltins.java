@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.script.function.Builtins;
@@ -31,13 +33,13 @@ final class AssertionBuiltins {
         .needs("condition", Type.BOOL)
         .takes("message", Type.STRING, Value.of(""))
         .effect(Effect.COMPUTES)
-        .does(call -> check(call, call.bool(0), "condition is False, must be True", 1));
+        .does(call -> check(call, call.bool(0), text("conditionFalse"), 1));
     TestBuiltins.declare(builtins, "assert_false", SECTION)
         .doc("Fails the test unless the condition is False.")
         .needs("condition", Type.BOOL)
         .takes("message", Type.STRING, Value.of(""))
         .effect(Effect.COMPUTES)
-        .does(call -> check(call, !call.bool(0), "condition is True, must be False", 1));
+        .does(call -> check(call, !call.bool(0), text("conditionTrue"), 1));
     TestBuiltins.declare(builtins, "assert_equal", SECTION)
         .doc(
             "Fails the test unless both values are equal, as == compares them; numbers that are"
@@ -66,7 +68,7 @@ final class AssertionBuiltins {
         .takes("message", Type.STRING, Value.of(""))
         .does(
             call -> {
-              throw failure(call, "the test says so", 0);
+              throw failure(call, text("testSaysSo"), 0);
             });
     TestBuiltins.declare(builtins, "skip", SECTION)
         .doc("Ends the test, which then counts as skipped.")
@@ -116,9 +118,7 @@ final class AssertionBuiltins {
     if (Operators.equal(actual, other) != wanted) {
       throw failure(
           call,
-          wanted
-              ? "is " + shown(actual) + ", must be " + shown(other)
-              : "is " + shown(actual) + ", must be anything else",
+          wanted ? text("notEqual", shown(actual), shown(other)) : text("equal", shown(actual)),
           2);
     }
     return call.answer();
@@ -129,10 +129,10 @@ final class AssertionBuiltins {
         switch (call.value(0)) {
           case StringValue text -> text.bytes().contains(call.text(1));
           case ListValue list -> has(call, list, call.value(1));
-          default -> throw call.wrongKind(0, "a string or a list");
+          default -> throw call.wrongKind(0, text("stringOrList"));
         };
     if (!found) {
-      throw failure(call, shown(call.value(0)) + " must contain " + shown(call.value(1)), 2);
+      throw failure(call, text("notContained", shown(call.value(0)), shown(call.value(1))), 2);
     }
     return call.answer();
   }

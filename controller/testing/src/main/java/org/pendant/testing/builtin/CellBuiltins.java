@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.box.ControlBox;
 import org.pendant.controller.device.DeviceSetup;
@@ -126,8 +128,7 @@ final class CellBuiltins {
               String name = call.text(0);
               Optional<MovedObject> object = there(call);
               if (object.isEmpty()) {
-                throw call.failure(
-                    "no-such-object", "there is no object " + name + " that can move in the cell");
+                throw call.failure("no-such-object", text("noObject", name));
               }
               return call.answer(new PoseValue(object.get().poseInBase()));
             });
@@ -151,8 +152,7 @@ final class CellBuiltins {
   private static Outcome add(Call<ControlBox> call) throws ScriptError {
     DeviceSetup device =
         DeviceSetup.of(call.text(0))
-            .orElseThrow(
-                () -> call.refuse(0, "must be one of " + String.join(", ", DeviceSetup.KINDS)));
+            .orElseThrow(() -> call.refuse(0, text("oneOf", String.join(", ", DeviceSetup.KINDS))));
     try {
       call.host().links().devices().add(device);
     } catch (IllegalArgumentException e) {
@@ -167,6 +167,6 @@ final class CellBuiltins {
         .links()
         .devices()
         .fingers(name)
-        .orElseThrow(() -> call.failure(NO_DEVICE, "there is no gripper " + name + " in the cell"));
+        .orElseThrow(() -> call.failure(NO_DEVICE, text("noGripper", name)));
   }
 }

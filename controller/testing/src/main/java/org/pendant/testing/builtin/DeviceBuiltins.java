@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.bench.ModbusDevice;
@@ -86,7 +88,7 @@ final class DeviceBuiltins {
             call -> {
               List<List<Integer>> all = device(call).commands();
               if (all.isEmpty()) {
-                throw call.failure("no-such-call", "no such request has come");
+                throw call.failure("no-such-call", text("noRequest"));
               }
               List<Integer> bytes = all.get(call.integer(1, 0, all.size() - 1));
               double[] numbers = bytes.stream().mapToDouble(Integer::doubleValue).toArray();
@@ -102,7 +104,7 @@ final class DeviceBuiltins {
             call -> {
               double delay = call.number(1);
               if (!(delay >= 0)) {
-                throw call.refuse(1, "must not be negative");
+                throw call.refuse(1, text("notNegative"));
               }
               device(call).setDelayFrames(FrameTime.framesFor(delay));
               return call.answer();
@@ -156,7 +158,7 @@ final class DeviceBuiltins {
     List<Integer> values = bits ? bits(call) : registers(call);
     int first = call.integer(1, 0, MAX_ADDRESS);
     if (first + values.size() - 1 > MAX_ADDRESS) {
-      throw call.refuse(1, "must leave room for " + values.size() + " up to " + MAX_ADDRESS);
+      throw call.refuse(1, text("noRoom", values.size(), MAX_ADDRESS));
     }
     device(call).set(table, first, values);
     return call.answer();
@@ -167,7 +169,7 @@ final class DeviceBuiltins {
       return List.of(call.bool(2) ? 1 : 0);
     }
     if (!(call.value(2) instanceof NumberList list)) {
-      throw call.wrongKind(2, "a bool or a list of bools");
+      throw call.wrongKind(2, text("boolOrBools"));
     }
     List<Integer> values = new ArrayList<>();
     for (int i = 0; i < list.length(); i++) {
@@ -183,7 +185,7 @@ final class DeviceBuiltins {
     List<Integer> values = new ArrayList<>();
     for (double number : call.numbers(2, -1)) {
       if (number != (int) number || number < 0 || number > MAX_REGISTER) {
-        throw call.refuse(2, "must have ints of 0 to " + MAX_REGISTER);
+        throw call.refuse(2, text("intsTo", MAX_REGISTER));
       }
       values.add((int) number);
     }

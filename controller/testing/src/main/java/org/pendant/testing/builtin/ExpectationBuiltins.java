@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.bench.TestBench;
 import org.pendant.controller.box.ControlBox;
@@ -83,8 +85,7 @@ public final class ExpectationBuiltins {
         .needs("file", Type.STRING)
         .does(
             call -> {
-              throw call.failure(
-                  "not-a-statement", "must stand outside of functions, with the name in quotes");
+              throw call.failure("not-a-statement", text("outsideOfFunctions"));
             });
     declareParts(builtins);
   }
@@ -122,21 +123,20 @@ public final class ExpectationBuiltins {
   }
 
   private static Outcome replaced(Call<ControlBox> call) throws ScriptError {
-    throw call.failure(
-        "not-a-statement", "must stand as a statement, with its condition as first argument");
+    throw call.failure("not-a-statement", text("asStatement"));
   }
 
   private static Outcome deadline(Call<ControlBox> call) throws ScriptError {
     double seconds = call.number(0);
     if (!(seconds >= 0)) {
-      throw call.refuse(0, "must not be negative");
+      throw call.refuse(0, text("notNegative"));
     }
     return call.answer((double) (call.frame() + FrameTime.framesFor(seconds)));
   }
 
   private static Outcome await(Call<ControlBox> call) throws ScriptError {
     if (call.frame() >= call.number(0)) {
-      throw said(call, 2, "eventually", call.text(1) + " did not become True in time");
+      throw said(call, 2, "eventually", text("notTrueInTime", call.text(1)));
     }
     long next = call.frame() + 1;
     Wait wait = frame -> frame >= next ? DONE : Optional.empty();
@@ -150,16 +150,14 @@ public final class ExpectationBuiltins {
       return call.answer(call.frame() < deadline);
     }
     if (!bench.started()) {
-      throw new ScriptError(
-          "no-program", "always and never need during=... where the test has started no program");
+      throw new ScriptError("no-program", text("needDuring"));
     }
     return call.answer(bench.running());
   }
 
   private static Outcome broken(Call<ControlBox> call) throws ScriptError {
     boolean never = call.text(0).equals("never");
-    throw said(
-        call, 2, call.text(0), call.text(1) + (never ? " became True" : " was not True any more"));
+    throw said(call, 2, call.text(0), text(never ? "becameTrue" : "notTrueAnyMore", call.text(1)));
   }
 
   private static ScriptError said(Call<ControlBox> call, int message, String who, String what)

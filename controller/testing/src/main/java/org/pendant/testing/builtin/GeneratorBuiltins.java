@@ -69,7 +69,7 @@ final class GeneratorBuiltins {
         .does(
             call -> {
               if (!call.bool(0)) {
-                throw new ScriptError(AssertionCodes.DROPPED, "assume: the condition is False");
+                throw new ScriptError(AssertionCodes.DROPPED, TestTexts.text("assumed"));
               }
               return call.answer();
             });
@@ -92,7 +92,7 @@ final class GeneratorBuiltins {
     double low = call.number(0);
     double high = call.number(1);
     if (!(low <= high && Double.isFinite(high - low))) {
-      throw call.refuse(1, "must not be below low");
+      throw call.refuse(1, TestTexts.text("notBelowLow"));
     }
     double value = scaled(choices(call).next(), low, high);
     return told(call, Value.of(value), call.answer(value));
@@ -115,7 +115,7 @@ final class GeneratorBuiltins {
     int low = call.integer(0);
     int high = call.integer(1);
     if (low > high) {
-      throw call.refuse(1, "must not be below low");
+      throw call.refuse(1, TestTexts.text("notBelowLow"));
     }
     double choice = choices(call).next();
     double wide = scaled(choice, (double) low, high + (low >= 0 ? 1.0 : 0.0));
@@ -126,7 +126,7 @@ final class GeneratorBuiltins {
   private static Outcome element(Call<ControlBox> call) throws ScriptError {
     ListValue list = call.list(0);
     if (list.length() == 0) {
-      throw call.refuse(0, "must have an element");
+      throw call.refuse(0, TestTexts.text("noElement"));
     }
     Value value = list.get((int) (choices(call).next() * list.length())).copy();
     return told(call, value, call.answer(value));

@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.pendant.controller.bench.IoChanges;
@@ -145,10 +147,9 @@ final class InputBuiltins {
     if (found < wanted.size()) {
       throw call.failure(
           AssertionCodes.FAILED,
-          (found == 0 ? "" : "after " + wanted.get(found - 1) + " ")
-              + wanted.get(found)
-              + " did not come; "
-              + changes.told());
+          found == 0
+              ? text("didNotCome", wanted.getFirst(), changes.told())
+              : text("didNotComeAfter", wanted.get(found - 1), wanted.get(found), changes.told()));
     }
     return call.answer();
   }
@@ -156,7 +157,7 @@ final class InputBuiltins {
   private static Outcome speed(Call<ControlBox> call) throws ScriptError {
     double fraction = call.number(0);
     if (!(fraction >= 0 && fraction <= 1)) {
-      throw call.refuse(0, "must be 0 to 1");
+      throw call.refuse(0, text("zeroToOne"));
     }
     TestBuiltins.bench(call).post(new BoxCommand.SetSpeedFraction(fraction));
     return call.answer();
@@ -165,7 +166,7 @@ final class InputBuiltins {
   private static Outcome wire(Call<ControlBox> call) throws ScriptError {
     double delay = call.number(2);
     if (!(delay >= 0)) {
-      throw call.refuse(2, "must not be negative");
+      throw call.refuse(2, text("notNegative"));
     }
     TestBuiltins.bench(call)
         .followers()

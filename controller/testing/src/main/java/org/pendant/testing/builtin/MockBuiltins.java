@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -140,9 +142,7 @@ public final class MockBuiltins {
       return call.answer(mock.answer(arguments));
     }
     if (!call.program().mayWait()) {
-      throw call.failure(
-          "must-not-wait",
-          "the function " + mock.by().get() + " of the test cannot answer where nothing may wait");
+      throw call.failure("must-not-wait", text("mayNotWait", mock.by().get()));
     }
     return new Answer(TestBuiltins.bench(call).mocks().calls().ask(mock, needed, arguments));
   }
@@ -162,7 +162,6 @@ public final class MockBuiltins {
 
   private static Mock mock(Call<ControlBox> call) throws ScriptError {
     Optional<Mock> mock = TestBuiltins.bench(call).mocks().of(call.text(0));
-    return mock.orElseThrow(
-        () -> call.failure("not-mocked", "mock(...) has not replaced the function"));
+    return mock.orElseThrow(() -> call.failure("not-mocked", text("notMocked")));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import org.pendant.controller.box.ControlBox;
 import org.pendant.language.signature.Type;
 import org.pendant.language.signature.Unit;
@@ -86,7 +88,7 @@ final class NearBuiltins {
   private static double tolerance(Call<ControlBox> call, int index) throws ScriptError {
     double tolerance = call.number(index);
     if (!(tolerance >= 0)) {
-      throw call.refuse(index, "must not be negative");
+      throw call.refuse(index, text("notNegative"));
     }
     return tolerance;
   }
@@ -99,8 +101,7 @@ final class NearBuiltins {
     double actual = call.number(0);
     double expected = call.number(1);
     if (!(Math.abs(actual - expected) <= tolerance)) {
-      throw AssertionBuiltins.failure(
-          call, "is " + actual + ", must be " + expected + " +- " + tolerance, 3);
+      throw AssertionBuiltins.failure(call, text("notNear", actual, expected, tolerance), 3);
     }
     return call.answer();
   }
@@ -110,14 +111,12 @@ final class NearBuiltins {
     double[] expected = call.numbers(1, -1);
     if (actual.length != expected.length) {
       throw AssertionBuiltins.failure(
-          call, "has " + actual.length + " elements, must have " + expected.length, 3);
+          call, text("elementCount", actual.length, expected.length), 3);
     }
     for (int i = 0; i < actual.length; i++) {
       if (!(Math.abs(actual[i] - expected[i]) <= tolerance)) {
         throw AssertionBuiltins.failure(
-            call,
-            "element " + i + " is " + actual[i] + ", must be " + expected[i] + " +- " + tolerance,
-            3);
+            call, text("elementNotNear", i, actual[i], expected[i], tolerance), 3);
       }
     }
     return call.answer();
@@ -131,19 +130,7 @@ final class NearBuiltins {
       double off = Math.toDegrees(actual[i] - expected[i]);
       if (!(Math.abs(off) <= deg)) {
         throw AssertionBuiltins.failure(
-            call,
-            "joint "
-                + i
-                + " is "
-                + actual[i]
-                + " rad, must be "
-                + expected[i]
-                + " rad; they are "
-                + rounded(Math.abs(off))
-                + " deg apart, at most "
-                + deg
-                + " deg are allowed",
-            3);
+            call, text("jointNotNear", i, actual[i], expected[i], rounded(Math.abs(off)), deg), 3);
       }
     }
     return call.answer();
@@ -159,19 +146,14 @@ final class NearBuiltins {
     if (!(apartMm <= mm && turnedDeg <= deg)) {
       throw AssertionBuiltins.failure(
           call,
-          "is "
-              + AssertionBuiltins.shown(call.value(0))
-              + ", must be "
-              + AssertionBuiltins.shown(call.value(1))
-              + "; they are "
-              + rounded(apartMm)
-              + " mm and "
-              + rounded(turnedDeg)
-              + " deg apart, at most "
-              + mm
-              + " mm and "
-              + deg
-              + " deg are allowed",
+          text(
+              "poseNotNear",
+              AssertionBuiltins.shown(call.value(0)),
+              AssertionBuiltins.shown(call.value(1)),
+              rounded(apartMm),
+              rounded(turnedDeg),
+              mm,
+              deg),
           4);
     }
     return call.answer();

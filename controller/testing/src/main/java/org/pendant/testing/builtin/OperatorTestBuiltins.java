@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.List;
 import org.pendant.controller.bench.PreparedAnswers;
 import org.pendant.controller.box.ControlBox;
@@ -67,7 +69,7 @@ final class OperatorTestBuiltins {
               if (!logged(call)) {
                 throw call.failure(
                     AssertionCodes.FAILED,
-                    "no line of the log contains " + AssertionBuiltins.shown(call.value(0)));
+                    text("notLogged", AssertionBuiltins.shown(call.value(0))));
               }
               return call.answer();
             });
@@ -76,7 +78,7 @@ final class OperatorTestBuiltins {
   private static Outcome prepare(Call<ControlBox> call) throws ScriptError {
     double after = call.number(2);
     if (!(after >= 0)) {
-      throw call.refuse(2, "must not be negative");
+      throw call.refuse(2, text("notNegative"));
     }
     TestBuiltins.bench(call)
         .answers()
@@ -97,7 +99,7 @@ final class OperatorTestBuiltins {
   private static Outcome close(Call<ControlBox> call) throws ScriptError {
     List<Popup> open = call.host().prompts().popups().open();
     if (open.isEmpty()) {
-      throw call.failure("no-popup", "no popup is on the screen");
+      throw call.failure("no-popup", text("noPopup"));
     }
     TestBuiltins.bench(call).post(new MessageCommand.AnswerPopup(open.getFirst().number()));
     return call.answer();

@@ -83,7 +83,7 @@ final class PeerBuiltins {
             call -> {
               double delay = call.number(1);
               if (!(delay >= 0)) {
-                throw call.refuse(1, "must not be negative");
+                throw call.refuse(1, TestTexts.text("notNegative"));
               }
               peer(call).setDelayFrames(FrameTime.framesFor(delay));
               return call.answer();
@@ -112,14 +112,12 @@ final class PeerBuiltins {
     return TestBuiltins.bench(call)
         .peers()
         .at(port)
-        .orElseThrow(
-            () ->
-                call.failure("no-peer", "nobody listens at port " + port + "; listen(port) does"));
+        .orElseThrow(() -> call.failure("no-peer", TestTexts.text("nobodyListens", port)));
   }
 
   private static Outcome send(Call<ControlBox> call, String end) throws ScriptError {
     if (!peer(call).send(call.text(1) + end)) {
-      throw call.failure("no-peer", "no program is connected to port " + call.integer(0));
+      throw call.failure("no-peer", TestTexts.text("notConnected", call.integer(0)));
     }
     return call.answer();
   }
@@ -127,7 +125,7 @@ final class PeerBuiltins {
   private static Outcome expect(Call<ControlBox> call) throws ScriptError {
     double within = call.number(2);
     if (!(within >= 0)) {
-      throw call.refuse(2, "must not be negative");
+      throw call.refuse(2, TestTexts.text("notNegative"));
     }
     return new Expect(peer(call), call.text(1), call.frame() + FrameTime.framesFor(within));
   }
@@ -146,10 +144,9 @@ final class PeerBuiltins {
         String tail = received.substring(Math.max(0, received.length() - MAX_SHOWN));
         throw new ScriptError(
             AssertionCodes.FAILED,
-            "peer_expect: \""
-                + text
-                + "\" did not come in time; "
-                + (received.isEmpty() ? "nothing came" : "what came ends with \"" + tail + "\""));
+            received.isEmpty()
+                ? TestTexts.text("peerNothing", text)
+                : TestTexts.text("peerOther", text, tail));
       }
       return Optional.empty();
     }

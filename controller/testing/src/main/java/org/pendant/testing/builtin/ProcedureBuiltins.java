@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.bench.Mock;
 import org.pendant.controller.box.ControlBox;
@@ -63,7 +65,6 @@ public final class ProcedureBuiltins {
 
   private static Mock procedure(Call<ControlBox> call) throws ScriptError {
     Optional<Mock> mock = TestBuiltins.bench(call).rpc().procedure(call.text(0));
-    return mock.orElseThrow(
-        () -> call.failure("not-mocked", "rpc_answer(...) has given the procedure no answer"));
+    return mock.orElseThrow(() -> call.failure("not-mocked", text("noRpcAnswer")));
   }
 }

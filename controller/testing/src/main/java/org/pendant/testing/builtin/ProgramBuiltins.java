@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.bench.TestBench;
@@ -88,7 +90,7 @@ final class ProgramBuiltins {
   private static Outcome post(Call<ControlBox> call, ProgramCommand command) throws ScriptError {
     TestBench bench = TestBuiltins.bench(call);
     if (!bench.running()) {
-      throw call.failure("no-program", "no program runs; start(\"FILE\") starts one");
+      throw call.failure("no-program", text("noProgramRuns"));
     }
     bench.post(command);
     return call.answer();
@@ -97,7 +99,7 @@ final class ProgramBuiltins {
   private static Outcome variable(Call<ControlBox> call) throws ScriptError {
     Value value = TestBuiltins.bench(call).globals().get(call.text(0));
     if (value == null) {
-      throw call.refuse(0, "which is no global variable of the program that has a value");
+      throw call.refuse(0, text("noGlobal"));
     }
     call.charge(value.sizeBytes());
     return call.answer(value);
@@ -107,11 +109,11 @@ final class ProgramBuiltins {
       throws ScriptError {
     TestBench bench = TestBuiltins.bench(call);
     if (!bench.running() && bench.ending().isEmpty()) {
-      throw call.failure("no-program", "no program was started; start(\"FILE\") starts one");
+      throw call.failure("no-program", text("noProgramStarted"));
     }
     double within = call.number(error.isPresent() ? 1 : 0);
     if (!(within >= 0)) {
-      throw call.refuse(error.isPresent() ? 1 : 0, "must not be negative");
+      throw call.refuse(error.isPresent() ? 1 : 0, text("notNegative"));
     }
     bench.expected().programFailure();
     return new AwaitEnd(bench, error, within, call.frame() + FrameTime.framesFor(within));
@@ -129,11 +131,8 @@ final class ProgramBuiltins {
       }
       if (frame >= deadline) {
         throw failed(
-            "the program "
-                + (bench.paused() ? "is paused" : "still runs")
-                + " after "
-                + Value.of(within).text()
-                + " s");
+            TestTexts.text(
+                bench.paused() ? "programPaused" : "programRuns", Value.of(within).text()));
       }
       return Optional.empty();
     }
@@ -141,23 +140,22 @@ final class ProgramBuiltins {
     private void judge(Ending ending) throws ScriptError {
       switch (ending) {
         case Ending.Failed(var why) -> {
-          String said = "line " + why.line() + ": " + why.message();
           if (error.isEmpty()) {
-            throw failed("the program failed in " + said);
+            throw failed(TestTexts.text("programFailed", why.line(), why.message()));
           }
           if (!why.message().contains(error.get())) {
             throw failed(
-                "the program failed in " + said + "; the message must contain " + error.get());
+                TestTexts.text("programFailedOtherwise", why.line(), why.message(), error.get()));
           }
         }
         case Ending.Stopped _ -> {
           if (error.isPresent()) {
-            throw failed("the program was stopped, it must fail");
+            throw failed(text("stoppedMustFail"));
           }
         }
         case Ending.Finished _, Ending.Halted _ -> {
           if (error.isPresent()) {
-            throw failed("the program ended without an error, it must fail");
+            throw failed(text("endedMustFail"));
           }
         }
       }

@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -136,8 +138,7 @@ public final class TargetBuiltins {
   private double[] numbers(Call<ControlBox> call, String quantity) throws ScriptError {
     return view.state()
         .numbers(quantity)
-        .orElseThrow(
-            () -> call.failure("not-at-target", "the target does not tell its " + quantity));
+        .orElseThrow(() -> call.failure("not-at-target", text("notTold", quantity)));
   }
 
   private void declareStates() {
@@ -267,7 +268,7 @@ public final class TargetBuiltins {
           long oldest =
               view.popups().keySet().stream()
                   .min(Long::compare)
-                  .orElseThrow(() -> call.failure("no-popup", "no popup is on the screen"));
+                  .orElseThrow(() -> call.failure("no-popup", text("noPopup")));
           TestBuiltins.bench(call).post(new MessageCommand.AnswerPopup(oldest));
           return call.answer();
         });
@@ -290,14 +291,8 @@ public final class TargetBuiltins {
             return Optional.empty();
           }
           throw told
-              ? new ScriptError(
-                  "bad-argument",
-                  "program_variable: name is "
-                      + name
-                      + ", which is no global variable of the program that has a value")
-              : new ScriptError(
-                  "not-at-target",
-                  "program_variable: the target tells no variables of a program of this test");
+              ? new ScriptError("bad-argument", text("noVariable", name))
+              : new ScriptError("not-at-target", text("noVariablesTold"));
         };
     return wait;
   }
@@ -320,8 +315,7 @@ public final class TargetBuiltins {
             return DONE;
           }
           if (frame >= last) {
-            throw new ScriptError(
-                AssertionCodes.FAILED, "assert_log: no line of the log contains " + shown);
+            throw new ScriptError(AssertionCodes.FAILED, text("assertLog", shown));
           }
           return Optional.empty();
         };

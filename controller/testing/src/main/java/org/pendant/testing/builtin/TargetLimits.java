@@ -1,5 +1,7 @@
 package org.pendant.testing.builtin;
 
+import static org.pendant.testing.builtin.TestTexts.text;
+
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -109,7 +111,7 @@ public final class TargetLimits {
     if (found.get().effect() == Effect.COMPUTES && !usesArm(found.get())) {
       return Optional.empty();
     }
-    return Optional.of("`" + function + "` " + (ofTests ? ofTests(function) : ofBox(found.get())));
+    return Optional.of(TestTexts.text(ofTests ? ofTests(function) : ofBox(found.get()), function));
   }
 
   /**
@@ -131,12 +133,7 @@ public final class TargetLimits {
       return Optional.empty();
     }
     Optional<String> reason = reason(builtins, function);
-    return reason.isPresent()
-        ? reason
-        : Optional.of(
-            "`"
-                + function
-                + "` is for tests that start a program there; this one is sent as a whole");
+    return reason.isPresent() ? reason : Optional.of(text("sentAsWhole", function));
   }
 
   /** Whether it computes with the arm of the controller here, which need not be the target's. */
@@ -144,46 +141,44 @@ public final class TargetLimits {
     return builtin.name().contains("_kin") || builtin.name().contains("waypoint");
   }
 
+  /** The text that says why a function for tests cannot be called. */
   private static String ofTests(String function) {
-    String here = ", which only Pendant's own controller can";
     if (function.contains("mock")) {
-      return "replaces functions" + here;
+      return "limitMocks";
     }
     if (function.startsWith("peer_") || function.equals("listen")) {
-      return "plays the computer at a socket in robot time" + here;
+      return "limitPeers";
     }
     if (function.startsWith("device_") || function.equals("modbus_device")) {
-      return "plays a Modbus device in robot time" + here;
+      return "limitDevices";
     }
     if (function.startsWith("rpc_")) {
-      return "plays a server of remote procedures in robot time" + here;
+      return "limitProcedures";
     }
     if (function.startsWith("any_") || function.equals("assume")) {
-      return "makes up values for many runs, which a robot is not moved for";
+      return "limitGenerators";
     }
     return switch (function) {
-      case "wire", "set_standard_digital_in", "set_configurable_digital_in" ->
-          "sets an input, which only what is connected there does";
-      case "set_tool_digital_in", "set_standard_analog_in", "set_tool_analog_in" ->
-          "sets an input, which only what is connected there does";
+      case "wire", "set_standard_digital_in", "set_configurable_digital_in" -> "limitInputs";
+      case "set_tool_digital_in", "set_standard_analog_in", "set_tool_analog_in" -> "limitInputs";
       case "add_device",
           "put_part",
           "finger_opening",
           "finger_force",
           "object_pose",
           "object_there" ->
-          "has a device in the cell of Pendant's own controller";
-      case "answer" -> "answers questions, which no port of a robot takes";
-      case "safety_message" -> "asks for words that no port of a robot tells";
-      default -> "does what people do at the robot, which none of its ports does";
+          "limitCell";
+      case "answer" -> "limitAnswers";
+      case "safety_message" -> "limitWords";
+      default -> "limitPeople";
     };
   }
 
+  /** The text that says why another function cannot be called. */
   private static String ofBox(Builtin<ControlBox> builtin) {
     return switch (builtin.effect()) {
-      case ASKS, SENSES, ASKS_GOAL, COMPUTES -> "asks for what is not read of a target";
-      case TELLS, SETS, MOVES, CHANGES ->
-          "does something to the controller of the test, which is not the target";
+      case ASKS, SENSES, ASKS_GOAL, COMPUTES -> "limitReads";
+      case TELLS, SETS, MOVES, CHANGES -> "limitChanges";
     };
   }
 }

@@ -124,7 +124,9 @@ final class AnsweringFunctions {
     if (takes.least() > given.most() || takes.most() < given.least()) {
       problems.report(
           which.byRange(),
-          AnsweringBuiltins.mismatch(which.by(), takes.least(), takes.most(), which.function())
+          AnsweringBuiltins.mismatch(which.by(), takes.least(), takes.most())
+              + "; "
+              + which.function()
               + " has "
               + given.text());
     }
