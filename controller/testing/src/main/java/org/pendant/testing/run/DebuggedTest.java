@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -56,15 +58,12 @@ public final class DebuggedTest {
     List<String> starts =
         chosen.file().starts().getOrDefault(chosen.test().id().function(), List.of());
     if (starts.isEmpty()) {
-      throw new NotDebugged(
-          "it computes the name of the program that it starts; the debugger wants it in quotes");
+      throw new NotDebugged(text("computedName"));
     }
     try {
       Program first = chosen.programs().load(starts.getFirst());
       if (chosen.programs().isTree(first)) {
-        throw new NotDebugged(
-            starts.getFirst()
-                + " is a tree; only tests that start a script, or none, can be debugged");
+        throw new NotDebugged(text("treeNotDebugged", starts.getFirst()));
       }
       return new DebuggedTest(chosen, run, first);
     } catch (ScriptError e) {

@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -173,15 +175,12 @@ final class PropertyRun {
     String paste = made.stream().map(Object::toString).collect(Collectors.joining(", "));
     String message =
         failure.message()
-            + "\nwith "
-            + (values.isEmpty() ? "no values" : String.join(", ", values))
-            + "\nfound in run "
-            + run
-            + " of "
-            + property.runs()
-            + "; # @example "
-            + (paste.isEmpty() ? "0" : paste)
-            + " above the test repeats it";
+            + "\n"
+            + (values.isEmpty()
+                ? text("withNoValues")
+                : text("withValues", String.join(", ", values)))
+            + "\n"
+            + text("foundInRun", run, property.runs(), paste.isEmpty() ? "0" : paste);
     return with(
         red.result(),
         Optional.of(new TestFailure(failure.code(), message, failure.place(), failure.stack())),
@@ -198,13 +197,11 @@ final class PropertyRun {
         Optional.of(
             new TestFailure(
                 "timed-out",
-                "after "
-                    + runs
-                    + " of "
-                    + property.runs()
-                    + " runs the test took longer than "
-                    + settings.wallTimeout().toMillis() / 1e3
-                    + " s on this computer",
+                text(
+                    "lateAfterRuns",
+                    runs,
+                    property.runs(),
+                    settings.wallTimeout().toMillis() / 1e3),
                 Optional.of(test.place()),
                 List.of())),
         robotTimeS,

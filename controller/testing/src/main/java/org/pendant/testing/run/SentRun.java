@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import org.pendant.controller.bench.TestBench;
@@ -89,10 +91,6 @@ final class SentRun {
     }
     return told.isPresent()
         ? told
-        : Optional.of(
-            failed(
-                "halted",
-                "the test was stopped at the target before it came to its end",
-                one.test().place().line()));
+        : Optional.of(failed("halted", text("stoppedAtTarget"), one.test().place().line()));
   }
 }

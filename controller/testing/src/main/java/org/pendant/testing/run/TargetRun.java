@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -117,11 +119,11 @@ final class TargetRun {
     if (!outcome.status().red()) {
       throw trouble.get();
     }
-    String why = "what runs there could not be stopped: " + trouble.get().getMessage();
+    String why = text("notStoppable", trouble.get().getMessage());
     output.add(controller.state().timeS(), "target: " + why);
     return result(
         cancelled.getAsBoolean()
-            ? verdict.error("interrupted", "interrupted, but " + why, 0)
+            ? verdict.error("interrupted", text("interruptedBut", why), 0)
             : outcome);
   }
 
@@ -148,8 +150,8 @@ final class TargetRun {
 
   /** A red test, as its target is lost. */
   TestResult lost(TargetTrouble why) {
-    String left = abandoned ? "; what runs there could not be stopped" : "";
-    return result(verdict.error("target-lost", "the target: " + why.getMessage() + left, 0));
+    String key = abandoned ? "lostWhileRunning" : "ofTarget";
+    return result(verdict.error("target-lost", text(key, why.getMessage()), 0));
   }
 
   private TestOutcome untilItEnds() throws TargetTrouble {
@@ -172,13 +174,13 @@ final class TargetRun {
         }
       }
       if (cancelled.getAsBoolean()) {
-        return verdict.error("interrupted", "interrupted, and stopped at the target", 0);
+        return verdict.error("interrupted", text("interruptedAtTarget"), 0);
       }
       if (controller.state().frame() >= mostFrames) {
-        return verdict.late(0, "ran longer than " + timeoutS + " s");
+        return verdict.late(0, text("ranLonger", timeoutS));
       }
       if (System.nanoTime() - beganNs > wallNs) {
-        return verdict.late(0, "took longer than " + wallNs / 1e9 + " s on this computer");
+        return verdict.late(0, text("tookLonger", wallNs / 1e9));
       }
     }
   }
@@ -212,12 +214,7 @@ final class TargetRun {
         }
       }
       case TargetEvent.Asked(var text) ->
-          trouble =
-              Optional.of(
-                  verdict.error(
-                      "no-answer",
-                      "the program asks \"" + text + "\", which no port of a robot answers",
-                      0));
+          trouble = Optional.of(verdict.error("no-answer", text("asksAtTarget", text), 0));
       case TargetEvent.Started _ -> view.programStarted();
       case TargetEvent.Ended _ -> {}
     }
@@ -232,8 +229,7 @@ final class TargetRun {
       carryOut(each);
     }
     if (program.overdue()) {
-      trouble =
-          Optional.of(verdict.error("not-started", "the target has not started the program", 0));
+      trouble = Optional.of(verdict.error("not-started", text("notStarted"), 0));
     }
     if (trouble.isPresent()) {
       return trouble;
@@ -250,11 +246,7 @@ final class TargetRun {
     Optional<TargetScript> script = TargetScript.of(wanted.source());
     if (script.isEmpty()) {
       trouble =
-          Optional.of(
-              verdict.error(
-                  "no-program",
-                  wanted.source().name() + " is a secondary program, which is not started alone",
-                  0));
+          Optional.of(verdict.error("no-program", text("secondary", wanted.source().name()), 0));
       return;
     }
     send(wanted.source(), wanted.name(), script.get());
@@ -275,7 +267,7 @@ final class TargetRun {
     }
     Optional<String> refusal = target.carryOut(command);
     if (refusal.isPresent() && trouble.isEmpty()) {
-      trouble = Optional.of(verdict.error("refused", "the target: " + refusal.get(), 0));
+      trouble = Optional.of(verdict.error("refused", text("ofTarget", refusal.get()), 0));
     }
   }
 
@@ -284,8 +276,7 @@ final class TargetRun {
     return outcome.status() == TestStatus.PASSED
             && view.stopped()
             && !bench.expected().knowsSafetyStop()
-        ? verdict.error(
-            "safety-stop", "the safety functions have stopped the arm: " + view.safetyMode(), 0)
+        ? verdict.error("safety-stop", text("safetyStop", view.safetyMode()), 0)
         : outcome;
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -66,19 +68,16 @@ public final class TargetRunner {
       return test.skip();
     }
     if (test.property().isPresent()) {
-      return Optional.of(
-          "--target: `@given` runs a test with many values, which a robot is not moved for");
+      return Optional.of(text("givenAtTarget"));
     }
     if (test.golden().isPresent()) {
-      return Optional.of(
-          "--target: `@golden` compares with what Pendant's own controller has recorded");
+      return Optional.of(text("goldenAtTarget"));
     }
     if (test.startRad().isPresent()) {
-      return Optional.of(
-          "--target: `@start_at` puts the arm somewhere, which only Pendant's own controller can");
+      return Optional.of(text("startAtTarget"));
     }
     if (test.scene().isPresent()) {
-      return Optional.of("--target: `@scene` says what stands around Pendant's own arm alone");
+      return Optional.of(text("sceneAtTarget"));
     }
     return calls(one).stream()
         .flatMap(

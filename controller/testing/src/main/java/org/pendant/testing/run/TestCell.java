@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -120,7 +122,7 @@ final class TestCell {
       }
       if (state.program().ending().orElse(null) instanceof Ending.Failed(var why)) {
         return Optional.of(
-            member.name() + ", line " + why.line() + ": " + ByteText.decoded(why.message()));
+            text("memberFailed", member.name(), why.line(), ByteText.decoded(why.message())));
       }
     }
     return started.stream()

@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -88,10 +90,7 @@ final class TestOperator {
   private Optional<String> answer(Question question, long frame) {
     Optional<PreparedAnswers.Given> given = answers.take(question.text());
     if (given.isEmpty()) {
-      return Optional.of(
-          "the program asks \""
-              + question.text()
-              + "\", and no answer is prepared; answer(\"TEXT\", VALUE) does so");
+      return Optional.of(text("asksWithoutAnswer", question.text()));
     }
     try {
       // what is posted after a frame comes into force in the next one
@@ -102,7 +101,7 @@ final class TestOperator {
                   question.number(), question.kind().read(given.get().value()))));
       return Optional.empty();
     } catch (IllegalArgumentException e) {
-      return Optional.of("answer to \"" + question.text() + "\": " + e.getMessage());
+      return Optional.of(text("wrongAnswer", question.text(), e.getMessage()));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.io.IOException;
 import java.util.HashSet;
 import java.util.List;
@@ -205,12 +207,7 @@ final class TestPrograms implements TestedPrograms {
 
   private Loaded read(String name) {
     if (!TreeFile.hasEnding(name) && !name.toLowerCase(Locale.ROOT).endsWith(TreeFile.SCRIPT)) {
-      return refused(
-          name
-              + " is no program, whose name ends with "
-              + TreeFile.SCRIPT
-              + ", "
-              + String.join(", ", TreeFile.ENDINGS));
+      return refused(text("noProgram", name, TreeFile.SCRIPT, String.join(", ", TreeFile.ENDINGS)));
     }
     byte[] bytes;
     try {

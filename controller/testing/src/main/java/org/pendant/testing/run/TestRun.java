@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -135,9 +137,7 @@ final class TestRun {
       }
     } while (state.frame() % FRAMES_PER_LOOK != 0 || System.nanoTime() - beganNs < wallNs);
     return result(
-        verdict.late(
-            place(state),
-            "took longer than " + settings.wallTimeout().toMillis() / 1e3 + " s on this computer"),
+        verdict.late(place(state), text("tookLonger", settings.wallTimeout().toMillis() / 1e3)),
         state,
         beganNs);
   }
@@ -274,8 +274,7 @@ final class TestRun {
       return Optional.of(verdict.stopped(state));
     }
     return state.frame() >= mostFrames
-        ? Optional.of(
-            verdict.late(place(state), "ran longer than " + FrameTime.FRAME_S * mostFrames + " s"))
+        ? Optional.of(verdict.late(place(state), text("ranLonger", FrameTime.FRAME_S * mostFrames)))
         : Optional.empty();
   }
 

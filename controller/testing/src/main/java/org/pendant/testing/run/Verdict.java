@@ -1,5 +1,7 @@
 package org.pendant.testing.run;
 
+import static org.pendant.testing.run.TestRunTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -57,12 +59,7 @@ final class Verdict {
         new TestFailure(
             why.code(),
             wanted
-                .map(
-                    part ->
-                        message
-                            + "; expect_failure wants an error that contains \""
-                            + ByteText.decoded(part)
-                            + "\"")
+                .map(part -> text("otherFailureWanted", message, ByteText.decoded(part)))
                 .orElse(message),
             Optional.of(file.composition().place(why.range().start(), functionOf(why))),
             stack(why)));
@@ -94,10 +91,7 @@ final class Verdict {
     Expected expected = bench.expected();
     if (expected.failure().isPresent()) {
       return red(
-          AssertionCodes.FAILED,
-          "the test ended without an error; expect_failure wants one that contains \""
-              + ByteText.decoded(expected.failure().get())
-              + "\"");
+          AssertionCodes.FAILED, text("failureWanted", ByteText.decoded(expected.failure().get())));
     }
     Optional<SafetyStop> stop = state.safety().stop();
     if (stop.isPresent() && !expected.knowsSafetyStop()) {
@@ -118,8 +112,7 @@ final class Verdict {
         new TestFailure(
             why.code(),
             programs.nodeAt(source, why.line()).map(node -> node + ": ").orElse("")
-                + "the program failed: "
-                + ByteText.decoded(why.message()),
+                + text("programFailed", ByteText.decoded(why.message())),
             Optional.of(new TestPlace(source, why.line(), why.column(), functionOf(why))),
             why.stack().stream()
                 .skip(1)
@@ -135,13 +128,7 @@ final class Verdict {
     return missing.stream()
         .sorted()
         .findFirst()
-        .map(
-            name ->
-                red(
-                    "unknown-function",
-                    "mock: there is no function "
-                        + ByteText.decoded(name)
-                        + ", neither built in nor in a program that the test has started"))
+        .map(name -> red("unknown-function", text("unknownMock", ByteText.decoded(name))))
         .orElse(TestOutcome.PASSED);
   }
 
@@ -153,14 +140,14 @@ final class Verdict {
             .stop()
             .map(SafetyStop::message)
             .or(() -> state.arm().fault().map(each -> each.message()))
-            .orElse("the test was stopped");
+            .orElse(text("testStopped"));
     int line = test.watches() ? 0 : state.safety().stopPlace().map(each -> each.line()).orElse(0);
     return error("safety-stop", why, line);
   }
 
   /** The time of a test is up. */
-  TestOutcome late(int line, String how) {
-    return TestOutcome.red(TestStatus.TIMED_OUT, failure("timed-out", "the test " + how, line));
+  TestOutcome late(int line, String what) {
+    return TestOutcome.red(TestStatus.TIMED_OUT, failure("timed-out", what, line));
   }
 
   /**

@@ -80,9 +80,7 @@ final class AnsweringFunctions {
     for (AnsweringFunction each : all) {
       Definition by = definitions.get(each.by());
       if (by == null) {
-        problems.report(
-            each.byRange(),
-            "there is no function " + each.by() + " in this file that could answer");
+        problems.report(each.byRange(), SourceTexts.text("noFunction", each.by()));
         continue;
       }
       if (!each.remote()) {
@@ -96,8 +94,11 @@ final class AnsweringFunctions {
 
   /** How many arguments a function takes. */
   private record Arguments(int least, int most) {
-    String text() {
-      return least == most ? "" + least : least + " to " + most;
+    /** What is said of the function that has these, besides what one takes that answers for it. */
+    String besides(String taken, String function) {
+      return least == most
+          ? SourceTexts.text("otherArguments", taken, function, least)
+          : SourceTexts.text("otherArgumentRange", taken, function, least, most);
     }
   }
 
@@ -124,11 +125,9 @@ final class AnsweringFunctions {
     if (takes.least() > given.most() || takes.most() < given.least()) {
       problems.report(
           which.byRange(),
-          AnsweringBuiltins.mismatch(which.by(), takes.least(), takes.most())
-              + "; "
-              + which.function()
-              + " has "
-              + given.text());
+          given.besides(
+              AnsweringBuiltins.mismatch(which.by(), takes.least(), takes.most()),
+              which.function()));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.testing.source;
 
+import static org.pendant.testing.source.SourceTexts.text;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -180,7 +182,7 @@ public final class TestFileReader {
         }
         Optional<String> file = literal(call.get());
         if (file.isEmpty()) {
-          report(each.range(), "import_script needs the name of a script in quotes");
+          report(each.range(), text("importName"));
           continue;
         }
         String beside = TestSources.beside(source.name(), ByteText.decoded(file.get()));
@@ -201,14 +203,14 @@ public final class TestFileReader {
             if (each instanceof Call call
                 && AnsweringFunction.says(call)
                 && AnsweringFunction.of(call).isEmpty()) {
-              report(call.range(), call.function() + " needs the names of two functions in quotes");
+              report(call.range(), text("twoNames", call.function()));
             } else if (each instanceof Call call
                 && (call.function().equals(MockBuiltins.MOCK)
                     || call.function().equals("mock_list"))) {
               Optional<String> name = literal(call);
               name.ifPresent(names::add);
               if (name.isEmpty()) {
-                report(call.range(), call.function() + " needs the name of a function in quotes");
+                report(call.range(), text("oneName", call.function()));
               }
             }
           });
@@ -256,14 +258,7 @@ public final class TestFileReader {
           reach
               .move(each.name())
               .ifPresent(
-                  move ->
-                      report(
-                          move.range(),
-                          move.function()
-                              + ": "
-                              + each.name()
-                              + " starts a program, and a test that does only watches: it moves"
-                              + " nothing itself"));
+                  move -> report(move.range(), text("watchesOnly", move.function(), each.name())));
         }
         numbering
             .add(each, marks, marks.scene().flatMap(this::scene), watches)
@@ -271,8 +266,7 @@ public final class TestFileReader {
       }
       numbering.end();
       if (found.isEmpty() && problems.isEmpty()) {
-        problems.add(
-            source.name() + ": error: it holds no test; a test is a function test_...() in it");
+        problems.add(source.name() + ": error: " + text("noTest"));
       }
       return numbering.tests();
     }

@@ -1,5 +1,7 @@
 package org.pendant.testing.source;
 
+import static org.pendant.testing.source.SourceTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -118,7 +120,7 @@ record TestMarks(
       SourceRange range = new SourceRange(from, from + Math.max(1, rest.length()));
       switch (word) {
         case "tag", "tags" -> tags(rest, range);
-        case "skip" -> skip = Optional.of(rest.isEmpty() ? "no reason given" : rest);
+        case "skip" -> skip = Optional.of(rest.isEmpty() ? text("noReason") : rest);
         case "timeout" -> timeout(rest, range);
         case "start_at" -> start(rest, range);
         case "scene" -> scene = Optional.of(new Case(rest, range));
@@ -126,16 +128,7 @@ record TestMarks(
         case "given" -> given(rest, range);
         case "example" -> example(rest, range);
         case "golden" -> golden(rest, range);
-        default ->
-            problems.add(
-                Diagnostic.error(
-                    "unknown-mark",
-                    range,
-                    "@"
-                        + word
-                        + " is no mark of a test; there are @tag, @skip, @timeout, @start_at,"
-                        + " @scene, @case, @given, @example and @golden",
-                    ""));
+        default -> problems.add(Diagnostic.error("unknown-mark", range, text("noMark", word), ""));
       }
     }
 
@@ -145,7 +138,7 @@ record TestMarks(
         tags.add(tag.group());
       }
       if (tags.isEmpty()) {
-        problems.add(Diagnostic.error("empty-mark", range, "@tag names no tag", ""));
+        problems.add(Diagnostic.error("empty-mark", range, text("noTag"), ""));
       }
     }
 
@@ -157,13 +150,7 @@ record TestMarks(
 
     private Optional<GoldenMark> golden() {
       if (golden.isPresent() && property().isPresent()) {
-        problems.add(
-            Diagnostic.error(
-                "wrong-mark",
-                goldenRange,
-                "@golden is for a test that does the same each time; one with @given or @example"
-                    + " does not",
-                ""));
+        problems.add(Diagnostic.error("wrong-mark", goldenRange, text("goldenVaries"), ""));
       }
       return golden;
     }
@@ -172,15 +159,7 @@ record TestMarks(
       goldenRange = range;
       golden = GoldenMark.of(rest);
       if (golden.isEmpty()) {
-        problems.add(
-            Diagnostic.error(
-                "wrong-mark",
-                range,
-                "@golden is '"
-                    + rest
-                    + "', may have deg=DEGREES, mm=MILLIMETRES and s=SECONDS, each 0 or more, s at"
-                    + " most 5",
-                ""));
+        problems.add(Diagnostic.error("wrong-mark", range, text("wrongGolden", rest), ""));
       }
     }
 
@@ -188,12 +167,7 @@ record TestMarks(
       if (RUNS.matcher(rest).matches()) {
         runs = Integer.parseInt(rest);
       } else {
-        problems.add(
-            Diagnostic.error(
-                "wrong-mark",
-                range,
-                "@given is '" + rest + "', must be how often the test is run, 1 to 999999",
-                ""));
+        problems.add(Diagnostic.error("wrong-mark", range, text("wrongGiven", rest), ""));
       }
     }
 
@@ -206,12 +180,7 @@ record TestMarks(
       if (choices.stream().allMatch(each -> each >= 0 && each < 1)) {
         examples.add(choices);
       } else {
-        problems.add(
-            Diagnostic.error(
-                "wrong-mark",
-                range,
-                "@example is '" + rest + "', must be numbers from 0 to below 1",
-                ""));
+        problems.add(Diagnostic.error("wrong-mark", range, text("wrongExample", rest), ""));
       }
     }
 
@@ -232,12 +201,7 @@ record TestMarks(
         startRad = Optional.of(Joints.of(Arrays.stream(degrees).map(Math::toRadians).toArray()));
         return;
       }
-      problems.add(
-          Diagnostic.error(
-              "wrong-mark",
-              range,
-              "@start_at is '" + rest + "', must be six joints in degrees, -360 to 360 each",
-              ""));
+      problems.add(Diagnostic.error("wrong-mark", range, text("wrongStart", rest), ""));
     }
 
     private static double degrees(String text) {
@@ -259,12 +223,7 @@ record TestMarks(
       } catch (NumberFormatException _) {
         // said below, as of any other text that is no time
       }
-      problems.add(
-          Diagnostic.error(
-              "wrong-mark",
-              range,
-              "@timeout is '" + rest + "', must be a number of seconds above 0",
-              ""));
+      problems.add(Diagnostic.error("wrong-mark", range, text("wrongTimeout", rest), ""));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.testing.source;
 
+import static org.pendant.testing.source.SourceTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -47,10 +49,7 @@ final class TestNumbering {
     boolean needs = test.parameters().stream().anyMatch(TestNumbering::needed);
     if (marks.cases().isEmpty()) {
       if (needs) {
-        return Optional.of(
-            test.name()
-                + " has parameters and no case: a comment line # @case ARGUMENTS above it gives"
-                + " one");
+        return Optional.of(text("noCase", test.name()));
       }
       number(test, "", place, place, marks, watches);
     }

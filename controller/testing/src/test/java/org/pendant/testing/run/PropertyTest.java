@@ -54,6 +54,14 @@ class PropertyTest {
   }
 
   @Test
+  void aReportSaysThatARunHasMadeUpNoValues() {
+    TestResult result =
+        Suite.of("# @given 5", "def test_it():", "  assert_true(False)", "end").only();
+
+    assertEquals("with no values", message(result).lines().toList().get(1));
+  }
+
+  @Test
   void theLineOfAReportRepeatsTheRun() {
     String[] test = {
       "def test_small():", "  a = any_number(0, 100)", "  assert_true(a < 40)", "end"

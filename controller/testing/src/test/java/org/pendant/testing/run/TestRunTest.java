@@ -175,6 +175,35 @@ class TestRunTest {
   }
 
   @Test
+  void whatDoesNotComeAboutIsSaidInASentenceOfItsOwn() {
+    assertEquals("always: 1 > 2 was not True any more", messageOf("always(1 > 2, during=0.1)"));
+    assertEquals(
+        "peer_expect: \"shot\" did not come in time; nothing came",
+        messageOf("listen(5000)\n  peer_expect(5000, \"shot\", within=0.1)"));
+    assertEquals(
+        "assert_io_order: DO0 on did not come; nothing changed",
+        messageOf("assert_io_order([\"DO0 on\"])"));
+    assertEquals(
+        "wait_for_end: the program still runs after 0.1 s",
+        messageOf("start(\"wait.script\")\n  wait_for_end(0.1)"));
+    assertEquals(
+        "wait_for_end: the program is paused after 0.1 s",
+        messageOf("start(\"wait.script\")\n  pause_program()\n  wait_for_end(0.1)"));
+    String other = messageOf("start(\"fail.script\")\n  assert_program_fails(\"part\")");
+    assertTrue(other.startsWith("assert_program_fails: the program failed in line 3: "), other);
+    assertTrue(other.endsWith("; the message must contain part"), other);
+  }
+
+  private static String messageOf(String statements) {
+    TestResult result =
+        Suite.of("def test_it():", "  " + statements, "end")
+            .with("cell/wait.script", "def wait():", "  sleep(9)", "end")
+            .with("cell/fail.script", "def fails():", "  x = [1, 2]", "  y = x[5]", "end")
+            .only();
+    return failure(result).message();
+  }
+
+  @Test
   void aProgramThatFailsUnwatchedMakesTheTestRed() {
     TestResult result =
         Suite.of("def test_runs():", "  start(\"bad.script\")", "  sleep(0.5)", "end")
