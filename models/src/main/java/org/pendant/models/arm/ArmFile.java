@@ -25,10 +25,8 @@ public final class ArmFile {
     if (!ArmLibrary.ids().contains(id.value())) {
       throw id.place()
           .refusal(
-              "id is "
-                  + Json.quoted(id.value())
-                  + ", must be the model that the arm is one of: "
-                  + String.join(", ", ArmLibrary.ids()));
+              ArmTexts.text(
+                  "wrongId", Json.quoted(id.value()), String.join(", ", ArmLibrary.ids())));
     }
     return DescriptionReader.read(root);
   }

@@ -61,8 +61,7 @@ final class DescriptionReader {
         return each;
       }
     }
-    throw name.place()
-        .refusal("series is " + name.value() + ", must be CB3, e-Series or UR-Series");
+    throw name.place().refusal(ArmTexts.text("wrongSeries", name.value()));
   }
 
   private static DhLengths lengths(JsonFields dh) throws JsonException {

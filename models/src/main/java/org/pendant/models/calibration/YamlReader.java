@@ -145,7 +145,7 @@ final class YamlReader {
       int end = text.indexOf(first, at + 1);
       String quoted = end < 0 ? "" : text.substring(at + 1, end);
       if (end < 0 || quoted.indexOf('\n') >= 0 || quoted.indexOf('\\') >= 0) {
-        throw refused("expected a text in quotes, on one line and without \\");
+        throw refused(CalibrationTexts.text("quoted"));
       }
       at = end + 1;
       return new Yaml.Scalar(quoted, place);

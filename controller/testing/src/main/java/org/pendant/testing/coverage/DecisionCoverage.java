@@ -18,8 +18,8 @@ public record DecisionCoverage(int line, String text, int whenFalse, int whenTru
   /** What it lacks, such as {@code never true}; empty if nothing. */
   public String missing() {
     if (whenFalse > 0) {
-      return whenTrue > 0 ? "" : "never true";
+      return whenTrue > 0 ? "" : CoverageTexts.text("neverTrue");
     }
-    return whenTrue > 0 ? "never false" : "never reached";
+    return CoverageTexts.text(whenTrue > 0 ? "neverFalse" : "neverReached");
   }
 }
