@@ -30,6 +30,9 @@ import java.util.regex.Pattern;
  * themselves where no text has them together.
  */
 public final class Translations {
+  /** Characters of a message that is looked at: those of clients may be as long as they like. */
+  static final int MAX_LENGTH = 4000;
+
   /** Texts within texts that are followed. */
   private static final int MAX_DEPTH = 4;
 
@@ -92,10 +95,10 @@ public final class Translations {
 
   /**
    * A message in the other language. What no text is recognised in stays as it is; of several lines
-   * each is then looked at by itself.
+   * each is then looked at by itself. One of more than {@link #MAX_LENGTH} characters stays.
    */
   public String of(String message) {
-    return said(message, 0).text();
+    return message.length() > MAX_LENGTH ? message : said(message, 0).text();
   }
 
   /**
@@ -123,20 +126,9 @@ public final class Translations {
     }
     best = better(ofSentences(message, depth), best);
     best = better(ofPlace(message, depth), best);
-    if (best.values() < message.length()) {
-      return best;
-    }
-    return message.indexOf('\n') < 0 ? behindName(message, depth) : ofLines(message, depth);
-  }
-
-  /** A message behind the name of what says it, such as {@code gripper: part lost}. */
-  private Said behindName(String message, int depth) {
-    int colon = message.indexOf(": ");
-    if (colon < 0) {
-      return new Said(message, message.length());
-    }
-    Said rest = said(message.substring(colon + 2), depth + 1);
-    return new Said(message.substring(0, colon + 2) + rest.text(), colon + 2 + rest.values());
+    return best.values() < message.length() || message.indexOf('\n') < 0
+        ? best
+        : ofLines(message, depth);
   }
 
   private static Said better(Optional<Said> other, Said than) {
@@ -154,7 +146,10 @@ public final class Translations {
         new Said(first.text() + "; " + rest.text(), first.values() + 2 + rest.values()));
   }
 
-  /** A text behind a name of what it is about, such as {@code robot.json:3: the end is missing}. */
+  /**
+   * A text behind what it is about or who says it, such as {@code robot.json:3: the end is missing}
+   * or {@code gripper: part lost}.
+   */
   private Optional<Said> ofPlace(String message, int depth) {
     int end = message.indexOf(": ");
     if (end < 0) {

@@ -65,6 +65,12 @@ class TranslationsTest {
   }
 
   @Test
+  void aMessageWithoutMeasureStaysAsItIs() {
+    String name = "x".repeat(Translations.MAX_LENGTH);
+    assertEquals(name + " is refused", german.of(name + " is refused"));
+  }
+
+  @Test
   void linesOfSeveralTextsAreSaidOneByOne() {
     assertEquals("Ellbogen\nmine\nBasisgelenk\n", german.of("elbow\nmine\nbase joint\n"));
   }
