@@ -36,6 +36,9 @@ public final class Translations {
   /** Texts within texts that are followed. */
   private static final int MAX_DEPTH = 4;
 
+  /** Times that a message, or a part of it, is compared with all texts. */
+  private static final int MAX_READINGS = 100;
+
   private static final Pattern SENTENCE = Pattern.compile("[a-z]+ [a-z]+ [a-z]+");
 
   private final Map<String, String> plain;
@@ -98,7 +101,7 @@ public final class Translations {
    * each is then looked at by itself. One of more than {@link #MAX_LENGTH} characters stays.
    */
   public String of(String message) {
-    return message.length() > MAX_LENGTH ? message : said(message, 0).text();
+    return message.length() > MAX_LENGTH ? message : new Reading().said(message, 0).text();
   }
 
   /**
@@ -108,57 +111,8 @@ public final class Translations {
    */
   private record Said(String text, int values) {}
 
-  private Said said(String message, int depth) {
-    String translation = plain.get(message);
-    if (translation != null) {
-      return new Said(translation, 0);
-    }
-    Said best = new Said(message, message.length());
-    if (depth == MAX_DEPTH) {
-      return best;
-    }
-    for (Translated each : filled) {
-      Optional<List<String>> values = each.english().valuesIn(message);
-      if (values.isPresent() && !beginsLikeAnother(each, values.get())) {
-        Said other = said(each, values.get(), depth);
-        best = other.values() < best.values() ? other : best;
-      }
-    }
-    best = better(ofSentences(message, depth), best);
-    best = better(ofPlace(message, depth), best);
-    return best.values() < message.length() || message.indexOf('\n') < 0
-        ? best
-        : ofLines(message, depth);
-  }
-
   private static Said better(Optional<Said> other, Said than) {
     return other.filter(each -> each.values() < than.values()).orElse(than);
-  }
-
-  private Optional<Said> ofSentences(String message, int depth) {
-    int end = message.indexOf("; ");
-    if (end < 0) {
-      return Optional.empty();
-    }
-    Said first = said(message.substring(0, end), depth + 1);
-    Said rest = said(message.substring(end + 2), depth + 1);
-    return Optional.of(
-        new Said(first.text() + "; " + rest.text(), first.values() + 2 + rest.values()));
-  }
-
-  /**
-   * A text behind what it is about or who says it, such as {@code robot.json:3: the end is missing}
-   * or {@code gripper: part lost}.
-   */
-  private Optional<Said> ofPlace(String message, int depth) {
-    int end = message.indexOf(": ");
-    if (end < 0) {
-      return Optional.empty();
-    }
-    String place = message.substring(0, end);
-    Said rest = said(message.substring(end + 2), depth + 1);
-    return Optional.of(
-        new Said(plain.getOrDefault(place, place) + ": " + rest.text(), end + 2 + rest.values()));
   }
 
   /**
@@ -173,33 +127,89 @@ public final class Translations {
     return first && !known && SENTENCE.matcher(values.getFirst()).find();
   }
 
-  private Said said(Translated text, List<String> values, int depth) {
-    Template other = text.other();
-    StringBuilder said = new StringBuilder(other.pieces().getFirst());
-    int left = 0;
-    for (int i = 0; i < other.places().size(); i++) {
-      ValuePlace place = other.places().get(i);
-      int at = text.english().indexOf(place.number());
-      String value = at < 0 ? "" : values.get(at);
-      Said put = place.isText() ? said(value, depth + 1) : new Said(value, value.length());
-      said.append(put.text()).append(other.pieces().get(i + 1));
-      left += put.values();
-    }
-    return new Said(said.toString(), left);
-  }
+  /**
+   * The reading of one message, in which texts within texts are looked at so many times at most.
+   */
+  private final class Reading {
+    private int readings = MAX_READINGS;
 
-  private Said ofLines(String message, int depth) {
-    StringBuilder said = new StringBuilder();
-    int left = 0;
-    int from = 0;
-    while (from < message.length()) {
-      int end = message.indexOf('\n', from);
-      int next = end < 0 ? message.length() : end + 1;
-      Said line = said(message.substring(from, end < 0 ? next : end), depth + 1);
-      said.append(line.text()).append(end < 0 ? "" : "\n");
-      left += line.values();
-      from = next;
+    private Said said(String message, int depth) {
+      String translation = plain.get(message);
+      if (translation != null) {
+        return new Said(translation, 0);
+      }
+      Said best = new Said(message, message.length());
+      if (depth == MAX_DEPTH || --readings < 0) {
+        return best;
+      }
+      for (Translated each : filled) {
+        Optional<List<String>> values = each.english().valuesIn(message);
+        if (values.isPresent() && !beginsLikeAnother(each, values.get())) {
+          Said other = said(each, values.get(), depth);
+          best = other.values() < best.values() ? other : best;
+        }
+      }
+      best = better(ofSentences(message, depth), best);
+      best = better(ofPlace(message, depth), best);
+      return best.values() < message.length() || message.indexOf('\n') < 0
+          ? best
+          : ofLines(message, depth);
     }
-    return new Said(said.toString(), left);
+
+    private Optional<Said> ofSentences(String message, int depth) {
+      int end = message.indexOf("; ");
+      if (end < 0) {
+        return Optional.empty();
+      }
+      Said first = said(message.substring(0, end), depth + 1);
+      Said rest = said(message.substring(end + 2), depth + 1);
+      return Optional.of(
+          new Said(first.text() + "; " + rest.text(), first.values() + 2 + rest.values()));
+    }
+
+    /**
+     * A text behind what it is about or who says it, such as {@code robot.json:3: the end is
+     * missing} or {@code gripper: part lost}.
+     */
+    private Optional<Said> ofPlace(String message, int depth) {
+      int end = message.indexOf(": ");
+      if (end < 0) {
+        return Optional.empty();
+      }
+      String place = message.substring(0, end);
+      Said rest = said(message.substring(end + 2), depth + 1);
+      return Optional.of(
+          new Said(plain.getOrDefault(place, place) + ": " + rest.text(), end + 2 + rest.values()));
+    }
+
+    private Said said(Translated text, List<String> values, int depth) {
+      Template other = text.other();
+      StringBuilder said = new StringBuilder(other.pieces().getFirst());
+      int left = 0;
+      for (int i = 0; i < other.places().size(); i++) {
+        ValuePlace place = other.places().get(i);
+        int at = text.english().indexOf(place.number());
+        String value = at < 0 ? "" : values.get(at);
+        Said put = place.isText() ? said(value, depth + 1) : new Said(value, value.length());
+        said.append(put.text()).append(other.pieces().get(i + 1));
+        left += put.values();
+      }
+      return new Said(said.toString(), left);
+    }
+
+    private Said ofLines(String message, int depth) {
+      StringBuilder said = new StringBuilder();
+      int left = 0;
+      int from = 0;
+      while (from < message.length()) {
+        int end = message.indexOf('\n', from);
+        int next = end < 0 ? message.length() : end + 1;
+        Said line = said(message.substring(from, end < 0 ? next : end), depth + 1);
+        said.append(line.text()).append(end < 0 ? "" : "\n");
+        left += line.values();
+        from = next;
+      }
+      return new Said(said.toString(), left);
+    }
   }
 }
