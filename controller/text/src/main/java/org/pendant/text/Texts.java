@@ -3,6 +3,7 @@ package org.pendant.text;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
+import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.MissingResourceException;
@@ -82,11 +83,21 @@ public final class Texts {
   }
 
   private static boolean read(Class<?> owner, String name, Properties into) {
-    try (InputStream in = owner.getResourceAsStream("/texts/" + name + ".properties")) {
-      if (in == null) {
-        return false;
-      }
-      into.load(new InputStreamReader(in, StandardCharsets.UTF_8));
+    return read(name, owner.getResourceAsStream("/texts/" + name + ".properties"), into);
+  }
+
+  /**
+   * Reads a bundle, and closes its file.
+   *
+   * @param file null if there is none
+   * @return whether there is one
+   */
+  static boolean read(String name, InputStream file, Properties into) {
+    if (file == null) {
+      return false;
+    }
+    try (Reader text = new InputStreamReader(file, StandardCharsets.UTF_8)) {
+      into.load(text);
       return true;
     } catch (IOException e) {
       throw new UncheckedIOException("cannot read the texts of " + name, e);

@@ -1,10 +1,5 @@
 package org.pendant.text;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
@@ -85,15 +80,10 @@ public final class Translations {
 
   private static Properties read(ClassLoader loader, String bundle) {
     Properties texts = new Properties();
-    try (InputStream in = loader.getResourceAsStream("texts/" + bundle + ".properties")) {
-      if (in == null) {
-        throw new MissingResourceException("no texts of " + bundle, bundle, "");
-      }
-      texts.load(new InputStreamReader(in, StandardCharsets.UTF_8));
-      return texts;
-    } catch (IOException e) {
-      throw new UncheckedIOException("cannot read the texts of " + bundle, e);
+    if (!Texts.read(bundle, loader.getResourceAsStream("texts/" + bundle + ".properties"), texts)) {
+      throw new MissingResourceException("no texts of " + bundle, bundle, "");
     }
+    return texts;
   }
 
   /**
