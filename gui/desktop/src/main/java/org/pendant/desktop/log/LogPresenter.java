@@ -3,6 +3,7 @@ package org.pendant.desktop.log;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.function.LongFunction;
+import org.pendant.desktop.unit.PoseForm;
 
 /**
  * Log presenter: what the log screen shows: messages that pass the filter, oldest first, the
@@ -18,6 +19,7 @@ final class LogPresenter {
   private final LogPositions matches = new LogPositions();
   private LogFilter filter = LogFilter.ALL;
   private TextSearch search = TextSearch.NONE;
+  private PoseForm form = PoseForm.STANDARD;
   private long taken;
   private long dropped;
   private long missed;
@@ -84,7 +86,7 @@ final class LogPresenter {
   private void consider(long position, LogLine line) {
     if (filter.accepts(line)) {
       shown.add(position);
-      if (search.in(line.text())) {
+      if (search.in(line.in(form).text())) {
         matches.add(position);
       }
     }
@@ -110,6 +112,16 @@ final class LogPresenter {
 
   TextSearch search() {
     return search;
+  }
+
+  /** Shows numbers of the safety functions in other units, also in messages of before. */
+  void setForm(PoseForm wanted) {
+    form = wanted;
+    lookAgain();
+  }
+
+  PoseForm form() {
+    return form;
   }
 
   private void lookAgain() {
@@ -143,8 +155,9 @@ final class LogPresenter {
     return shown.size();
   }
 
+  /** A message, with numbers in the units that people have chosen. */
   LogLine row(int index) {
-    return store.at(shown.get(index));
+    return store.at(shown.get(index)).in(form);
   }
 
   /** The row of a place given by {@link #positionOf}, or the next that is still shown. */

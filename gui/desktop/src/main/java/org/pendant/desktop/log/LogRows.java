@@ -15,6 +15,7 @@ import javax.swing.Timer;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import org.pendant.kit.fault.Faults;
+import org.pendant.kit.table.RowKeys;
 import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 
@@ -55,6 +56,7 @@ final class LogRows extends JTable {
     setFillsViewportHeight(true);
     setShowGrid(false);
     getTableHeader().setReorderingAllowed(false);
+    RowKeys.install(this);
     getTableHeader().putClientProperty("FlatLaf.style", "cellMargins: 2,8,2,8");
     if (getTableHeader().getDefaultRenderer() instanceof JLabel titles) {
       titles.setHorizontalAlignment(SwingConstants.LEADING);

@@ -123,14 +123,17 @@ public final class LogView implements View {
     return recorded
         .map(
             lines ->
-                presenter.take(
-                    lines.size(), after -> inUnits(lines.subList((int) after, lines.size()))))
-        .orElseGet(() -> presenter.take(mailbox.newest(), after -> inUnits(mailbox.since(after))));
+                presenter.take(lines.size(), after -> lines.subList((int) after, lines.size())))
+        .orElseGet(() -> presenter.take(mailbox.newest(), mailbox::since));
   }
 
-  private List<LogLine> inUnits(List<LogLine> lines) {
+  /** Shows all messages in the units that people have chosen now. */
+  private void takeUnits() {
     PoseForm form = FormMemory.read(workbench.settings());
-    return lines.stream().map(line -> line.in(form)).toList();
+    if (!form.equals(presenter.form())) {
+      table.keepingSelection(() -> presenter.setForm(form));
+      showCounts();
+    }
   }
 
   /** Ends {@link #lookAt}. */
@@ -239,6 +242,7 @@ public final class LogView implements View {
 
   @Override
   public void refresh(ControllerState state) {
+    takeUnits();
     LogPresenter.Change change = take();
     if (!change.none()) {
       table.changed(change);

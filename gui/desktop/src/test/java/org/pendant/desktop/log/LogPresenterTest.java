@@ -13,6 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.pendant.controller.message.LogEntry;
 import org.pendant.controller.message.LogEntry.Level;
 import org.pendant.controller.message.LogEntry.Origin;
+import org.pendant.desktop.unit.DisplayUnit;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.RotationForm;
 
 final class LogPresenterTest {
   private final List<LogLine> written = new ArrayList<>();
@@ -236,5 +239,21 @@ final class LogPresenterTest {
     assertEquals(0, presenter.rows());
     take(presenter);
     assertEquals(List.of("a", "b"), texts(presenter));
+  }
+
+  @Test
+  void whatSafetySaidBeforeIsInTheUnitsThatAreChosenNow() {
+    LogPresenter presenter = new LogPresenter(10);
+    write(Level.ERROR, Origin.SAFETY, "0.0254 m of way, at 0.5 rad");
+    say("went 0.0254 m");
+    take(presenter);
+    presenter.setSearch("1.0000 in");
+    assertEquals("25.40 mm of way, at 28.65\u00b0", presenter.row(0).text());
+    assertEquals(0, presenter.matchCount());
+
+    presenter.setForm(new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.VECTOR));
+
+    assertEquals(List.of("1.0000 in of way, at 0.50000 rad", "went 0.0254 m"), texts(presenter));
+    assertEquals(1, presenter.matchCount());
   }
 }

@@ -10,7 +10,8 @@ public final class TableLook {
   private TableLook() {}
 
   /**
-   * One row can be selected, no lines are between cells, titles are at the left and stay in order.
+   * One row can be selected, by keys from where {@link RowKeys} says; no lines are between cells,
+   * titles are at the left and stay in order.
    *
    * @param name of the component
    * @param spoken its name for people who hear it
@@ -22,6 +23,7 @@ public final class TableLook {
     table.setShowGrid(false);
     table.setFillsViewportHeight(true);
     table.getTableHeader().setReorderingAllowed(false);
+    RowKeys.install(table);
     if (table.getTableHeader().getDefaultRenderer() instanceof JLabel title) {
       title.setHorizontalAlignment(SwingConstants.LEADING);
     }
