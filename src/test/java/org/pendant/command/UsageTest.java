@@ -52,6 +52,15 @@ final class UsageTest {
   }
 
   @Test
+  void aLanguageThatIsNotSpokenIsRefusedBeforeAnythingElse() {
+    Result result = Launcher.shell(folder, "PENDANT_LANGUAGE=fr \"$PENDANT\" --version");
+
+    assertEquals(2, result.exitCode());
+    assertEquals("", result.output());
+    assertEquals("pendant: PENDANT_LANGUAGE is fr, must be one of en, de, zh\n", result.errors());
+  }
+
+  @Test
   void theDesktopWithoutADisplayIsExplainedAndExitsWithTwo() {
     Result result = Launcher.shell(folder, "env -u DISPLAY \"$PENDANT\"");
 

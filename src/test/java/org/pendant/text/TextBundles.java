@@ -57,15 +57,19 @@ final class TextBundles {
     return english.getFileName().toString().replace(".properties", "");
   }
 
-  /** Whether it belongs to what runs below the window and speaks English. */
-  static boolean isBelowTheWindow(Path english) {
-    String name = name(english);
-    return !name.startsWith("kit.") && !name.startsWith("desktop.");
+  /** Whether it belongs to a package that speaks English, and is translated where it is shown. */
+  static boolean isTranslatedWhereShown(Path english) throws IOException {
+    for (Path source : sources(english)) {
+      if (Files.readString(source).contains("Texts.english(")) {
+        return true;
+      }
+    }
+    return false;
   }
 
-  /** Names of the bundles that the window translates by, as the list of the desktop has them. */
-  static List<String> translatedByTheWindow() throws IOException {
-    Path list = ROOT.resolve("gui/desktop/src/main/resources/texts/bundles.txt");
+  /** Names of the bundles that window and command line translate by, as their list has them. */
+  static List<String> translatedWhereShown() throws IOException {
+    Path list = ROOT.resolve("gui/command/src/main/resources/texts/bundles.txt");
     try (Stream<String> lines = Files.lines(list)) {
       return lines.filter(line -> !line.startsWith("#")).toList();
     }

@@ -74,14 +74,14 @@ final class TextBundlesTest {
   }
 
   @Test
-  void theWindowTranslatesByTheBundlesOfAllModulesBelowIt() throws IOException {
+  void whatIsSaidInEnglishIsTranslatedByTheBundlesOfAllWhoSayIt() throws IOException {
     List<String> below = new ArrayList<>();
     for (Path english : TextBundles.english()) {
-      if (TextBundles.isBelowTheWindow(english)) {
+      if (TextBundles.isTranslatedWhereShown(english)) {
         below.add(TextBundles.name(english));
       }
     }
-    assertEquals(below.stream().sorted().toList(), TextBundles.translatedByTheWindow());
+    assertEquals(below.stream().sorted().toList(), TextBundles.translatedWhereShown());
   }
 
   /** Two texts that fit the same message, in different words of another language, are a mistake. */
@@ -91,9 +91,9 @@ final class TextBundlesTest {
     for (Language language : List.of(Language.GERMAN, Language.CHINESE)) {
       Translations translations =
           Translations.of(
-              language, getClass().getClassLoader(), TextBundles.translatedByTheWindow());
+              language, getClass().getClassLoader(), TextBundles.translatedWhereShown());
       for (Path english : TextBundles.english()) {
-        if (!TextBundles.isBelowTheWindow(english)) {
+        if (!TextBundles.isTranslatedWhereShown(english)) {
           continue;
         }
         Map<String, String> said = TextBundles.read(TextBundles.in(language, english));
@@ -116,7 +116,7 @@ final class TextBundlesTest {
   void linksOfAnArmThatHitSomethingAreSaidInTheOtherLanguageToo() throws IOException {
     Translations german =
         Translations.of(
-            Language.GERMAN, getClass().getClassLoader(), TextBundles.translatedByTheWindow());
+            Language.GERMAN, getClass().getClassLoader(), TextBundles.translatedWhereShown());
     assertEquals("Unterarm hat „post“ berührt", german.of("the forearm has hit \"post\""));
     assertEquals(
         "Handgelenk 1 hat Oberarm berührt", german.of("the wrist 1 has hit the upper arm"));

@@ -1,6 +1,8 @@
 package org.pendant.text;
 
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 
 /** A language in which everything is said. */
 public enum Language {
@@ -10,6 +12,12 @@ public enum Language {
   GERMAN("de", "Deutsch"),
   /** Chinese, in simplified characters. */
   CHINESE("zh", "\u4e2d\u6587");
+
+  /**
+   * Environment variable with the code of the language that commands speak in place of English, and
+   * the window in place of the system's.
+   */
+  public static final String VARIABLE = "PENDANT_LANGUAGE";
 
   private final String code;
   private final String title;
@@ -40,14 +48,27 @@ public enum Language {
         : title.substring(0, 1).toLowerCase(Locale.ROOT) + title.substring(1);
   }
 
-  /** That of a locale; English for one that is not spoken here. */
-  public static Language of(Locale locale) {
+  /** The one that has a code; empty if none has. */
+  public static Optional<Language> ofCode(String code) {
     for (Language each : values()) {
-      if (each.code.equals(locale.getLanguage())) {
-        return each;
+      if (each.code.equals(code)) {
+        return Optional.of(each);
       }
     }
-    return ENGLISH;
+    return Optional.empty();
+  }
+
+  /**
+   * The one that is asked for by {@link #VARIABLE}; empty if none is, or one that is not spoken
+   * here.
+   */
+  public static Optional<Language> askedFor(Map<String, String> environment) {
+    return ofCode(environment.getOrDefault(VARIABLE, ""));
+  }
+
+  /** That of a locale; English for one that is not spoken here. */
+  public static Language of(Locale locale) {
+    return ofCode(locale.getLanguage()).orElse(ENGLISH);
   }
 
   /**

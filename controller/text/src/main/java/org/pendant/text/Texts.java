@@ -70,7 +70,7 @@ public final class Texts {
   }
 
   /** The same, of a package that says what others have said in English. */
-  static Texts of(Class<?> owner, Language language, UnaryOperator<String> translate) {
+  public static Texts of(Class<?> owner, Language language, UnaryOperator<String> translate) {
     String name = owner.getPackageName().substring(ROOT.length());
     Properties texts = new Properties();
     if (!read(owner, name, texts)) {

@@ -85,6 +85,9 @@ public final class ManualPages {
     lines.add(".TP");
     lines.add(".B PENDANT_JAVA_OPTIONS");
     lines.add("more options for the Java that runs Pendant");
+    lines.add(".TP");
+    lines.add(".B PENDANT_LANGUAGE");
+    lines.add("the language of commands and window: en, de or zh; English for commands without it");
     return lines;
   }
 

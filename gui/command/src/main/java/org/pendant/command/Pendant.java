@@ -11,6 +11,7 @@ import org.pendant.command.doctor.Doctor;
 import org.pendant.command.launch.Relaunch;
 import org.pendant.command.service.SimulationWishes;
 import org.pendant.command.service.Version;
+import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.check.Nearest;
 import org.pendant.testing.builtin.TestBuiltins;
@@ -66,6 +67,12 @@ public final class Pendant {
   /** Runs the command line {@code words} and ends the process. */
   public static void main(String[] words) {
     Console console = Console.ofProcess();
+    CommandLanguage.refusal(System.getenv())
+        .ifPresent(
+            refusal -> {
+              console.complain("pendant: " + refusal);
+              System.exit(ExitCode.WRONG_USAGE.number());
+            });
     if (System.getProperty(Relaunch.STARTED_AS) != null) {
       relaunch(List.of(words), console);
     }

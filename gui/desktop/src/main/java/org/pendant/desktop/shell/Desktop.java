@@ -127,7 +127,7 @@ public final class Desktop {
         new Desktop(ConfigurationFolder.of(System.getProperties(), System.getenv()), shown);
     wishes.measuredNoise().ifPresent(on -> RobotChange.rememberNoise(desktop.settings, on));
     wishes.startRamp().ifPresent(on -> RobotChange.rememberStartRamp(desktop.settings, on));
-    new LanguageSetting(desktop.settings).apply();
+    new LanguageSetting(desktop.settings).apply(System.getenv());
     Look look = new Look(desktop.settings);
     look.loadFonts();
     // The arm's files are read while the look is set up.

@@ -1,13 +1,15 @@
 package org.pendant.kit.settings;
 
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.JComponent;
 import org.pendant.text.Language;
 
 /**
- * Which language the window speaks: one that was chosen, or the system's. It holds from one start
- * to the next, since titles are read when parts of the window are made.
+ * Which language the window speaks: one that was chosen, else the one that the environment asks
+ * for, else the system's. It holds from one start to the next, since titles are read when parts of
+ * the window are made.
  */
 public final class LanguageSetting {
   private static final String NAME = "window.language";
@@ -21,7 +23,7 @@ public final class LanguageSetting {
 
   /** The one that was chosen; empty for the system's. */
   public Optional<Language> chosen() {
-    return settings.get(NAME).flatMap(LanguageSetting::ofCode);
+    return settings.get(NAME).flatMap(Language::ofCode);
   }
 
   /** Chooses one for the next starts; empty for the system's. */
@@ -30,20 +32,15 @@ public final class LanguageSetting {
   }
 
   /**
-   * Makes the chosen one the language of the process and of Swing's own dialogs. Whoever does so
-   * does it before the first part of the window is made.
+   * Makes it the language of the process and of Swing's own dialogs. Whoever does so does it before
+   * the first part of the window is made.
+   *
+   * @param environment of the process, in which {@link Language#VARIABLE} may ask for one
    */
-  public void apply() {
-    chosen().ifPresent(each -> Locale.setDefault(Locale.Category.DISPLAY, Locale.of(each.code())));
+  public void apply(Map<String, String> environment) {
+    chosen()
+        .or(() -> Language.askedFor(environment))
+        .ifPresent(each -> Locale.setDefault(Locale.Category.DISPLAY, Locale.of(each.code())));
     JComponent.setDefaultLocale(Locale.getDefault(Locale.Category.DISPLAY));
-  }
-
-  private static Optional<Language> ofCode(String code) {
-    for (Language each : Language.values()) {
-      if (each.code().equals(code)) {
-        return Optional.of(each);
-      }
-    }
-    return Optional.empty();
   }
 }

@@ -3,6 +3,7 @@ package org.pendant.kit.settings;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.JComponent;
 import org.junit.jupiter.api.AfterEach;
@@ -23,7 +24,7 @@ final class LanguageSettingTest {
   @Test
   void withoutAChoiceTheProcessSpeaksTheLanguageOfTheSystem() {
     Locale.setDefault(Locale.Category.DISPLAY, Locale.GERMAN);
-    language.apply();
+    language.apply(Map.of());
     assertEquals(Language.GERMAN, Language.ofProcess());
     assertEquals(Locale.GERMAN, JComponent.getDefaultLocale());
   }
@@ -33,9 +34,21 @@ final class LanguageSettingTest {
     Locale numbers = Locale.getDefault(Locale.Category.FORMAT);
     language.choose(Optional.of(Language.CHINESE));
     assertEquals(Language.ENGLISH, Language.ofProcess());
-    new LanguageSetting(settings).apply();
+    new LanguageSetting(settings).apply(Map.of());
     assertEquals(Language.CHINESE, Language.ofProcess());
     assertEquals(numbers, Locale.getDefault(Locale.Category.FORMAT));
+  }
+
+  @Test
+  void theEnvironmentAsksForALanguageInPlaceOfTheSystemsWhereNoneIsChosen() {
+    Locale.setDefault(Locale.Category.DISPLAY, Locale.GERMAN);
+    Map<String, String> chinese = Map.of("PENDANT_LANGUAGE", "zh");
+    language.apply(chinese);
+    assertEquals(Language.CHINESE, Language.ofProcess());
+    assertEquals(Locale.CHINESE, JComponent.getDefaultLocale());
+    language.choose(Optional.of(Language.ENGLISH));
+    language.apply(chinese);
+    assertEquals(Language.ENGLISH, Language.ofProcess());
   }
 
   @Test

@@ -1,0 +1,49 @@
+package org.pendant.command.text;
+
+import java.util.Arrays;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.pendant.text.Language;
+import org.pendant.text.MessageTranslator;
+import org.pendant.text.Texts;
+
+/**
+ * What the command line says, in its language: the one that {@link Language#VARIABLE} asks for,
+ * else English. What other programs read stays English whatever is asked for: recordings, tables,
+ * reports, answers on ports, and what is generated from the commands, such as manual pages.
+ */
+public final class CommandLanguage {
+  private static final Language LANGUAGE =
+      Language.askedFor(System.getenv()).orElse(Language.ENGLISH);
+
+  private static final MessageTranslator TRANSLATOR = new MessageTranslator(LANGUAGE);
+
+  private CommandLanguage() {}
+
+  /** What the package of {@code owner} says. */
+  public static Texts texts(Class<?> owner) {
+    return Texts.of(owner, LANGUAGE, TRANSLATOR::shown);
+  }
+
+  /**
+   * A message of others, such as why the controller has refused something: they all speak English.
+   */
+  public static String shown(String message) {
+    return TRANSLATOR.shown(message);
+  }
+
+  /** Why an environment asks for a language in vain; empty if it does not. */
+  public static Optional<String> refusal(Map<String, String> environment) {
+    String asked = environment.getOrDefault(Language.VARIABLE, "");
+    return asked.isEmpty() || Language.ofCode(asked).isPresent()
+        ? Optional.empty()
+        : Optional.of(
+            Texts.of(CommandLanguage.class, LANGUAGE)
+                .get("unknownLanguage", Language.VARIABLE, asked, codes()));
+  }
+
+  private static String codes() {
+    return Arrays.stream(Language.values()).map(Language::code).collect(Collectors.joining(", "));
+  }
+}
