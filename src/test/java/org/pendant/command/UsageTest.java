@@ -52,6 +52,14 @@ final class UsageTest {
   }
 
   @Test
+  void aLanguageThatIsAskedForIsSpokenByHelpButNotByWhatIsGenerated() {
+    Result german = Launcher.shell(folder, "PENDANT_LANGUAGE=de \"$PENDANT\" run --help");
+    assertTrue(german.output().startsWith("Aufruf: pendant run [Optionen] FILE...\n"));
+    Result completion = Launcher.shell(folder, "PENDANT_LANGUAGE=de \"$PENDANT\" completion fish");
+    assertTrue(completion.output().contains("'run programs headless, in virtual time'"));
+  }
+
+  @Test
   void aLanguageThatIsNotSpokenIsRefusedBeforeAnythingElse() {
     Result result = Launcher.shell(folder, "PENDANT_LANGUAGE=fr \"$PENDANT\" --version");
 

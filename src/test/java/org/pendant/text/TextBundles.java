@@ -18,6 +18,8 @@ final class TextBundles {
 
   private static final Pattern PLACE = Pattern.compile("\\{\\d\\*?}|%(\\d\\$)?[-,.\\d]*[sdfeg%n]");
 
+  private static final Pattern SPEAKS_ENGLISH = Pattern.compile("\\bTexts\\.english\\(");
+
   private TextBundles() {}
 
   /** The file of the English texts of each package that has some. */
@@ -60,7 +62,7 @@ final class TextBundles {
   /** Whether it belongs to a package that speaks English, and is translated where it is shown. */
   static boolean isTranslatedWhereShown(Path english) throws IOException {
     for (Path source : sources(english)) {
-      if (Files.readString(source).contains("Texts.english(")) {
+      if (SPEAKS_ENGLISH.matcher(Files.readString(source)).find()) {
         return true;
       }
     }
@@ -85,12 +87,13 @@ final class TextBundles {
     return filled;
   }
 
-  /** The sources of the package that says the texts of a file. */
+  /** The sources of the package that says the texts of a file, all or a part of what it says. */
   static List<Path> sources(Path english) throws IOException {
     String name = name(english);
     Path main = english.getParent().getParent().resolveSibling("java");
     Path folder = main.resolve(Path.of("org", "pendant")).resolve(name.replace('.', '/'));
-    try (Stream<Path> files = Files.list(folder)) {
+    Path whole = Files.isDirectory(folder) ? folder : folder.getParent();
+    try (Stream<Path> files = Files.list(whole)) {
       return files.filter(each -> each.toString().endsWith(".java")).sorted().toList();
     }
   }

@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 final class TextBundlesTest {
-  private static final Pattern KEY = Pattern.compile("\"([A-Za-z0-9_.]+)\"");
+  private static final Pattern KEY = Pattern.compile("\"([-A-Za-z0-9_.]+)\"");
 
   @Test
   void everythingIsSaidInEveryLanguage() throws IOException {

@@ -71,7 +71,22 @@ public final class Texts {
 
   /** The same, of a package that says what others have said in English. */
   public static Texts of(Class<?> owner, Language language, UnaryOperator<String> translate) {
-    String name = owner.getPackageName().substring(ROOT.length());
+    return of(owner.getPackageName().substring(ROOT.length()), owner, language, translate);
+  }
+
+  /**
+   * What a part of a package says that is seldom read, which is in a bundle of its own.
+   *
+   * @param part its name, such as {@code usage} for {@code command.usage.properties}
+   */
+  public static Texts of(
+      Class<?> owner, String part, Language language, UnaryOperator<String> translate) {
+    String name = owner.getPackageName().substring(ROOT.length()) + "." + part;
+    return of(name, owner, language, translate);
+  }
+
+  private static Texts of(
+      String name, Class<?> owner, Language language, UnaryOperator<String> translate) {
     Properties texts = new Properties();
     if (!read(owner, name, texts)) {
       throw new MissingResourceException("no texts of " + name, owner.getName(), "");

@@ -20,10 +20,7 @@ import org.pendant.language.source.Source;
 /** Attach port: where editors attach to a robot that others drive, to debug the programs on it. */
 final class AttachPort implements AutoCloseable, RobotAccess {
   static final Option OPTION =
-      Option.of(
-              "--dap",
-              new OptionArgument.Whole("P", 1, 65535),
-              "let editors attach to the robot at this port of 127.0.0.1 and debug its programs")
+      Option.of("--dap", new OptionArgument.Whole("P", 1, 65535))
           .documented(
               "P",
               "let an editor [attach](editors.md#attaching) to the robot at port P of 127.0.0.1,"

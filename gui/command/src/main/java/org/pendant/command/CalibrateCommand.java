@@ -17,7 +17,8 @@ import org.pendant.models.kinematics.PoseResiduals;
 /** Command {@code pendant calibrate FILE.csv}: estimates a calibration from measured poses. */
 final class CalibrateCommand implements Subcommand {
   private static final Option OUT =
-      Option.output("--out", "FILE.conf", "where to write the calibration, else standard output")
+      Option.output("--out", "FILE.conf")
+          .explained("--out.calibrate")
           .documented("arm.conf", "where to write the calibration; standard output without it");
 
   @Override
@@ -28,11 +29,6 @@ final class CalibrateCommand implements Subcommand {
   @Override
   public String operands() {
     return "FILE.csv";
-  }
-
-  @Override
-  public String summary() {
-    return "estimate the calibration of an arm from measured poses";
   }
 
   @Override

@@ -11,8 +11,7 @@ import org.pendant.project.calibration.ArmCalibration;
 /** Option {@code --calibration FILE}: which arm of its model it is. */
 final class CalibrationOption {
   static final Option OPTION =
-      Option.input(
-              "--calibration", "FILE", "how the arm differs from its model: .yaml, .conf, .urp")
+      Option.input("--calibration", "FILE")
           .documented(
               "arm.yaml",
               "the kinematics of one arm: what `ur_calibration` of ROS writes (`.yaml`), a"

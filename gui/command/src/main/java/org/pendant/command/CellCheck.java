@@ -17,13 +17,14 @@ import org.pendant.script.vm.Program;
  */
 final class CellCheck {
   static final Option CELL =
-      Option.input("--cell", "FILE.json", "run programs in this scene, and tell collisions")
+      Option.input("--cell", "FILE.json")
           .documented(
               "scene.json",
               "run each program in virtual time in this [scene](scene.md), and tell what links of"
                   + " the arm get into");
   static final Option JSON =
-      Option.output("--json", "FILE", "write collisions as JSON")
+      Option.output("--json", "FILE")
+          .explained("--json.check")
           .documented("collisions.json", "write collisions and nearest distances as JSON");
 
   /** How long a program is watched that nothing is said of, s of robot time. */

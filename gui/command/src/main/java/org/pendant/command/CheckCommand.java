@@ -33,11 +33,6 @@ final class CheckCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "look for mistakes in programs and scenes, and for collisions";
-  }
-
-  @Override
   public List<Option> options() {
     return Stream.concat(
             Stream.of(CellCheck.CELL, CellCheck.JSON, OutputFile.FORCE),

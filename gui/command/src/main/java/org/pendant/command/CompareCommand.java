@@ -27,24 +27,27 @@ final class CompareCommand implements Subcommand {
   private static final String RECORDING = "the recording";
 
   private static final Option JSON =
-      Option.output("--json", "FILE", "write all differences as JSON")
+      Option.output("--json", "FILE")
+          .explained("--json.compare")
           .documented("diff.json", "write all differences, with all digits, as JSON");
   private static final Option HTML =
-      Option.output("--html", "FILE", "write a page with tables and charts")
+      Option.output("--html", "FILE")
+          .explained("--html.compare")
           .documented(
               "diff.html",
               "write a page with the tables and a chart of each quantity, which needs no other"
                   + " file");
 
   private static final Option COLLECTION =
-      Option.input("--collection", "FILE", "a list of recordings to be compared, for --markdown")
+      Option.input("--collection", "FILE")
           .documented(
               "recordings.txt",
               "a list of recordings: a heading (`# ...`), and below it what follows `pendant"
                   + " compare`, with files in the folder of the list; in place of RECORDING and"
                   + " PROGRAM");
   private static final Option MARKDOWN =
-      Option.output("--markdown", "FILE.md", "the page about them, such as docs/fidelity.md")
+      Option.output("--markdown", "FILE.md")
+          .explained("--markdown.compare")
           .documented(
               "fidelity.md",
               "the page about them, [fidelity.md](fidelity.md); its charts come into a folder"
@@ -58,11 +61,6 @@ final class CompareCommand implements Subcommand {
   @Override
   public String operands() {
     return "RECORDING PROGRAM|RECORDING";
-  }
-
-  @Override
-  public String summary() {
-    return "say what differs between a recording and a program, or another recording";
   }
 
   @Override

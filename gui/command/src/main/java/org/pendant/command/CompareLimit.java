@@ -15,8 +15,7 @@ import org.pendant.recording.compare.RunComparison;
  */
 record CompareLimit(String name, double most) {
   static final Option OPTION =
-      Option.text(
-              "--limit", "NAME=VALUE", "exit with 1 if a difference is larger, e.g. duration=0.01")
+      Option.text("--limit", "NAME=VALUE")
           .repeated()
           .documented(
               "duration=0.01",

@@ -30,11 +30,6 @@ final class CompletionCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "print what makes a shell complete commands and options";
-  }
-
-  @Override
   public List<Option> options() {
     return List.of();
   }

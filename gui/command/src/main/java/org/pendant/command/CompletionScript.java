@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.pendant.text.Texts;
 
 /** Completion of command lines for shells, from the options that the subcommands declare. */
 final class CompletionScript {
   private final List<Subcommand> subcommands;
+  private final Texts usage = UsageTexts.english();
 
   CompletionScript(List<Subcommand> subcommands) {
     this.subcommands = List.copyOf(subcommands);
@@ -70,7 +72,7 @@ final class CompletionScript {
     lines.add("  local -a commands");
     lines.add("  commands=(");
     for (Subcommand each : subcommands) {
-      lines.add("    " + quoted(each.name() + ":" + each.summary()));
+      lines.add("    " + quoted(each.name() + ":" + each.summary(usage)));
     }
     lines.add("  )");
     lines.add("  if (( CURRENT == 2 )); then");
@@ -92,8 +94,8 @@ final class CompletionScript {
     return lines;
   }
 
-  private static String zshOption(Option option) {
-    String summary = option.summary().replaceAll("([\\[\\]:\\\\])", "\\\\$1");
+  private String zshOption(Option option) {
+    String summary = option.summary(usage).replaceAll("([\\[\\]:\\\\])", "\\\\$1");
     if (!option.takesValue()) {
       return option.name() + "[" + summary + "]";
     }
@@ -119,7 +121,7 @@ final class CompletionScript {
           "complete -c pendant -n __fish_use_subcommand -a "
               + each.name()
               + " -d "
-              + fishQuoted(each.summary()));
+              + fishQuoted(each.summary(usage)));
     }
     for (Subcommand each : subcommands) {
       for (Option option : options(each)) {
@@ -130,7 +132,7 @@ final class CompletionScript {
                 + option.name().substring("--".length())
                 + fishValues(option)
                 + " -d "
-                + fishQuoted(option.summary()));
+                + fishQuoted(option.summary(usage)));
       }
     }
     return lines;

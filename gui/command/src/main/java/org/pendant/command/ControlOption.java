@@ -7,10 +7,7 @@ import org.pendant.protocols.externalcontrol.Drivers;
 /** Option {@code --external-control}: whom External Control nodes ask for their script. */
 final class ControlOption {
   static final Option OPTION =
-      Option.text(
-              "--external-control",
-              "HOST[:PORT]",
-              "the driver that External Control nodes ask, default that of the installation")
+      Option.text("--external-control", "HOST[:PORT]")
           .documented(
               "127.0.0.1:50002",
               "the driver that [External Control](external-control.md) nodes get their script from,"

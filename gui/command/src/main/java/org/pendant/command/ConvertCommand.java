@@ -62,11 +62,6 @@ final class ConvertCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "write a program, installation or recording in another form";
-  }
-
-  @Override
   public List<Option> options() {
     return List.of(OutputFile.FORCE, InstallationOption.OPTION, RunOptions.ROBOT);
   }

@@ -9,10 +9,7 @@ import org.pendant.editors.dap.DebugAdapterConnection;
 /** Command {@code pendant dap}: the debug adapter, for editors. */
 final class DapCommand implements Subcommand {
   static final Option PORT =
-      Option.of(
-              "--port",
-              new OptionArgument.Whole("P", 1, 65535),
-              "serve editors that connect to this port of 127.0.0.1, not standard input and output")
+      Option.of("--port", new OptionArgument.Whole("P", 1, 65535))
           .documented(
               "P",
               "wait for editors at this port of 127.0.0.1, each with a robot of its own, instead of"
@@ -32,11 +29,6 @@ final class DapCommand implements Subcommand {
   @Override
   public String operands() {
     return "";
-  }
-
-  @Override
-  public String summary() {
-    return "let editors debug programs: an adapter of the Debug Adapter Protocol";
   }
 
   @Override

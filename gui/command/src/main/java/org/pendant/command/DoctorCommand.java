@@ -12,7 +12,7 @@ import org.pendant.controller.disk.FileTrouble;
 /** Command {@code pendant doctor}: what Pendant finds on this computer, and what to do about it. */
 final class DoctorCommand implements Subcommand {
   private static final Option REPORT =
-      Option.output("--report", "FILE.zip", "write what helps to find a fault in Pendant as well")
+      Option.output("--report", "FILE.zip")
           .documented(
               "problem.zip",
               "write a file to report a problem with: what is printed, the faults that the window"
@@ -39,11 +39,6 @@ final class DoctorCommand implements Subcommand {
   @Override
   public String operands() {
     return "";
-  }
-
-  @Override
-  public String summary() {
-    return "look whether this computer has what Pendant needs";
   }
 
   @Override

@@ -28,7 +28,8 @@ import org.pendant.recording.fit.ArmFit;
  */
 final class FitCommand implements Subcommand {
   private static final Option OUT =
-      Option.output("--out", "FILE.json", "where to write the arm file, for --robot")
+      Option.output("--out", "FILE.json")
+          .explained("--out.fit")
           .documented(
               "arm.json",
               "the arm file to be written, which `--robot` takes; without it nothing is written");
@@ -46,11 +47,6 @@ final class FitCommand implements Subcommand {
   @Override
   public String operands() {
     return "RECORDING...";
-  }
-
-  @Override
-  public String summary() {
-    return "estimate friction, payload and delays of an arm from recordings";
   }
 
   @Override

@@ -8,10 +8,9 @@ import org.pendant.language.signature.Catalogue;
 /** Command {@code pendant functions [NAME]}: the function reference in the terminal. */
 final class FunctionsCommand implements Subcommand {
   private static final Option MARKDOWN =
-      Option.flag("--markdown", "print the whole reference as docs/functions.md has it");
+      Option.flag("--markdown").explained("--markdown.functions");
 
-  private static final Option TESTS =
-      Option.flag("--tests", "the functions that only tests of programs may call");
+  private static final Option TESTS = Option.flag("--tests");
 
   private final Supplier<? extends Catalogue> catalogue;
   private final Supplier<? extends Catalogue> ofTests;
@@ -35,11 +34,6 @@ final class FunctionsCommand implements Subcommand {
   @Override
   public String operands() {
     return "[NAME]";
-  }
-
-  @Override
-  public String summary() {
-    return "list the functions a script may call, or explain one";
   }
 
   @Override

@@ -20,7 +20,7 @@ import org.pendant.testing.source.TestCase;
  */
 final class GoldenRecordings implements Goldens {
   static final Option UPDATE =
-      Option.flag("--update-golden", "write the recordings of tests with @golden")
+      Option.flag("--update-golden")
           .documented(
               "record each test that is marked with `@golden`, runs and is not red, in place of"
                   + " what it was compared with, see [testing.md](testing.md#golden-recordings)");

@@ -5,10 +5,7 @@ import org.pendant.protocols.egress.AllowedHosts;
 /** Option {@code --allow-hosts}: how far programs may reach. */
 final class HostsOption {
   static final Option OPTION =
-      Option.text(
-              "--allow-hosts",
-              "any|none|HOST,...",
-              "names, addresses and networks that programs may connect to")
+      Option.text("--allow-hosts", "any|none|HOST,...")
           .standing("any")
           .documented(
               "any",

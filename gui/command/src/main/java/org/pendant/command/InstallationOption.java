@@ -19,7 +19,7 @@ import org.pendant.project.installation.file.LoadedInstallation;
 /** Option {@code --installation FILE}: how the robot is set up. */
 final class InstallationOption {
   static final Option OPTION =
-      Option.input("--installation", "FILE", "how the robot is set up: TCPs, signals, safety, ...")
+      Option.input("--installation", "FILE")
           .documented(
               "cell.pinst",
               "how the robot is set up: TCPs, payloads, mounting, signals, safety, see"

@@ -13,7 +13,7 @@ import org.pendant.recording.lines.LineProfiler;
  */
 final class LineReport implements FrameWatcher {
   static final Option OPTION =
-      Option.output("--profile", "FILE", "write what each line took: FILE.csv, or a table to read")
+      Option.output("--profile", "FILE")
           .documented(
               "lines.csv",
               "write what each line of the program took of the run, and how near the arm came to"

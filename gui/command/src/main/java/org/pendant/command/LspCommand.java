@@ -9,10 +9,7 @@ import org.pendant.editors.lsp.LanguageServerConnection;
 /** Command {@code pendant lsp}: the language server, for editors. */
 final class LspCommand implements Subcommand {
   static final Option PORT =
-      Option.of(
-              "--port",
-              new OptionArgument.Whole("P", 1, 65535),
-              "serve editors that connect to this port of 127.0.0.1, not standard input and output")
+      Option.of("--port", new OptionArgument.Whole("P", 1, 65535))
           .documented(
               "P",
               "wait for editors at this port of 127.0.0.1, each with a session of its own, instead"
@@ -32,11 +29,6 @@ final class LspCommand implements Subcommand {
   @Override
   public String operands() {
     return "";
-  }
-
-  @Override
-  public String summary() {
-    return "let editors ask about URScript: a server of the Language Server Protocol";
   }
 
   @Override

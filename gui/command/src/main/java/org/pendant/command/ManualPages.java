@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SequencedMap;
 import org.pendant.command.service.Version;
+import org.pendant.text.Texts;
 
 /**
  * Manual pages for {@code man}, from what the subcommands declare: {@code pendant.1}, and one for
@@ -21,6 +22,7 @@ import org.pendant.command.service.Version;
 public final class ManualPages {
   private final List<Subcommand> subcommands;
   private final String heading;
+  private final Texts usage = UsageTexts.english();
 
   /**
    * The pages.
@@ -71,7 +73,7 @@ public final class ManualPages {
     for (Subcommand each : subcommands) {
       lines.add(".TP");
       lines.add("\\fB" + text(each.name()) + "\\fR " + text(each.operands()));
-      lines.add(text(each.summary()) + ", see");
+      lines.add(text(each.summary(usage)) + ", see");
       lines.add(".BR pendant\\-" + text(each.name()) + " (1)");
     }
     lines.add(".SH OPTIONS");
@@ -95,7 +97,7 @@ public final class ManualPages {
     List<String> lines = new ArrayList<>();
     lines.add(".TH PENDANT\\-" + text(subcommand.name().toUpperCase(Locale.ROOT)) + heading);
     lines.add(".SH NAME");
-    lines.add("pendant\\-" + text(subcommand.name()) + " \\- " + text(subcommand.summary()));
+    lines.add("pendant\\-" + text(subcommand.name()) + " \\- " + text(subcommand.summary(usage)));
     lines.add(".SH SYNOPSIS");
     lines.add(".B pendant " + text(subcommand.name()));
     lines.add("[\\fIoptions\\fR] " + text(subcommand.operands()));
@@ -107,15 +109,15 @@ public final class ManualPages {
     return lines;
   }
 
-  private static void option(List<String> lines, Option option) {
+  private void option(List<String> lines, Option option) {
     lines.add(".TP");
     String value = option.takesValue() ? " \\fI" + text(option.value()) + "\\fR" : "";
     lines.add("\\fB" + text(option.name()) + "\\fR" + value);
-    lines.add(text(option.description()));
+    lines.add(text(option.description(usage)));
   }
 
   /** As troff shows it: no hyphens for minus signs, no escapes, no requests where a line begins. */
-  private static String text(String words) {
+  static String text(String words) {
     String escaped = words.replace("\\", "\\e").replace("-", "\\-");
     return escaped.startsWith(".") || escaped.startsWith("'") ? "\\&" + escaped : escaped;
   }

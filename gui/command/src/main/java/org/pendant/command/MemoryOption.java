@@ -11,10 +11,7 @@ import org.pendant.controller.ControllerOptions;
 /** Option {@code --memory}: what the values of a program may take. */
 final class MemoryOption {
   static final Option OPTION =
-      Option.text(
-              "--memory",
-              "SIZE",
-              "what a program's values may take, default 256MB, a third of Java's memory at most")
+      Option.text("--memory", "SIZE")
           .documented(
               "256MB",
               "what the values of a program may take together, in kB, MB or GB: 256 MB (default),"

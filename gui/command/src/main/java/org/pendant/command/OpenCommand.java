@@ -21,7 +21,7 @@ import org.pendant.project.program.file.TreeFile;
 /** Command {@code pendant open FILE...}: opens the desktop with programs. */
 final class OpenCommand implements Subcommand {
   private static final Option PORTS =
-      Option.flag("--ports", "let others reach the controller by the ports of the real one")
+      Option.flag("--ports")
           .documented(
               "open the ports of a control box with the window, see [desktop.md](desktop.md#ports)."
                   + " A port that cannot be had is told in the window");
@@ -106,11 +106,6 @@ final class OpenCommand implements Subcommand {
   @Override
   public String operands() {
     return "FILE...";
-  }
-
-  @Override
-  public String summary() {
-    return "open programs, installations, scenes, recordings and plans of sweeps in the desktop";
   }
 
   @Override

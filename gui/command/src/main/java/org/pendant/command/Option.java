@@ -1,6 +1,7 @@
 package org.pendant.command;
 
 import java.util.List;
+import org.pendant.text.Texts;
 
 /**
  * Option of a subcommand, declared once: parsing, messages, the usage text, the completion of
@@ -8,7 +9,8 @@ import java.util.List;
  *
  * @param name with its two dashes, e.g. {@code --speed}
  * @param argument what may follow it
- * @param summary one line for the usage text, without the value that it has at first
+ * @param key by which the usage texts explain it in one line, without the value that it has at
+ *     first; its name unless another command has an option of that name
  * @param standard the argument when the option is not given; empty where there is none
  * @param repeatable whether it may be given several times
  * @param role what the command does with the file that the value names
@@ -18,7 +20,7 @@ import java.util.List;
 record Option(
     String name,
     OptionArgument argument,
-    String summary,
+    String key,
     String standard,
     boolean repeatable,
     Role role,
@@ -35,29 +37,29 @@ record Option(
   }
 
   /** An option that may be given once and names no file. */
-  static Option of(String name, OptionArgument argument, String summary) {
+  static Option of(String name, OptionArgument argument) {
     String example = argument.placeholder();
-    return new Option(name, argument, summary, "", false, Role.NO_FILE, example, "");
+    return new Option(name, argument, name, "", false, Role.NO_FILE, example, "");
   }
 
   /** An option that nothing follows. */
-  static Option flag(String name, String summary) {
-    return of(name, new OptionArgument.None(), summary);
+  static Option flag(String name) {
+    return of(name, new OptionArgument.None());
   }
 
   /** An option that any text follows. */
-  static Option text(String name, String placeholder, String summary) {
-    return of(name, new OptionArgument.Text(placeholder), summary);
+  static Option text(String name, String placeholder) {
+    return of(name, new OptionArgument.Text(placeholder));
   }
 
   /** An option that names a file to be read. */
-  static Option input(String name, String placeholder, String summary) {
-    return text(name, placeholder, summary).in(Role.READ);
+  static Option input(String name, String placeholder) {
+    return text(name, placeholder).in(Role.READ);
   }
 
   /** An option that names a file to be written. */
-  static Option output(String name, String placeholder, String summary) {
-    return text(name, placeholder, summary).in(Role.WRITTEN);
+  static Option output(String name, String placeholder) {
+    return text(name, placeholder).in(Role.WRITTEN);
   }
 
   /** The same, whose value may be the path of a file that the command reads. */
@@ -66,22 +68,27 @@ record Option(
   }
 
   private Option in(Role other) {
-    return new Option(name, argument, summary, standard, repeatable, other, example, details);
+    return new Option(name, argument, key, standard, repeatable, other, example, details);
+  }
+
+  /** The same, explained by another key. */
+  Option explained(String other) {
+    return new Option(name, argument, other, standard, repeatable, role, example, details);
   }
 
   /** The same with a value that counts when it is not given. */
   Option standing(String value) {
-    return new Option(name, argument, summary, value, repeatable, role, example, details);
+    return new Option(name, argument, key, value, repeatable, role, example, details);
   }
 
   /** The same, which may be given several times. */
   Option repeated() {
-    return new Option(name, argument, summary, standard, true, role, example, details);
+    return new Option(name, argument, key, standard, true, role, example, details);
   }
 
   /** The same with what the documentation says of it, and an example of what follows it. */
   Option documented(String sample, String markdown) {
-    return new Option(name, argument, summary, standard, repeatable, role, sample, markdown);
+    return new Option(name, argument, key, standard, repeatable, role, sample, markdown);
   }
 
   /** The same with what the documentation says of it. */
@@ -104,16 +111,21 @@ record Option(
     return takesValue() ? name + " " + value() : name;
   }
 
+  /** One line about it, without the value that it has at first. */
+  String summary(Texts usage) {
+    return usage.get(key);
+  }
+
   /** The line of the usage text about it. */
-  String description() {
-    return summary
-        + (standard.isEmpty() ? "" : ", default " + standard)
-        + (repeatable ? "; repeatable" : "");
+  String description(Texts usage) {
+    String summary = summary(usage);
+    String whole = standard.isEmpty() ? summary : usage.get("default", summary, standard);
+    return repeatable ? usage.get("repeatable", whole) : whole;
   }
 
   /** A row of the documentation's table. */
-  List<String> row() {
+  List<String> row(Texts usage) {
     String shown = takesValue() ? name + " " + example : name;
-    return List.of("`" + shown + "`", details.isEmpty() ? description() : details);
+    return List.of("`" + shown + "`", details.isEmpty() ? description(usage) : details);
   }
 }

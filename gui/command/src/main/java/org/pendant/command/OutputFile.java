@@ -21,7 +21,7 @@ import org.pendant.controller.disk.WritePlace;
  */
 record OutputFile(String name, Path path, boolean force) {
   static final Option FORCE =
-      Option.flag("--force", "replace the file to be written, if there is one already")
+      Option.flag("--force")
           .documented(
               "replace the file of `--record`, `--profile`, `--trace`, `--out`, `--junit`, `--tap`"
                   + " or `TO`, if there is one already");

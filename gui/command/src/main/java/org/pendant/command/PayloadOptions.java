@@ -18,16 +18,13 @@ record PayloadOptions(OptionalDouble massKg, Optional<Vector3> cogM) {
   private static final int DIGITS = 4;
 
   private static final Option PAYLOAD =
-      Option.of(
-              "--payload",
-              new OptionArgument.Real("KG", 0, MAX_KG, false, "kg"),
-              "payload, default that of the recording")
+      Option.of("--payload", new OptionArgument.Real("KG", 0, MAX_KG, false, "kg"))
           .documented(
               "1.07",
               "mass of the payload, kg, declared and carried from the start; default the recorded"
                   + " `payload`, else that of the installation, else none");
   private static final Option COG =
-      Option.text("--cog", "X,Y,Z", "centre of gravity of the payload in the flange frame, m")
+      Option.text("--cog", "X,Y,Z")
           .documented(
               "0,0,0.058",
               "its centre of gravity in the flange frame, m; default the recorded `payload_cog`,"

@@ -15,13 +15,14 @@ import org.pendant.command.text.CommandLanguage;
 import org.pendant.controller.builtin.StandardBuiltins;
 import org.pendant.language.check.Nearest;
 import org.pendant.testing.builtin.TestBuiltins;
+import org.pendant.text.Texts;
 
 /**
  * The {@code pendant} command: finds the subcommand, and turns whatever happens into an exit code
  * (docs/command-line.md).
  */
 public final class Pendant {
-  static final Option VERSION = Option.flag("--version", "print the version");
+  static final Option VERSION = Option.flag("--version");
 
   /**
    * Property of launchers that have given the JVM nothing that waits for its exit, such as an agent
@@ -184,29 +185,30 @@ public final class Pendant {
   }
 
   private List<String> usage() {
+    Texts texts = UsageTexts.shown();
     UsageText lines = new UsageText();
-    lines.add("Pendant runs URScript programs on an embedded robot controller.");
+    lines.add(texts.get("about"));
     lines.add("");
-    lines.add("Usage: pendant COMMAND [options] ...");
-    lines.add("       pendant [FILE...]    (opens the desktop)");
+    texts.get("usageOfAll").lines().forEach(lines::add);
     lines.add("");
     for (Subcommand subcommand : subcommands) {
-      lines.row(subcommand.name() + " " + subcommand.operands(), subcommand.summary());
+      lines.row(subcommand.name() + " " + subcommand.operands(), subcommand.summary(texts));
     }
     lines.add("");
-    lines.row(Subcommand.HELP.usage(), "show this text; after a command, explain that");
-    lines.row(VERSION.usage(), VERSION.description());
+    lines.row(Subcommand.HELP.usage(), texts.get("helpOfAll"));
+    lines.row(VERSION.usage(), VERSION.description(texts));
     return lines.all();
   }
 
   private static List<String> usage(Subcommand subcommand) {
+    Texts texts = UsageTexts.shown();
     UsageText lines = new UsageText();
-    lines.add("Usage: pendant " + subcommand.name() + " [options] " + subcommand.operands());
+    lines.add(texts.get("usageOfCommand", subcommand.name(), subcommand.operands()));
     lines.add("");
-    lines.add("pendant " + subcommand.name() + ": " + subcommand.summary());
+    lines.add("pendant " + subcommand.name() + ": " + subcommand.summary(texts));
     lines.add("");
-    subcommand.options().forEach(option -> lines.row(option.usage(), option.description()));
-    lines.row(Subcommand.HELP.usage(), Subcommand.HELP.description());
+    subcommand.options().forEach(option -> lines.row(option.usage(), option.description(texts)));
+    lines.row(Subcommand.HELP.usage(), Subcommand.HELP.description(texts));
     return lines.all();
   }
 

@@ -22,33 +22,30 @@ final class PortOptions {
   private static final OptionArgument PORT = new OptionArgument.Whole("P", 1, PortWishes.MAX_PORT);
 
   static final Option HOST =
-      Option.text("--host", "ADDRESS", "where to listen")
+      Option.text("--host", "ADDRESS")
           .standing(PortWishes.STANDARD_HOST)
           .documented(
               "127.0.0.1",
               "where to listen. Any computer that reaches another address than a loopback one can"
                   + " move the robot, as there are no passwords; a warning says so");
   static final Option OFFSET =
-      Option.of(
-              "--port-offset",
-              new OptionArgument.Whole("N", 0, PortWishes.MAX_OFFSET),
-              "add N to every port")
+      Option.of("--port-offset", new OptionArgument.Whole("N", 0, PortWishes.MAX_OFFSET))
           .standing("0")
           .documented("N", "is added to every port, 0 (default) to 11214");
   static final Option MODBUS_PORT =
-      Option.of("--modbus-port", PORT, "port of Modbus, default 502, or 1502 without the right")
+      Option.of("--modbus-port", PORT)
           .documented(
               "P",
               "port of Modbus. Default 502 and the offset; where the system does not allow that,"
                   + " 1000 more, which is said");
   static final Option ROBOT_API =
-      Option.of("--robot-api", PORT, "open the Robot API of PolyScope X at this port")
+      Option.of("--robot-api", PORT)
           .documented(
               "P",
               "open the [Robot API](protocols/robot-api.md) of PolyScope X at this port; the offset"
                   + " does not count. Without it there is none");
   static final Option PROGRAMS =
-      Option.text("--programs", "DIR", "folder of the programs, default the present one")
+      Option.text("--programs", "DIR")
           .documented(
               "DIR",
               "the folder of the programs, default the present one: what `load` loads, and what"

@@ -16,7 +16,7 @@ import org.pendant.script.vm.Program;
  */
 record RecordColumns(List<VariablePath> variables) {
   static final Option OPTION =
-      Option.text("--column", "var:NAME", "also record a variable, e.g. var:count, var:p[2]")
+      Option.text("--column", "var:NAME")
           .repeated()
           .documented(
               "var:count",

@@ -35,11 +35,6 @@ final class RecordCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "write what a robot does to a table or a .rec, by RTDE";
-  }
-
-  @Override
   public List<Option> options() {
     return RecordOptions.ALL;
   }

@@ -81,38 +81,38 @@ record RecordOptions(
   private static final int MAX_PORT = 65_535;
 
   private static final Option HOST =
-      Option.text("--host", "ROBOT", "the controller, by name or address")
+      Option.text("--host", "ROBOT")
+          .explained("--host.record")
           .documented("192.168.0.3", "the controller, by name or address; must be given");
   private static final Option PORT =
-      Option.of("--port", new OptionArgument.Whole("P", 1, MAX_PORT), "port of RTDE")
+      Option.of("--port", new OptionArgument.Whole("P", 1, MAX_PORT))
+          .explained("--port.record")
           .standing(Integer.toString(RtdeServer.STANDARD_PORT))
           .documented("30004", "its port of RTDE, default 30004");
   private static final Option FIELDS =
-      Option.text("--fields", "NAME,...", "RTDE fields, default those that a comparison needs")
+      Option.text("--fields", "NAME,...")
           .documented(
               "timestamp,actual_q",
               "which [fields](protocols/rtde-fields.md), with commas between. Without it those that"
                   + " [compare](#compare) takes, as far as the controller has them");
   private static final Option FREQUENCY =
-      Option.of(
-              "--frequency", new OptionArgument.Real("HZ", 1, MAX_HZ, false, "Hz"), "rows a second")
+      Option.of("--frequency", new OptionArgument.Real("HZ", 1, MAX_HZ, false, "Hz"))
+          .explained("--frequency.record")
           .standing("125")
           .documented("500", "rows a second, 1 to 500, default 125; a CB3 box has 125 at most");
   private static final Option SECONDS =
-      Option.of("--seconds", RunOptions.SECONDS, "how long, default until Ctrl-C")
+      Option.of("--seconds", RunOptions.SECONDS)
           .documented("20", "how long; without it until Ctrl-C");
   private static final Option OUT =
-      Option.output("--out", "FILE", "what to write: FILE.csv a table, FILE.rec a recording")
+      Option.output("--out", "FILE")
+          .explained("--out.record")
           .repeated()
           .documented(
               "mine.csv",
               "what to write: a table, or a [recording](recording.md) where the name ends in"
                   + " `.rec`; must be given, and may be repeated to have both");
   private static final Option SEPARATOR =
-      Option.of(
-              "--separator",
-              new OptionArgument.Choice("space", "comma", "semicolon", "tab"),
-              "between cells")
+      Option.of("--separator", new OptionArgument.Choice("space", "comma", "semicolon", "tab"))
           .standing("space")
           .documented(
               "space",

@@ -32,10 +32,8 @@ record RecordedFile(
     String name, Samples samples, List<String> notes, Optional<Recording> recording) {
   /** How often a row of a table without times was written. */
   static final Option FREQUENCY =
-      Option.of(
-              "--frequency",
-              new OptionArgument.Real("HZ", 0, 1e6, true, "Hz"),
-              "how often a row was written, where the table has no times")
+      Option.of("--frequency", new OptionArgument.Real("HZ", 0, 1e6, true, "Hz"))
+          .explained("--frequency.compare")
           .documented(
               "125",
               "how often a row of the table was written, Hz; only for tables that have no column of"

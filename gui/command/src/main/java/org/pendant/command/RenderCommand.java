@@ -32,11 +32,6 @@ final class RenderCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "run a program and draw the arm, at its end or at a time";
-  }
-
-  @Override
   public List<Option> options() {
     return RenderOptions.ALL;
   }

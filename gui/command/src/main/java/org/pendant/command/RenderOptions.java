@@ -31,38 +31,36 @@ record RenderOptions(
     boolean dark,
     boolean showSafety) {
   private static final Option OUT =
-      Option.output("--out", "FILE.png", "the picture to write")
+      Option.output("--out", "FILE.png")
+          .explained("--out.render")
           .documented(
               "shot.png",
               "the file to write; must be given; [never what the run"
                   + " reads](#files-that-are-written)");
   private static final Option AT =
-      Option.of(
-              "--at",
-              new OptionArgument.Real("S", 0, Double.MAX_VALUE, false, "seconds"),
-              "robot time of the picture, default the program's end")
+      Option.of("--at", new OptionArgument.Real("S", 0, Double.MAX_VALUE, false, "seconds"))
           .documented(
               "S",
               "robot time of the picture; the program is stopped there. Default: the end of the"
                   + " program. If it ends before, its end is drawn, with a note");
   private static final Option SIZE =
-      Option.text("--size", "WxH", "pixels, at most 4096x4096")
+      Option.text("--size", "WxH")
           .standing("1280x800")
           .documented("1280x800", "pixels; each side 16 to 4096");
   private static final Option VIEW =
-      Option.of("--view", new OptionArgument.Choice(StandardView.words()), "from where")
+      Option.of("--view", new OptionArgument.Choice(StandardView.words()))
           .standing("iso")
           .documented(
               "iso",
               "`iso`, `front` (against y, x to the right), `back`, `left` (along x), `right`, `top`"
                   + " (x to the right, y up); always so that all of the arm and its way is seen");
   private static final Option THEME =
-      Option.of("--theme", new OptionArgument.Choice("light", "dark"), "colours")
+      Option.of("--theme", new OptionArgument.Choice("light", "dark"))
           .standing("light")
           .documented("light", "`light` or `dark`");
 
   private static final Option SHOW_SAFETY =
-      Option.flag("--show-safety", "draw safety planes, and where the tool may point")
+      Option.flag("--show-safety")
           .documented(
               "draw the safety planes, each with arrows to its allowed side, and the cone within"
                   + " which the tool may point; what has stopped the arm is red");

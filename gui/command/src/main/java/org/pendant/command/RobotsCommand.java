@@ -4,8 +4,7 @@ import java.util.List;
 
 /** Command {@code pendant robots [NAME]}: the arms there are, and what is known of one. */
 final class RobotsCommand implements Subcommand {
-  private static final Option MARKDOWN =
-      Option.flag("--markdown", "print the page that docs/robots.md has");
+  private static final Option MARKDOWN = Option.flag("--markdown").explained("--markdown.robots");
 
   @Override
   public String name() {
@@ -15,11 +14,6 @@ final class RobotsCommand implements Subcommand {
   @Override
   public String operands() {
     return "[NAME]";
-  }
-
-  @Override
-  public String summary() {
-    return "list the arms, or describe one";
   }
 
   @Override

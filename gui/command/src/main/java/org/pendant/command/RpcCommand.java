@@ -35,11 +35,6 @@ final class RpcCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "let other programs drive robots, by JSON-RPC over standard input and output";
-  }
-
-  @Override
   public List<Option> options() {
     return List.of();
   }

@@ -43,11 +43,6 @@ final class RunCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "run programs headless, in virtual time";
-  }
-
-  @Override
   public List<Option> options() {
     return RunOptions.ALL;
   }

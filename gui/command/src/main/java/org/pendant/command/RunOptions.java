@@ -60,10 +60,7 @@ record RunOptions(
       new OptionArgument.Real("S", 0, Double.POSITIVE_INFINITY, true, "seconds");
 
   static final Option ROBOT =
-      Option.of(
-              "--robot",
-              new OptionArgument.Text("NAME|FILE", ArmLibrary.ids()),
-              "the arm, default ur5e; pendant robots lists them; or an arm file, FILE.json")
+      Option.of("--robot", new OptionArgument.Text("NAME|FILE", ArmLibrary.ids()))
           .reading()
           .documented(
               "ur5e",
@@ -72,59 +69,49 @@ record RunOptions(
                   + " them all. A name that ends in `.json` is a file with the numbers of your own"
                   + " arm");
   private static final Option SPEED =
-      Option.of(
-              "--speed",
-              new OptionArgument.Text("max|1|N", List.of("max", "1")),
-              "as fast as possible, real time, or N times that")
+      Option.of("--speed", new OptionArgument.Text("max|1|N", List.of("max", "1")))
           .standing("max")
           .documented(
               "max",
               "how fast time goes: `max` (default) as fast as possible, `1` like the wall clock,"
                   + " `N` N times as fast");
   private static final Option INPUT =
-      Option.text("--input", "NAME=LEVEL", "an input, e.g. digital_in[0]=true, analog_in[0]=5V")
+      Option.text("--input", "NAME=LEVEL")
           .repeated()
           .documented(
               "\"digital_in[0]=true\"",
               "what an input has from the start; may be repeated, see [below](#inputs)");
   private static final Option WAVEFORMS =
-      Option.text("--waveforms", "FILE", "what inputs do while a program runs, a table")
+      Option.text("--waveforms", "FILE")
           .reading()
           .documented(
               "inputs.csv",
               "what happens at the inputs while a program runs: a table of times, signals and"
                   + " values, see [below](#waveforms)");
   private static final Option ENCODER =
-      Option.text("--encoder", "N=RATE", "a belt turns encoder 0 or 1, RATE ticks a second")
+      Option.text("--encoder", "N=RATE")
           .repeated()
           .documented(
               "0=RATE",
               "a belt turns encoder 0 or 1 from the start, RATE ticks a second (-1000000 to"
                   + " 1000000); may be repeated, see [conveyors.md](conveyors.md)");
   private static final Option ANSWER =
-      Option.text(
-              "--answer",
-              "TEXT=VALUE",
-              "answer to the question TEXT, without TEXT to whichever is next")
+      Option.text("--answer", "TEXT=VALUE")
           .repeated()
           .documented(
               "\"text=value\"",
               "the answer to a question that the program asks, see below; may be repeated");
   static final Option RECORD =
-      Option.output(
-              "--record",
-              "FILE",
-              "write what happens: FILE.csv a table, FILE.rec a recording of it all")
+      Option.output("--record", "FILE")
           .documented(
               "out.csv",
               "write what the arm did, a row each frame; a name that ends in `.rec` makes a"
                   + " [recording](recording.md) of everything instead; with one file only; [never"
                   + " onto what the run reads](#files-that-are-written)");
   private static final Option TIMEOUT =
-      Option.of("--timeout", SECONDS, "stop after S seconds of robot time")
-          .documented("S", "stop after S seconds of robot time");
+      Option.of("--timeout", SECONDS).documented("S", "stop after S seconds of robot time");
   private static final Option SEED =
-      Option.text("--seed", "N", "start of random()")
+      Option.text("--seed", "N")
           .standing("0")
           .documented("N", "start of `random()` and of the noise of sensors; default 0");
 

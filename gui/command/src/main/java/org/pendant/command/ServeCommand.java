@@ -17,11 +17,6 @@ final class ServeCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "run a controller that others reach by the ports of the real one";
-  }
-
-  @Override
   public List<Option> options() {
     return ServeOptions.ALL;
   }

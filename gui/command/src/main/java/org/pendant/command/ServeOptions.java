@@ -51,10 +51,7 @@ record ServeOptions(
   private static final int MAX_ROBOTS = 100;
 
   private static final Option ROBOTS =
-      Option.of(
-              "--robots",
-              new OptionArgument.Whole("N", 1, MAX_ROBOTS),
-              "serve N robots, at the address of --host and those that follow it")
+      Option.of("--robots", new OptionArgument.Whole("N", 1, MAX_ROBOTS))
           .standing("1")
           .documented(
               "N",
@@ -64,21 +61,18 @@ record ServeOptions(
                   + " the options; each has its own state, program and folder for log files");
 
   private static final Option LOGS =
-      Option.text("--logs", "DIR", "folder for log files and reports")
+      Option.text("--logs", "DIR")
           .documented(
               "DIR",
               "the folder for log files and reports, default `pendant/serve/ADDRESS-OFFSET` in"
                   + " `$XDG_STATE_HOME` or `~/.local/state`");
   private static final Option READY =
-      Option.flag("--ready", "begin with the arm running and in remote control")
+      Option.flag("--ready")
           .documented(
               "begin with the arm powered, its brakes released, and in remote control. Without it"
                   + " the arm is off at first, as a real one");
   private static final Option REMOTE =
-      Option.of(
-              "--remote-control",
-              new OptionArgument.Choice("enabled", "disabled"),
-              "whether there is local and remote control, default disabled, with --ready enabled")
+      Option.of("--remote-control", new OptionArgument.Choice("enabled", "disabled"))
           .documented(
               "enabled",
               "whether there is the feature of local and remote control: `disabled` (default) lets"
@@ -86,17 +80,14 @@ record ServeOptions(
                   + " control; `enabled` begins in local control, in which clients may only ask;"
                   + " with `--ready` it is enabled, and remote");
   private static final Option POWER_TIME =
-      Option.of(
-              "--power-time",
-              new OptionArgument.Real("S", 0, 60, false, "seconds"),
-              "seconds from switching on until the arm can move, default 2.6")
+      Option.of("--power-time", new OptionArgument.Real("S", 0, 60, false, "seconds"))
           .documented(
               "S",
               "how long it takes from an arm that is off to one that can move, 0 to 60 s, default"
                   + " 2.6; the other changes of power in proportion");
 
   private static final Option TRACE =
-      Option.output("--trace", "FILE", "write every message of every client to FILE")
+      Option.output("--trace", "FILE")
           .documented(
               "FILE",
               "write every message of every client: `FILE.pcap` for Wireshark, another name for"

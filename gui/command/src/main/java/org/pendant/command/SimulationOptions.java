@@ -26,16 +26,13 @@ final class SimulationOptions {
   private static final double MAX_NOISE_RAD = 0.01;
 
   static final Option SCENE =
-      Option.input("--scene", "FILE.json", "what the arm can touch and carries")
+      Option.input("--scene", "FILE.json")
           .documented(
               "scene.json",
               "what the arm can touch and what truly hangs on its flange, see"
                   + " [scene.md](scene.md)");
   static final Option DEVICE =
-      Option.of(
-              "--device",
-              new OptionArgument.Choice(DeviceSetup.KINDS),
-              "something that answers the program, such as a gripper")
+      Option.of("--device", new OptionArgument.Choice(DeviceSetup.KINDS))
           .repeated()
           .documented(
               "two-finger",
@@ -44,16 +41,13 @@ final class SimulationOptions {
                       ", ", DeviceSetup.KINDS.stream().map(each -> "`" + each + "`").toList())
                   + "; may be repeated, see [devices.md](devices.md)");
   private static final Option SAFETY =
-      Option.input("--safety", "FILE.json", "safety limits and planes instead of the standard ones")
+      Option.input("--safety", "FILE.json")
           .documented(
               "safety.json",
               "safety limits, planes and tool direction in place of the standard ones, see"
                   + " [safety.md](safety.md)");
   private static final Option ARM =
-      Option.of(
-              "--arm",
-              new OptionArgument.Choice("dynamic", "ideal"),
-              "with masses and drives, or always exactly on target")
+      Option.of("--arm", new OptionArgument.Choice("dynamic", "ideal"))
           .standing("dynamic")
           .documented(
               "dynamic",
@@ -62,10 +56,7 @@ final class SimulationOptions {
                   + " where it should be, weighs nothing, and pushes and carries what has a mass"
                   + " without being pushed back");
   static final Option NOISE =
-      Option.of(
-              "--noise",
-              new OptionArgument.Choice("measured", "none"),
-              "sensors err as on recorded arms, or not; default none, for serve measured")
+      Option.of("--noise", new OptionArgument.Choice("measured", "none"))
           .documented(
               "measured",
               "`measured`: readings of the arm's sensors and its supply have the noise and the"
@@ -73,20 +64,14 @@ final class SimulationOptions {
                   + " `none`: they are exact. Default `none`, for `serve` and the window"
                   + " `measured`");
   private static final Option ENCODER_NOISE =
-      Option.of(
-              "--encoder-noise",
-              new OptionArgument.Real("RAD", 0, MAX_NOISE_RAD, false, "rad"),
-              "standard deviation of joint readings, in place of that of --noise")
+      Option.of("--encoder-noise", new OptionArgument.Real("RAD", 0, MAX_NOISE_RAD, false, "rad"))
           .documented(
               "RAD",
               "standard deviation of each reading of a joint encoder, 0 to 0.01 rad; default as"
                   + " `--noise` says");
 
   static final Option START_RAMP =
-      Option.of(
-              "--start-ramp",
-              new OptionArgument.Choice("on", "off"),
-              "programs begin with 0.160 s in which moves get up to speed")
+      Option.of("--start-ramp", new OptionArgument.Choice("on", "off"))
           .standing("on")
           .documented(
               "on",

@@ -15,20 +15,20 @@ import java.util.regex.Pattern;
  */
 record SparkOptions(Optional<String> master, List<String> settings, Optional<String> jar) {
   private static final Option MASTER =
-      Option.text("--master", "MASTER", "whose workers run the variants, with --engine spark")
+      Option.text("--master", "MASTER")
           .documented(
               "'local[*]'",
               "whose workers run the variants: `local[*]` or `local-cluster[2,1,1024]` on this"
                   + " machine, `spark://HOST:PORT`, `yarn`, `k8s://URL`; default what Spark's"
                   + " configuration says, or else `local[*]`");
   private static final Option SETTING =
-      Option.text("--spark-conf", "NAME=VALUE", "a setting of Spark, with --engine spark")
+      Option.text("--spark-conf", "NAME=VALUE")
           .repeated()
           .documented(
               "spark.executor.memory=1g",
               "a setting of Spark, as for its `--conf`; may be repeated");
   private static final Option JAR =
-      Option.input("--spark-jar", "FILE", "the jar that workers get, default the one built here")
+      Option.input("--spark-jar", "FILE")
           .documented(
               "pendant-spark.jar",
               "the jar that workers get; default the one that was built beside this command");

@@ -1,21 +1,24 @@
 package org.pendant.command;
 
 import java.util.List;
+import org.pendant.text.Texts;
 
 /** Subcommand: one task that {@code pendant} can do, chosen by the first word after it. */
 interface Subcommand {
 
   /** Every subcommand understands this. */
-  Option HELP = Option.flag("--help", "show this text");
+  Option HELP = Option.flag("--help");
 
-  /** The word that chooses it. */
+  /** The word that chooses it, by which the usage texts explain it. */
   String name();
 
   /** What follows the options in the usage line, e.g. {@code FILE...}. */
   String operands();
 
   /** One line for the list of subcommands. */
-  String summary();
+  default String summary(Texts usage) {
+    return usage.get(name());
+  }
 
   /** Its options besides {@link #HELP}. */
   List<Option> options();

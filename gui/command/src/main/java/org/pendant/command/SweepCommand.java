@@ -44,11 +44,6 @@ final class SweepCommand implements Subcommand {
   }
 
   @Override
-  public String summary() {
-    return "run thousands of variants of a program, and tell what came of them";
-  }
-
-  @Override
   public List<Option> options() {
     return SweepOptions.ALL;
   }

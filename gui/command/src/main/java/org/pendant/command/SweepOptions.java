@@ -39,48 +39,44 @@ record SweepOptions(
   private static final int MAX_WORKERS = 1024;
 
   private static final Option OUT =
-      Option.text("--out", "DIR", "the folder of the results, default PLAN.sweep beside the plan")
+      Option.text("--out", "DIR")
+          .explained("--out.sweep")
           .documented(
               "results",
               "the folder of the results; default that of the plan with `.sweep` in place of"
                   + " `.toml`, beside the plan");
   private static final Option ENGINE =
-      Option.of(
-              "--engine",
-              new OptionArgument.Choice(LOCAL, SPARK),
-              "where the runs are: on this machine, or on a Spark cluster; default local")
+      Option.of("--engine", new OptionArgument.Choice(LOCAL, SPARK))
           .documented(
               SPARK,
               "where the runs are: `local` on the cores of this machine, `spark` on the workers of"
                   + " [Apache Spark](sweeps.md#on-a-cluster); default `local`, and `spark` where"
                   + " `spark-submit` runs the command");
   private static final Option WORKERS =
-      Option.of(
-              "--workers",
-              new OptionArgument.Whole("N", 1, MAX_WORKERS),
-              "how many runs at a time, default one for each core")
+      Option.of("--workers", new OptionArgument.Whole("N", 1, MAX_WORKERS))
           .documented("8", "how many runs there are at a time; default one for each core");
   private static final Option RESUME =
-      Option.flag("--resume", "go on with the results that are in the folder")
+      Option.flag("--resume")
           .documented(
               "go on with the results that are in the folder: runs that have a row are not run"
                   + " again. Plan and files must be the same");
   private static final Option ASSERT =
-      Option.text("--assert", "CONDITION", "what must hold for every run, e.g. \"duration < 12\"")
+      Option.text("--assert", "CONDITION")
           .repeated()
           .documented(
               "\"duration < 12\"",
               "what must hold for every run, or the exit code is 1: a column, `<`, `<=`, `>`, `>=`,"
                   + " `==` or `!=`, and a number or word; may be repeated");
   private static final Option KEEP =
-      Option.text("--keep", "WHAT=N,...", "recordings of runs, e.g. worst=5,failed=20,duration=3")
+      Option.text("--keep", "WHAT=N,...")
           .documented(
               "worst=5,failed=20",
               "recordings of runs, in `kept`: the first 20 that did not end by themselves, the 5"
                   + " that came nearest to a limit of torque or speed; a column, such as"
                   + " `duration=3`, for those with its largest numbers");
   private static final Option FORCE =
-      Option.flag("--force", "begin anew where there are results already")
+      Option.flag("--force")
+          .explained("--force.sweep")
           .documented("begin anew in a folder that has results already");
 
   /** For the usage text. */

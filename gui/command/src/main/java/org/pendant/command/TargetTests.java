@@ -28,7 +28,7 @@ record TargetTests(TargetAddress address) {
   private static final int PATIENCE_S = 30;
 
   static final Option TARGET =
-      Option.text("--target", "HOST[:N]", "run the programs on the robot there, which moves")
+      Option.text("--target", "HOST[:N]")
           .documented(
               "192.168.0.10",
               "run the programs under test on the robot or simulator there, which moves, and skip"

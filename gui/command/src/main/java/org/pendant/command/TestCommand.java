@@ -26,26 +26,22 @@ final class TestCommand implements Subcommand {
   /** How often files are looked at, ms. */
   private static final long WATCH_MS = 300;
 
-  static final Option LIST = Option.flag("--list", "print the names of the tests and run none");
-  private static final Option VERBOSE = Option.flag("--verbose", "a line for each test");
+  static final Option LIST = Option.flag("--list");
+  private static final Option VERBOSE = Option.flag("--verbose");
   static final Option WATCH =
-      Option.flag("--watch", "run them again whenever a file changes")
+      Option.flag("--watch")
           .documented(
               "run the tests again whenever one of the files changes that they have read, or a file"
                   + " of tests comes; Ctrl-C ends");
-  private static final Option QUIET = Option.flag("--quiet", "only red tests and the summary");
+  private static final Option QUIET = Option.flag("--quiet");
   private static final Option COLOR =
-      Option.of(
-              "--color",
-              new OptionArgument.Choice("auto", "always", "never"),
-              "whether the text has colours")
+      Option.of("--color", new OptionArgument.Choice("auto", "always", "never"))
           .standing("auto")
           .documented(
               "never",
               "whether the text has colours: `always`, `never`, or `auto` (default) where it goes"
                   + " to a terminal and `NO_COLOR` is not set");
-  private static final Option GITHUB =
-      Option.flag("--github", "annotations for GitHub; on where GITHUB_ACTIONS is true");
+  private static final Option GITHUB = Option.flag("--github");
 
   private final DesktopServices services;
 
@@ -66,11 +62,6 @@ final class TestCommand implements Subcommand {
   @Override
   public String operands() {
     return "[PATH...]";
-  }
-
-  @Override
-  public String summary() {
-    return "run tests of programs, *" + TestFinder.ENDING;
   }
 
   @Override

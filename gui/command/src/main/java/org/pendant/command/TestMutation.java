@@ -28,21 +28,18 @@ record TestMutation(
   private static final String CLEARED = "\r" + " ".repeat(40) + "\r";
 
   private static final Option MUTATE =
-      Option.flag("--mutate", "make mistakes in the programs, and see whether tests notice")
+      Option.flag("--mutate")
           .documented(
               "make small mistakes in the programs, one at a time, and tell which of them no test"
                   + " notices, see [mutation.md](mutation.md); each option of mutation asks for"
                   + " it");
   private static final Option ONLY =
-      Option.text("--mutate-only", "TEXT", "mutate programs whose file contains TEXT")
+      Option.text("--mutate-only", "TEXT")
           .repeated()
           .documented(
               "pick", "mutate only programs whose file contains this text; may be repeated");
   private static final Option MUTANTS =
-      Option.of(
-              "--mutants",
-              new OptionArgument.Whole("N", 0, MAX_MUTANTS),
-              "how many mistakes are tried at most, 0 for all")
+      Option.of("--mutants", new OptionArgument.Whole("N", 0, MAX_MUTANTS))
           .standing(Integer.toString(MutationSettings.STANDARD_MOST))
           .documented(
               "0",
@@ -50,13 +47,10 @@ record TestMutation(
                   + MutationSettings.STANDARD_MOST
                   + " that the seed chooses; 0 for all");
   private static final Option SCORE =
-      Option.of(
-              "--mutation-score",
-              new OptionArgument.Real("PERCENT", 0, 100, false, "%"),
-              "exit with 1 where fewer mistakes are noticed")
+      Option.of("--mutation-score", new OptionArgument.Real("PERCENT", 0, 100, false, "%"))
           .documented("80", "exit with 1 where tests notice a smaller share of the mistakes, in %");
   private static final Option JSON =
-      Option.output("--mutation-json", "FILE", "write mutants for viewers of reports")
+      Option.output("--mutation-json", "FILE")
           .documented(
               "mutation.json",
               "write mutants as JSON by the schema of mutation-testing-elements, which viewers"

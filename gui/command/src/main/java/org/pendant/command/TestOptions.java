@@ -32,41 +32,43 @@ record TestOptions(
   private static final Pattern SHARD_FORM = Pattern.compile("(\\d{1,6})/(\\d{1,6})");
 
   static final Option FILTER =
-      Option.text("--filter", "TEXT", "run tests whose file or name contains TEXT")
+      Option.text("--filter", "TEXT")
           .repeated()
           .documented(
               "grip",
               "run only tests whose `FILE:NAME` contains this text; may be repeated, then one of"
                   + " them is enough");
   static final Option TAG =
-      Option.text("--tag", "TAG", "run tests that are marked with TAG")
+      Option.text("--tag", "TAG")
           .repeated()
           .documented("fast", "run only tests with this tag; may be repeated");
   static final Option NOT_TAG =
-      Option.text("--not-tag", "TAG", "leave out tests that are marked with TAG")
+      Option.text("--not-tag", "TAG")
           .repeated()
           .documented("slow", "leave out tests with this tag; may be repeated");
   static final Option SHARD =
-      Option.text("--shard", "I/N", "run part I of N of the tests")
+      Option.text("--shard", "I/N")
           .documented("1/4", "run the first of four parts of the tests, for machines side by side");
-  static final Option FAIL_FAST =
-      Option.flag("--fail-fast", "run nothing more after the first red test");
+  static final Option FAIL_FAST = Option.flag("--fail-fast");
   static final Option SEED =
-      Option.text("--seed", "N", "seed of the random order and of random()")
+      Option.text("--seed", "N")
+          .explained("--seed.test")
           .documented(
               "4711",
               "repeat the order, and what `random()` gives, of a run that printed this seed;"
                   + " without it each run has another one");
   static final Option JOBS =
-      Option.of("--jobs", new OptionArgument.Whole("N", 1, MAX_JOBS), "how many tests run at once")
+      Option.of("--jobs", new OptionArgument.Whole("N", 1, MAX_JOBS))
           .documented("2", "how many tests run at once; default as many as there are processors");
   static final Option TIMEOUT =
-      Option.of("--timeout", RunOptions.SECONDS, "robot time that a test may take")
+      Option.of("--timeout", RunOptions.SECONDS)
+          .explained("--timeout.test")
           .standing(Integer.toString((int) TestSettings.STANDARD_TIMEOUT_S))
           .documented(
               "S", "how much robot time a test may take that has no `@timeout`, default 300 s");
   static final Option WALL_TIMEOUT =
-      Option.of("--wall-timeout", RunOptions.SECONDS, "time on the wall that a test may take")
+      Option.of("--wall-timeout", RunOptions.SECONDS)
+          .explained("--wall-timeout.test")
           .standing(Long.toString(TestSettings.STANDARD_WALL_TIMEOUT.toSeconds()))
           .documented("S", "how long a test may take on this computer, default 60 s");
 

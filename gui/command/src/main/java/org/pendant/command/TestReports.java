@@ -48,37 +48,38 @@ record TestReports(
   private static final int HEAD_BYTES = 512;
 
   static final Option JUNIT =
-      Option.output("--junit", "FILE", "write JUnit XML, which CI systems read")
+      Option.output("--junit", "FILE")
           .documented(
               "tests.xml",
               "write JUnit XML, which CI systems read; replaces an earlier report, see"
                   + " [testing-reports.md](testing-reports.md)");
   static final Option TAP =
-      Option.output("--tap", "FILE", "write TAP version 14")
+      Option.output("--tap", "FILE")
           .documented("tests.tap", "write TAP version 14; replaces an earlier report");
   static final Option COVERAGE =
-      Option.flag("--coverage", "print what the tests reach of the programs")
+      Option.flag("--coverage")
           .documented(
               "print what the tests reach of each program: statements, branches, conditions,"
                   + " functions, and the lines that are missing, see [coverage.md](coverage.md)");
   static final Option LCOV =
-      Option.output("--lcov", "FILE", "write coverage for lcov")
+      Option.output("--lcov", "FILE")
           .documented("coverage.info", "write coverage as lcov and many editors read it");
   static final Option COBERTURA =
-      Option.output("--cobertura", "FILE", "write coverage as Cobertura XML")
+      Option.output("--cobertura", "FILE")
           .documented("coverage.xml", "write coverage as Cobertura XML, which CI systems read");
   static final Option COVERAGE_HTML =
-      Option.text("--coverage-html", "FOLDER", "write coverage as pages into a folder")
+      Option.text("--coverage-html", "FOLDER")
           .documented("coverage", "write coverage as pages for people into this folder");
   static final Option RECORD_ON_FAILURE =
-      Option.text("--record-on-failure", "FOLDER", "record red tests into a folder")
+      Option.text("--record-on-failure", "FOLDER")
           .documented(
               "red",
               "run each red test once more, exactly as it ran, and write a"
                   + " [recording](recording.md) of it into this folder, to open in the window; at"
                   + " most 20");
   static final Option HTML =
-      Option.text("--html", "FOLDER", "write pages for people into a folder")
+      Option.text("--html", "FOLDER")
+          .explained("--html.test")
           .documented("report", "write pages for people into this folder, which is made");
 
   /** All of them. */

@@ -6,10 +6,7 @@ import org.pendant.protocols.toolserial.ToolSerialLine;
 /** Option {@code --tool-serial}: what the serial line of the tool connector leads to. */
 final class ToolSerialOption {
   static final Option OPTION =
-      Option.text(
-              "--tool-serial",
-              "DEVICE",
-              "serial device that is the tool's, such as /dev/ttyUSB0; also at port 54321")
+      Option.text("--tool-serial", "DEVICE")
           .documented(
               "/dev/ttyUSB0",
               "the serial device at the tool connector; the run then also listens at port 54321 of"

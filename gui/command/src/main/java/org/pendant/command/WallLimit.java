@@ -10,8 +10,7 @@ import java.util.concurrent.TimeUnit;
  */
 final class WallLimit implements AutoCloseable {
   static final Option OPTION =
-      Option.of(
-              "--wall-timeout", RunOptions.SECONDS, "stop each program after S seconds on the wall")
+      Option.of("--wall-timeout", RunOptions.SECONDS)
           .documented(
               "S",
               "stop each program after S seconds on the wall, whatever it does; for CI, which must"

@@ -12,9 +12,9 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 
 final class ArgumentsTest {
-  private static final Option SPEED = Option.text("--speed", "N", "how fast");
-  private static final Option INPUT = Option.text("--input", "NAME=LEVEL", "a level").repeated();
-  private static final Option QUIET = Option.flag("--quiet", "say less");
+  private static final Option SPEED = Option.text("--speed", "N");
+  private static final Option INPUT = Option.text("--input", "NAME=LEVEL").repeated();
+  private static final Option QUIET = Option.flag("--quiet");
 
   private static Arguments parse(String... words) throws UsageException {
     return Arguments.parse(List.of(SPEED, INPUT, QUIET), List.of(words));
@@ -65,11 +65,9 @@ final class ArgumentsTest {
 
   @Test
   void numbersAreReadInTheRangeOfTheirOption() throws UsageException {
-    Option time =
-        Option.of("--time", new OptionArgument.Real("S", 0, 60, false, "seconds"), "how long");
-    Option ports =
-        Option.of("--ports", new OptionArgument.Whole("N", 1, 9), "how many").standing("3");
-    Option side = Option.of("--side", new OptionArgument.Choice("left", "right"), "where");
+    Option time = Option.of("--time", new OptionArgument.Real("S", 0, 60, false, "seconds"));
+    Option ports = Option.of("--ports", new OptionArgument.Whole("N", 1, 9)).standing("3");
+    Option side = Option.of("--side", new OptionArgument.Choice("left", "right"));
     List<Option> options = List.of(time, ports, side);
     Arguments none = Arguments.parse(options, List.of());
 

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SequencedMap;
 import org.junit.jupiter.api.Test;
+import org.pendant.text.Texts;
 
 final class ManualPagesTest {
   private static final Instant DATE = Instant.parse("2026-01-02T23:30:00Z");
@@ -36,6 +37,7 @@ final class ManualPagesTest {
 
   @Test
   void aPageHasEveryOptionWithItsExplanation() {
+    Texts usage = UsageTexts.english();
     for (Subcommand each : subcommands()) {
       String page = pages().get("pendant-" + each.name() + ".1").replace("\\-", "-");
       List<Option> options = new ArrayList<>(each.options());
@@ -43,42 +45,16 @@ final class ManualPagesTest {
       for (Option option : options) {
         String value = option.takesValue() ? " \\fI" + option.value() + "\\fR" : "";
         String entry = "\n.TP\n\\fB" + option.name() + "\\fR" + value + "\n";
-        assertTrue(page.contains(entry + option.description() + "\n"), each.name() + option.name());
+        assertTrue(
+            page.contains(entry + option.description(usage) + "\n"), each.name() + option.name());
       }
     }
   }
 
   @Test
   void noTextIsTakenForARequestOrAnEscapeOfTroff() {
-    Option odd = Option.text("--odd", "A\\B", ".br of 'it'");
-    Subcommand command =
-        new Subcommand() {
-          @Override
-          public String name() {
-            return "odd";
-          }
-
-          @Override
-          public String operands() {
-            return "";
-          }
-
-          @Override
-          public String summary() {
-            return "be odd";
-          }
-
-          @Override
-          public List<Option> options() {
-            return List.of(odd);
-          }
-
-          @Override
-          public ExitCode run(Arguments arguments, Console console) {
-            return ExitCode.DONE;
-          }
-        };
-    String page = new ManualPages(List.of(command), DATE).all().get("pendant-odd.1");
-    assertTrue(page.contains("\\fB\\-\\-odd\\fR \\fIA\\eB\\fR\n\\&.br of 'it'\n"), page);
+    assertEquals("\\-\\-odd A\\eB", ManualPages.text("--odd A\\B"));
+    assertEquals("\\&.br of 'it'", ManualPages.text(".br of 'it'"));
+    assertEquals("\\&'it'", ManualPages.text("'it'"));
   }
 }

@@ -14,12 +14,15 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.pendant.text.Texts;
 
 /** docs/command-line.md against the options that the commands declare. */
 final class OptionDocumentationTest {
   /** Those whose options the page has in tables; what one of them has, the next only mentions. */
   private static final List<String> TABLES =
       List.of("run", "serve", "render", "open", "record", "compare", "test", "sweep", "doctor");
+
+  private static final Texts USAGE = UsageTexts.english();
 
   private static List<Subcommand> subcommands() {
     return new Pendant(new Console(new ByteArrayOutputStream(), new ByteArrayOutputStream()))
@@ -43,7 +46,7 @@ final class OptionDocumentationTest {
   }
 
   private static String row(Option option) {
-    return "| " + String.join(" | ", option.row()) + " |";
+    return "| " + String.join(" | ", option.row(USAGE)) + " |";
   }
 
   @Test

@@ -26,6 +26,11 @@ public final class CommandLanguage {
     return Texts.of(owner, LANGUAGE, TRANSLATOR::shown);
   }
 
+  /** What a part of the package of {@code owner} says, in a bundle of its own. */
+  public static Texts texts(Class<?> owner, String part) {
+    return Texts.of(owner, part, LANGUAGE, TRANSLATOR::shown);
+  }
+
   /**
    * A message of others, such as why the controller has refused something: they all speak English.
    */
