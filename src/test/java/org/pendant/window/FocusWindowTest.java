@@ -125,7 +125,11 @@ final class FocusWindowTest {
     window.press("control Z");
     window.click("rail-io");
     window.press("control N");
-    window.awaitShown("program-palette");
+    window.awaitFocus("program-tree");
+    window.click("program-palette");
+    window.awaitFocus("program-palette");
+    window.perform("New program");
+    window.awaitFocus("program-tree");
   }
 
   @Test

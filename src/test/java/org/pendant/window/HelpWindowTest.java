@@ -96,6 +96,7 @@ final class HelpWindowTest {
     window.awaitWords("notices", "made for the installation stack_boxes.pinst");
     window.clickText("notices", "Use it");
     window.awaitHidden("example-stack_boxes.pinst");
+    window.awaitFocus("program-tree");
     window.click("rail-installation");
     window.awaitWords("installation-view", "stack_boxes.pinst");
   }

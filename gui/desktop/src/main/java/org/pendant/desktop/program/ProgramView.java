@@ -154,6 +154,15 @@ public final class ProgramView implements View {
     return content;
   }
 
+  /** Lets keys go to the tree, or to the text of a program that is none. */
+  public void focus() {
+    if (asText) {
+      text.focus();
+    } else {
+      list.requestFocusInWindow();
+    }
+  }
+
   // --- the program in front
 
   private void programChanged() {

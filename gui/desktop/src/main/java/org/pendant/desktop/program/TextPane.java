@@ -121,6 +121,10 @@ final class TextPane extends JPanel {
     revalidate();
   }
 
+  void focus() {
+    text.requestFocusInWindow();
+  }
+
   private void typed() {
     if (!showing) {
       document.ifPresent(each -> each.setText(text.getText()));

@@ -24,6 +24,7 @@ import java.util.function.Consumer;
 import javax.swing.JList;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import org.pendant.kit.dock.Dockable;
 import org.pendant.project.program.ProgramNode;
 import org.pendant.project.program.ProgramTree;
 import org.pendant.project.program.check.NodeProblem;
@@ -56,6 +57,7 @@ final class TreeList extends JList<TreeRow> {
   TreeList() {
     setModel(rows);
     setName("program-tree");
+    putClientProperty(Dockable.TAKES_KEYS, true);
     getAccessibleContext().setAccessibleName(text("program"));
     setSelectionMode(ListSelectionModel.MULTIPLE_INTERVAL_SELECTION);
     setCellRenderer(cell);

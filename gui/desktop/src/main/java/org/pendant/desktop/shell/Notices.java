@@ -8,6 +8,9 @@ import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -36,6 +39,18 @@ final class Notices extends JPanel {
   static final String WHOLE = "whole-notice";
 
   private final Map<String, Notice> open = new LinkedHashMap<>();
+  private final FocusListener focusKeeper =
+      new FocusAdapter() {
+        @Override
+        public void focusGained(FocusEvent event) {
+          Component before = event.getOppositeComponent();
+          if (before == null || !SwingUtilities.isDescendingFrom(before, Notices.this)) {
+            focusBefore = before;
+          }
+        }
+      };
+
+  /** Where keys went before they came to a question, by a click, too. */
   private Component focusBefore;
 
   /**
@@ -144,8 +159,7 @@ final class Notices extends JPanel {
     return new ArrayList<>(open.values()).getLast();
   }
 
-  private void focus(Component choice) {
-    focusBefore = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+  private static void focus(Component choice) {
     choice.requestFocusInWindow();
   }
 
@@ -193,6 +207,7 @@ final class Notices extends JPanel {
       button.getAccessibleContext().setAccessibleName(choice.text());
       button.getAccessibleContext().setAccessibleDescription(question);
       button.addActionListener(event -> choose(name, choice));
+      button.addFocusListener(focusKeeper);
       return button;
     }
 

@@ -338,6 +338,7 @@ final class Views {
   void showOpened(ShellWorkbench workbench, ProgramDocument opened) {
     if (opened.isTree()) {
       workbench.show(ProgramView.ID);
+      program.focus();
       return;
     }
     workbench.show(ScriptEditor.ID);

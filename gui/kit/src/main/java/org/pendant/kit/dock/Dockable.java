@@ -4,7 +4,10 @@ import javax.swing.JComponent;
 
 /** Dockable part of the window: a screen or a panel. Only the dispatch thread calls it. */
 public interface Dockable {
-  /** Property of the part of a view that keys go to at first, where it is no usual component. */
+  /**
+   * Property of the part of a view that keys go to at first, where that is not its first text,
+   * table, tree or list.
+   */
   String TAKES_KEYS = "pendant.takes-keys";
 
   /** Stable name in settings and commands, such as {@code log}. */

@@ -7,6 +7,7 @@ import java.util.Collection;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JTable;
@@ -16,8 +17,8 @@ import javax.swing.text.JTextComponent;
 
 /**
  * View focus: where keys are sent in a view that comes to the front: where they went last, at first
- * to its text, table, tree or list, or to what it draws itself ({@link Dockable#TAKES_KEYS}). Never
- * to a button that the user has not chosen: a space would press it.
+ * to the part that says so ({@link Dockable#TAKES_KEYS}), else to its text, table, tree or list.
+ * Never to a button that the user has not chosen: a space would press it.
  */
 final class ViewFocus {
   private final Map<Dockable, Component> last = new HashMap<>();
@@ -42,7 +43,10 @@ final class ViewFocus {
     if (there != null && there.isShowing() && SwingUtilities.isDescendingFrom(there, whole)) {
       there.requestFocusInWindow();
     } else {
-      content(whole).orElse(whole).requestFocusInWindow();
+      first(whole, ViewFocus::takesKeys)
+          .or(() -> first(whole, ViewFocus::isContent))
+          .orElse(whole)
+          .requestFocusInWindow();
     }
   }
 
@@ -52,16 +56,16 @@ final class ViewFocus {
     return owner != null && SwingUtilities.isDescendingFrom(owner, component);
   }
 
-  private static Optional<Component> content(Container in) {
+  private static Optional<Component> first(Container in, Predicate<Component> wanted) {
     for (Component each : in.getComponents()) {
       if (!each.isVisible()) {
         continue;
       }
-      if (isContent(each)) {
+      if (wanted.test(each)) {
         return Optional.of(each);
       }
       if (each instanceof Container inner) {
-        Optional<Component> found = content(inner);
+        Optional<Component> found = first(inner, wanted);
         if (found.isPresent()) {
           return found;
         }
@@ -70,11 +74,12 @@ final class ViewFocus {
     return Optional.empty();
   }
 
+  private static boolean takesKeys(Component component) {
+    return component instanceof JComponent part
+        && Boolean.TRUE.equals(part.getClientProperty(Dockable.TAKES_KEYS));
+  }
+
   private static boolean isContent(Component component) {
-    if (component instanceof JComponent drawn
-        && Boolean.TRUE.equals(drawn.getClientProperty(Dockable.TAKES_KEYS))) {
-      return true;
-    }
     boolean kind =
         component instanceof JTable
             || component instanceof JTree
