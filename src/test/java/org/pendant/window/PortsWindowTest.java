@@ -55,6 +55,7 @@ final class PortsWindowTest {
       window.perform("Timeline: back to now");
       window.click("rail-run");
       window.awaitWords("run-name", "visitor (sent from outside)");
+      window.awaitWords("run-line", "Line 3:  sync()");
       window.awaitWords("program-state", "running");
       window.awaitWords("ports-summary", "1 client");
       window.awaitWords(

@@ -1,13 +1,19 @@
 package org.pendant.window;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Writing, running and debugging programs in the window. */
 @Tag("slow")
 final class ProgramWindowTest {
   @RegisterExtension static final SharedWindow sharedWindow = new SharedWindow();
+
+  @TempDir static Path folder;
 
   private final OpenWindow window = sharedWindow.window();
 
@@ -49,6 +55,28 @@ final class ProgramWindowTest {
     window.press("control Z");
     window.press("control Z");
     window.press("control S");
+  }
+
+  @Test
+  void theMomentThatPeopleLookAtIsToldByTheNodeOfATree() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("greet.pendant"),
+            """
+            pendant program 1
+            main
+              script-line code="sleep(0.1)"
+              script-line code="textmsg(1)"
+            """);
+    window.open(file);
+    window.press("F5");
+    window.awaitWords("run-state", "finished");
+    window.press("control F11");
+    window.awaitShown("past-banner");
+    window.awaitWords("run-name", "greet.pendant");
+    window.awaitWords("run-node", "2  sleep(0.1)");
+    window.press("ESCAPE");
+    window.awaitHidden("past-banner");
   }
 
   @Test

@@ -43,6 +43,7 @@ import org.pendant.recording.RecordedProgram;
 import org.pendant.recording.Recording;
 import org.pendant.recording.explain.MotionExplanation;
 import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.vm.ProgramState;
 
 /** Views of the past: what the window does while people look at the past. */
 final class PastViews {
@@ -327,16 +328,22 @@ final class PastViews {
         && (now.equals(then) || now.equals(ByteText.decoded(then)));
   }
 
-  /** The program that ran then, for the Run screen. */
-  RunProgram run(RunProgram live) {
-    return new PastRun(live);
+  /**
+   * The program that ran then, for the Run screen.
+   *
+   * @param nodes the node of a line of the program of the moment that people look at
+   */
+  RunProgram run(RunProgram live, IntFunction<Optional<RunNode>> nodes) {
+    return new PastRun(live, nodes);
   }
 
   private final class PastRun implements RunProgram {
     private final RunProgram live;
+    private final IntFunction<Optional<RunNode>> nodes;
 
-    PastRun(RunProgram live) {
+    PastRun(RunProgram live, IntFunction<Optional<RunNode>> nodes) {
       this.live = live;
+      this.nodes = nodes;
     }
 
     @Override
@@ -350,7 +357,9 @@ final class PastViews {
         return live.name(state);
       }
       String name = ByteText.decoded(state.program().name());
-      return name.isEmpty() ? text("noProgramYet") : name;
+      return program()
+          .map(ProgramDocument::name)
+          .orElse(name.isEmpty() ? text("noProgramYet") : name);
     }
 
     @Override
@@ -365,7 +374,7 @@ final class PastViews {
 
     @Override
     public Optional<RunNode> nodeAt(int line) {
-      return lookBack.back() ? Optional.empty() : live.nodeAt(line);
+      return lookBack.back() ? nodes.apply(line) : live.nodeAt(line);
     }
 
     @Override
@@ -397,7 +406,12 @@ final class PastViews {
 
     @Override
     public Optional<RunNode> node(ControllerState state) {
-      return lookBack.back() ? Optional.empty() : live.node(state);
+      if (!lookBack.back()) {
+        return live.node(state);
+      }
+      return state.program().state() == ProgramState.STOPPED
+          ? Optional.empty()
+          : nodes.apply(lookBack.line());
     }
 
     @Override

@@ -117,7 +117,13 @@ final class StartedRun implements RunProgram {
 
   @Override
   public String lineText(int line) {
-    return runner.line(line);
+    return session.strangerLast()
+        ? session
+            .startedSource()
+            .filter(source -> line >= 1 && line <= source.lineCount())
+            .map(source -> source.lineText(line))
+            .orElse("")
+        : runner.line(line);
   }
 
   @Override
