@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.function.LongFunction;
 import java.util.function.LongSupplier;
 import org.pendant.controller.installation.Installation;
 import org.pendant.controller.jog.JogMove;
@@ -31,6 +32,7 @@ final class ProgramHost implements FormHost {
   private final JogHold hold;
   private final LongConsumer select;
   private final LongSupplier selected;
+  private final LongFunction<List<NodeProblem>> warnings;
   private Optional<TreeProgram> program = Optional.empty();
 
   /**
@@ -39,18 +41,21 @@ final class ProgramHost implements FormHost {
    * @param hold moves the arm while something is held
    * @param select brings a node into view and selects it
    * @param selected the key of the node whose form is shown; 0 for none
+   * @param warnings what the script of a node of the program is warned of
    */
   ProgramHost(
       Workbench workbench,
       ArmTeacher teacher,
       JogHold hold,
       LongConsumer select,
-      LongSupplier selected) {
+      LongSupplier selected,
+      LongFunction<List<NodeProblem>> warnings) {
     this.workbench = workbench;
     this.teacher = teacher;
     this.hold = hold;
     this.select = select;
     this.selected = selected;
+    this.warnings = warnings;
   }
 
   /** The program whose nodes are shown from now on. */
@@ -94,6 +99,11 @@ final class ProgramHost implements FormHost {
   @Override
   public List<NodeProblem> problems(long key) {
     return program.map(each -> each.problems(key)).orElse(List.of());
+  }
+
+  @Override
+  public List<NodeProblem> warnings(long key) {
+    return warnings.apply(key);
   }
 
   @Override

@@ -94,7 +94,8 @@ public final class ProgramView implements View {
             teacher,
             new JogHold(workbench.session()::submit, EventQueue::invokeLater),
             list::select,
-            () -> shownNode().map(ProgramNode::key).orElse(0L));
+            () -> shownNode().map(ProgramNode::key).orElse(0L),
+            key -> warned.getOrDefault(key, List.of()));
     tabs =
         new NodeTabs(
             new CommandTab(() -> new NodeForms(workbench, host), commands),

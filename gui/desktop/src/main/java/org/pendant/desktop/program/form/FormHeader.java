@@ -16,6 +16,7 @@ final class FormHeader extends JPanel {
   private final JLabel title = new JLabel();
   private final FormText about = new FormText("form-about", Palette::quiet);
   private final FormText problems = new FormText("form-problems", Palette::error).keepingRoom();
+  private final FormText warnings = new FormText("form-warnings", Palette::warning).keepingRoom();
   private final FormText suppressed = new FormText("form-suppressed", Palette::warning);
   private final JButton again = new JButton(text("useItAgain"));
 
@@ -38,6 +39,7 @@ final class FormHeader extends JPanel {
     }
     add(again, "growx 0");
     add(problems, "growx, width 0:10:");
+    add(warnings, "growx, width 0:10:");
   }
 
   void show(String kind, String text) {
@@ -49,6 +51,7 @@ final class FormHeader extends JPanel {
   /** Another node: room is kept only for what is said about one. */
   void giveRoomBack() {
     problems.giveRoomBack();
+    warnings.giveRoomBack();
   }
 
   void setSuppressed(boolean now) {
@@ -58,5 +61,9 @@ final class FormHeader extends JPanel {
 
   void setProblems(List<String> messages) {
     problems.say(String.join("\n", messages));
+  }
+
+  void setWarnings(List<String> messages) {
+    warnings.say(String.join("\n", messages));
   }
 }

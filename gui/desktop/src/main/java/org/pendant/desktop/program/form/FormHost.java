@@ -45,6 +45,9 @@ public interface FormHost {
   /** What keeps a node from running. */
   List<NodeProblem> problems(long key);
 
+  /** What the script of a node is warned of, which keeps it from nothing. */
+  List<NodeProblem> warnings(long key);
+
   /** Brings a node into view and selects it. */
   void select(long key);
 

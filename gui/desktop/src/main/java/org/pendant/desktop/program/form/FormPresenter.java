@@ -247,6 +247,13 @@ final class FormPresenter {
     return messages;
   }
 
+  /** What the script of the node is warned of. */
+  List<String> warnings() {
+    return key.isEmpty()
+        ? List.of()
+        : host.warnings(key.getAsLong()).stream().map(NodeProblem::message).distinct().toList();
+  }
+
   /** Where expressions are read. */
   ExpressionScope scope() {
     return ExpressionScope.of(host.tree(), host.installation());

@@ -169,10 +169,14 @@ public final class NodeForms {
     }
   }
 
-  /** What is wrong, found by the check of the program or typed just now. */
+  /**
+   * What is wrong, found by the check of the program or typed just now, and what the script is
+   * warned of: the mark in the tree tells it to the pointer alone.
+   */
   private void showProblems() {
     Optional<NodeForm> form = presenter.form();
     header.setProblems(form.map(presenter::problems).orElse(List.of()));
+    header.setWarnings(presenter.warnings());
     form.ifPresent(
         shown ->
             views.forEach(

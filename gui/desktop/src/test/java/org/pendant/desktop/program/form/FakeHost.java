@@ -16,6 +16,7 @@ final class FakeHost implements FormHost {
   private final Deque<ProgramTree> past = new ArrayDeque<>();
   private final List<String> told = new ArrayList<>();
   private final List<NodeProblem> problems = new ArrayList<>();
+  private final List<NodeProblem> warnings = new ArrayList<>();
   private Installation installation = Installation.NONE;
   private ProgramTree tree;
   private Runnable changed = () -> {};
@@ -46,6 +47,10 @@ final class FakeHost implements FormHost {
 
   void addProblem(NodeProblem problem) {
     problems.add(problem);
+  }
+
+  void addWarning(NodeProblem warning) {
+    warnings.add(warning);
   }
 
   void undo() {
@@ -84,6 +89,11 @@ final class FakeHost implements FormHost {
   @Override
   public List<NodeProblem> problems(long key) {
     return problems.stream().filter(each -> each.key() == key).toList();
+  }
+
+  @Override
+  public List<NodeProblem> warnings(long key) {
+    return warnings.stream().filter(each -> each.key() == key).toList();
   }
 
   @Override

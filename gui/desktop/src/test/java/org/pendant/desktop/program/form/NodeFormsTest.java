@@ -233,6 +233,16 @@ final class NodeFormsTest {
   }
 
   @Test
+  void warningsOfTheScriptStandBelowTheTitle()
+      throws InterruptedException, InvocationTargetException {
+    ProgramNode node = first(MotionStep.Move.class);
+    host.addWarning(new NodeProblem(node.key(), "", "this loop never waits", false));
+    show(node);
+    assertEquals("this loop never waits", control("form-warnings", JTextComponent.class).getText());
+    assertEquals("", control("form-problems", JTextComponent.class).getText());
+  }
+
+  @Test
   void everyControlOfEveryFormHasANameForScreenReaders()
       throws InterruptedException, InvocationTargetException {
     for (ProgramNode node : host.tree().nodes()) {
