@@ -47,6 +47,31 @@ final class HelpWindowTest {
   }
 
   @Test
+  void helpClosesForAFileThatIsOpenedAndForAScreenThatIsShown() {
+    window.perform("Help and documentation");
+    window.awaitFocus("help-pages");
+    window.perform("Example: hello");
+    window.awaitHidden("help-text");
+    window.awaitFocus("script-text");
+
+    window.perform("Help and documentation");
+    window.awaitFocus("help-pages");
+    window.press("alt 7");
+    window.awaitHidden("help-text");
+    window.awaitFocus("log-table");
+  }
+
+  @Test
+  void escapeClosesTheHelpWhileKeysGoElsewhere() {
+    window.perform("Help and documentation");
+    window.awaitFocus("help-pages");
+    window.click("speed-slider");
+    window.awaitFocus("speed-slider");
+    window.press("ESCAPE");
+    window.awaitHidden("help-text");
+  }
+
+  @Test
   void sectionsAreFoundByTheirWords() {
     window.perform("Help and documentation");
     window.awaitFocus("help-pages");

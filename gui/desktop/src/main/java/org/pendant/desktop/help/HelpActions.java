@@ -88,6 +88,11 @@ public final class HelpActions {
     actions.add(Action.of("help.report", text("reportAProblem"), "", this::report));
   }
 
+  /** Closes the documentation, if it is open: something below it is to be seen. */
+  public void close() {
+    panel.close();
+  }
+
   private String made(HelpPage page) {
     return page.equals(HelpPage.KEYS)
         ? ShortcutText.of(actions, groups.get())

@@ -103,9 +103,10 @@ final class HelpPanel {
         "grow, push");
     panel.add(pages);
     panel.add(new JScrollPane(text), "spany 2, wrap");
-    panel.add(close());
+    panel.add(closeButton());
     panel.setPreferredSize(UIScale.scale(USUAL));
     overlay = new Overlay("help", under, panel);
+    overlay.takeEscapeAnywhere();
   }
 
   /** Ctrl+T and Ctrl+Shift+T choose links already; the usual action knows no pages of the help. */
@@ -180,11 +181,11 @@ final class HelpPanel {
         failed -> text.setText(failed.getMessage()));
   }
 
-  private JButton close() {
+  private JButton closeButton() {
     JButton close = new JButton(text("close"));
     close.setName("help-close");
     close.setToolTipText(text("closesTheHelpEsc"));
-    close.addActionListener(event -> overlay.close());
+    close.addActionListener(event -> close());
     return close;
   }
 
@@ -194,6 +195,11 @@ final class HelpPanel {
     overlay.open();
     show(page, "");
     list.requestFocusInWindow();
+  }
+
+  /** Closes it, if it is open. */
+  void close() {
+    overlay.close();
   }
 
   private void show(HelpPage page, String place) {

@@ -42,6 +42,7 @@ public final class WelcomeCard {
     this.settings = settings;
     panel.setOpaque(false);
     overlay = new Overlay("welcome", under, panel);
+    overlay.takeEscapeAnywhere();
     close.setName("welcome-close");
     close.setToolTipText(text("closesThisCardEscItIs"));
     close.addActionListener(event -> close());

@@ -291,14 +291,17 @@ final class DesktopWindow {
     ExampleFiles examples =
         new ExampleFiles(
             files, installationFiles, scenes, notices, docks.component(), status::tell);
-    new HelpActions(
+    HelpActions help =
+        new HelpActions(
             actions,
             docks.component(),
             this::actionsByMenu,
             StateFolder.of(System.getenv()),
             ConfigurationFolder.of(System.getProperties(), System.getenv()),
-            status::tell)
-        .add(views::explain, examples::open, () -> docks.mainView().orElse(""));
+            status::tell);
+    help.add(views::explain, examples::open, () -> docks.mainView().orElse(""));
+    programs.addListener(help::close);
+    docks.addShowListener(help::close);
     welcome.addAction();
   }
 

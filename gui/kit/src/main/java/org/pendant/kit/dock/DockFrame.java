@@ -41,6 +41,7 @@ public final class DockFrame {
   private final Map<Side, DockPane> panes = new EnumMap<>(Side.class);
   private final Map<Side, Divider> dividers = new EnumMap<>(Side.class);
   private final List<Runnable> listeners = new ArrayList<>();
+  private final List<Runnable> showListeners = new ArrayList<>();
   private final JPanel main = new JPanel(new BorderLayout());
   private final JPanel area = new JPanel(null);
   private final JLayer<JPanel> layer;
@@ -107,6 +108,7 @@ public final class DockFrame {
   /** Brings a view to the front, wherever it is, and gives it the focus. */
   public void show(String id) {
     reveal(id);
+    List.copyOf(showListeners).forEach(Runnable::run);
     give(id);
   }
 
@@ -215,6 +217,11 @@ public final class DockFrame {
   /** Tells {@code listener} when another view is in the main area. */
   public void addListener(Runnable listener) {
     listeners.add(listener);
+  }
+
+  /** Tells {@code listener} when a view is brought to the front, before the keys go there. */
+  public void addShowListener(Runnable listener) {
+    showListeners.add(listener);
   }
 
   /** Shows what the plan says; what is there already stays as it is, with its focus. */

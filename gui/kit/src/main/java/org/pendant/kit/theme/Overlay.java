@@ -65,6 +65,15 @@ public final class Overlay {
     escape = run;
   }
 
+  /**
+   * Takes Escape also while keys go elsewhere in the window, unless something there takes it: for
+   * what stays open beside other work.
+   */
+  public void takeEscapeAnywhere() {
+    card.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
+        .put(KeyStroke.getKeyStroke("ESCAPE"), "close");
+  }
+
   /** Whether it is open. */
   public boolean isOpen() {
     return open;
