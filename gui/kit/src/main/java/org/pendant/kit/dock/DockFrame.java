@@ -185,12 +185,8 @@ public final class DockFrame {
 
   /** Shows only the tabs of a side, or all of it. */
   public void setCollapsed(Side side, boolean collapsed) {
-    boolean hides = collapsed && ViewFocus.within(panes.get(side));
     plan.setCollapsed(side, collapsed);
     fill();
-    if (hides) {
-      mainView().ifPresent(this::give);
-    }
   }
 
   /** Whether only the tabs of a side are shown. */
@@ -224,8 +220,13 @@ public final class DockFrame {
     showListeners.add(listener);
   }
 
-  /** Shows what the plan says; what is there already stays as it is, with its focus. */
+  /**
+   * Shows what the plan says; what is there already stays as it is, with its focus. Keys that went
+   * to a dock that is filled anew stay with the view that had them, or go to the main area where
+   * that is hidden now: Swing would send them to the line beside it, which arrows move.
+   */
   private void fill() {
+    Optional<String> keys = viewWithKeys();
     Optional<String> front = plan.selected(Side.MAIN);
     if (!front.equals(shown)) {
       shown = front;
@@ -237,7 +238,11 @@ public final class DockFrame {
             window.close();
           }
         });
-    panes.values().forEach(DockPane::follow);
+    boolean lost = false;
+    for (DockPane pane : panes.values()) {
+      boolean within = ViewFocus.within(pane);
+      lost |= pane.follow() && within;
+    }
     showWindows(true);
     if (main.getComponentCount() == 0) {
       main.add(
@@ -246,7 +251,23 @@ public final class DockFrame {
     }
     area.revalidate();
     area.repaint();
+    if (lost) {
+      keys.filter(this::inSight).or(this::mainView).ifPresent(this::give);
+    }
     List.copyOf(listeners).forEach(Runnable::run);
+  }
+
+  private Optional<String> viewWithKeys() {
+    return views.values().stream()
+        .filter(view -> ViewFocus.within(view.component()))
+        .map(Dockable::id)
+        .findFirst();
+  }
+
+  /** Whether a view is the one in front where it is. */
+  private boolean inSight(String id) {
+    Side side = sideOf(id);
+    return !plan.collapsed(side) && plan.selected(side).equals(Optional.of(id));
   }
 
   /**

@@ -39,11 +39,16 @@ final class DockPane extends JPanel {
     setName("dock-" + side.word());
   }
 
-  /** Shows what the plan says; the same tabs as before stay, and what is in them. */
-  void follow() {
+  /**
+   * Shows what the plan says; the same tabs as before stay, and what is in them.
+   *
+   * @return whether there are others now
+   */
+  boolean follow() {
     Shown wanted = new Shown(plan.views(side), plan.collapsed(side), plan.collapsed(Side.RIGHT));
+    boolean anew = !wanted.equals(shown);
     filling = true;
-    if (wanted.equals(shown)) {
+    if (!anew) {
       plan.selected(side)
           .filter(id -> !wanted.collapsed())
           .ifPresent(id -> tabs.setSelectedIndex(wanted.views().indexOf(id)));
@@ -52,6 +57,7 @@ final class DockPane extends JPanel {
       fill();
     }
     filling = false;
+    return anew;
   }
 
   private void fill() {

@@ -40,14 +40,22 @@ final class ViewFocus {
   void give(Dockable view) {
     JComponent whole = view.component();
     Component there = last.get(view);
-    if (there != null && there.isShowing() && SwingUtilities.isDescendingFrom(there, whole)) {
-      there.requestFocusInWindow();
-    } else {
+    boolean given =
+        there != null
+            && canTakeKeys(there)
+            && SwingUtilities.isDescendingFrom(there, whole)
+            && there.requestFocusInWindow();
+    if (!given) {
       first(whole, ViewFocus::takesKeys)
           .or(() -> first(whole, ViewFocus::isContent))
           .orElse(whole)
           .requestFocusInWindow();
     }
+  }
+
+  /** A button may have been disabled since it had the keys. */
+  private static boolean canTakeKeys(Component component) {
+    return component.isShowing() && component.isEnabled() && component.isFocusable();
   }
 
   /** Whether keys go to a component or to something in it. */
