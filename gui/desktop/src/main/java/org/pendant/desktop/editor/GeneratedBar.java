@@ -50,10 +50,9 @@ final class GeneratedBar extends JPanel {
   }
 
   private static void say(JLabel text, ProgramDocument program) {
+    boolean foreign = program.readOnly();
     text.setText(
-        program.readOnly()
-            ? text("scriptOfAPolyscopeXProgram")
-            : text("generatedFromTheProgramTreeWhich"));
-    text.setToolTipText(text.getText());
+        foreign ? text("scriptOfAPolyscopeXProgram") : text("generatedFromTheProgramTree"));
+    text.setToolTipText(foreign ? text.getText() : text("generatedFromTheProgramTreeWhich"));
   }
 }
