@@ -16,6 +16,9 @@ import java.util.stream.Stream;
 final class TextBundles {
   private static final Path ROOT = Path.of("..", "..").toAbsolutePath().normalize();
 
+  /** How the names of bundles begin that the servers of editors speak. */
+  static final String OF_EDITORS = "editors.";
+
   private static final Pattern PLACE = Pattern.compile("\\{\\d\\*?}|%(\\d\\$)?[-,.\\d]*[sdfeg%n]");
 
   private static final Pattern SPEAKS_ENGLISH = Pattern.compile("\\bTexts\\.english\\(");
@@ -69,9 +72,11 @@ final class TextBundles {
     return false;
   }
 
-  /** Names of the bundles that window and command line translate by, as their list has them. */
+  /**
+   * Names of the bundles that are translated by where something is shown, as their list has them.
+   */
   static List<String> translatedWhereShown() throws IOException {
-    Path list = ROOT.resolve("gui/command/src/main/resources/texts/bundles.txt");
+    Path list = ROOT.resolve("gui/editors/src/main/resources/texts/bundles.txt");
     try (Stream<String> lines = Files.lines(list)) {
       return lines.filter(line -> !line.startsWith("#")).toList();
     }

@@ -21,6 +21,7 @@ final class TextLiteralsTest {
       List.of(
           "gui/kit/src/main/java",
           "gui/desktop/src/main/java",
+          "gui/editors/src/main/java",
           "protocols/src/main/java",
           "language/src/main/java",
           "controller/script/src/main/java",

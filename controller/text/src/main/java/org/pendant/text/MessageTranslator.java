@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -21,12 +22,23 @@ public final class MessageTranslator {
   private static final String WRITTEN = "\uE000";
 
   private final Language language;
+  private final String own;
   private final Map<String, String> remembered = new ConcurrentHashMap<>();
   private Translations translations;
 
   /** Into a language; into English, which reads no bundle and leaves everything as it is, too. */
   public MessageTranslator(Language language) {
+    this(language, "");
+  }
+
+  /**
+   * The same, for who says something that others say as well, and means something else.
+   *
+   * @param own how the names of the bundles begin that it says it from, such as {@code editors.}
+   */
+  public MessageTranslator(Language language, String own) {
     this.language = language;
+    this.own = own;
   }
 
   /** A message as people read it. */
@@ -59,7 +71,9 @@ public final class MessageTranslator {
 
   private synchronized Translations translations() {
     if (translations == null) {
-      translations = Translations.of(language, MessageTranslator.class.getClassLoader(), bundles());
+      List<String> bundles =
+          bundles().stream().sorted(Comparator.comparing(each -> !each.startsWith(own))).toList();
+      translations = Translations.of(language, MessageTranslator.class.getClassLoader(), bundles);
     }
     return translations;
   }

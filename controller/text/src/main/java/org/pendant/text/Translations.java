@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.MissingResourceException;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.regex.Pattern;
@@ -52,8 +51,8 @@ public final class Translations {
    *
    * @param loader finds their files
    * @param bundles their names, such as {@code controller.safety}; where two say the same in
-   *     English, the first says it in the other language
-   * @throws MissingResourceException if a bundle is not there
+   *     English, the first says it in the other language; those of modules that are not there are
+   *     left out
    */
   public static Translations of(Language language, ClassLoader loader, Collection<String> bundles) {
     Map<String, String> plain = new HashMap<>();
@@ -80,9 +79,7 @@ public final class Translations {
 
   private static Properties read(ClassLoader loader, String bundle) {
     Properties texts = new Properties();
-    if (!Texts.read(bundle, loader.getResourceAsStream("texts/" + bundle + ".properties"), texts)) {
-      throw new MissingResourceException("no texts of " + bundle, bundle, "");
-    }
+    Texts.read(bundle, loader.getResourceAsStream("texts/" + bundle + ".properties"), texts);
     return texts;
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -51,12 +53,10 @@ final class Attaching {
 
   CompletableFuture<Void> attach() {
     if (robot.isEmpty()) {
-      return Refusals.answer(
-          "there is no robot to attach to: pendant dap launches programs; pendant serve --dap PORT"
-              + " and pendant open --dap PORT have a robot to attach to");
+      return Refusals.answer(text("noRobotToAttachTo"));
     }
     if (session.debuggee().isPresent()) {
-      return Refusals.answer("the session has a robot already");
+      return Refusals.answer(text("hasRobotAlready"));
     }
     RunEvents events = new RunEvents(session, stops, wishes, () -> output);
     AttachedRobot following =
@@ -85,7 +85,7 @@ final class Attaching {
 
   /** A program without statements stands for none. */
   private Program none() {
-    return ProgramLoader.load(Source.of("no program", "sync()\n"), builtins)
+    return ProgramLoader.load(Source.of(text("noProgram"), "sync()\n"), builtins)
         .program()
         .orElseThrow();
   }

@@ -58,9 +58,9 @@ final class BreakpointRequests {
     Optional<HitRule> rule = HitRule.of(hits);
     Optional<String> refusal =
         before >= BreakpointTable.MOST
-            ? Optional.of("a file has at most " + BreakpointTable.MOST + " breakpoints")
+            ? Optional.of(DebugAdapterTexts.text("tooManyBreakpoints", BreakpointTable.MOST))
             : rule.isEmpty()
-                ? Optional.of("hit condition is " + hits + ", must be " + HitRule.forms())
+                ? Optional.of(DebugAdapterTexts.text("wrongHitCondition", hits, HitRule.forms()))
                 : text(source).flatMap(text -> check.refusal(text, line, condition, message));
     Optional<org.pendant.script.debug.Breakpoint> breakpoint =
         refusal.isPresent()
@@ -92,11 +92,11 @@ final class BreakpointRequests {
     if (wanted.refusal().isPresent()) {
       unverified(told, wanted.refusal().get(), BreakpointNotVerifiedReason.FAILED);
     } else if (session.debuggee().isEmpty() || !session.program().text().known()) {
-      unverified(told, "no program is there yet", BreakpointNotVerifiedReason.PENDING);
+      unverified(told, DebugAdapterTexts.text("noProgramYet"), BreakpointNotVerifiedReason.PENDING);
     } else if (text(source).isEmpty()) {
       unverified(
           told,
-          "not in " + session.program().text().source().name() + ", which is debugged",
+          DebugAdapterTexts.text("notInDebugged", session.program().text().source().name()),
           BreakpointNotVerifiedReason.FAILED);
     } else {
       place(told, wanted.line());
@@ -108,13 +108,14 @@ final class BreakpointRequests {
     Debuggee debuggee = session.program();
     OptionalInt statement = debuggee.text().statementLine(debuggee.program(), line);
     if (statement.isEmpty()) {
-      unverified(told, "no statement begins here or after it", BreakpointNotVerifiedReason.FAILED);
+      unverified(
+          told, DebugAdapterTexts.text("noStatementHere"), BreakpointNotVerifiedReason.FAILED);
       return;
     }
     told.setVerified(true);
     told.setLine(session.form().line(statement.getAsInt()));
     if (statement.getAsInt() != line) {
-      told.setMessage("moved to the next statement");
+      told.setMessage(DebugAdapterTexts.text("movedToStatement"));
     }
   }
 

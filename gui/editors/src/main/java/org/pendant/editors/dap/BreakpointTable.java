@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -56,7 +58,7 @@ final class BreakpointTable {
     } else if (sources.size() < MAX_SOURCES || sources.containsKey(key)) {
       sources.put(key, new OfSource(source, all));
     } else {
-      throw Refusals.of("more than " + MAX_SOURCES + " files have breakpoints");
+      throw Refusals.of(text("tooManyFilesWithBreakpoints", MAX_SOURCES));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -43,12 +45,7 @@ final class DataBreakpoints {
       return CompletableFuture.completedFuture(
           watchable
               .map(what -> info(what, name))
-              .orElseGet(
-                  () ->
-                      none(
-                          name
-                              + " cannot be watched, only global variables, their parts and what"
-                              + " the robot has can")));
+              .orElseGet(() -> none(text("notWatchable", name))));
     }
     if (WatchedSignal.of(name).isPresent()) {
       return CompletableFuture.completedFuture(info(WatchedSignal.WATCHABLE + name, name));
@@ -99,10 +96,10 @@ final class DataBreakpoints {
     Optional<DataWatch.Reader> reader = reader(asked.getDataId());
     String refusal =
         all.size() >= MAX_WATCHED
-            ? "at most " + MAX_WATCHED + " values are watched"
+            ? text("tooManyWatched", MAX_WATCHED)
             : rule.isEmpty()
-                ? "hit condition is " + asked.getHitCondition() + ", must be " + HitRule.forms()
-                : reader.isEmpty() ? "there is no value " + asked.getDataId() : "";
+                ? text("wrongHitCondition", asked.getHitCondition(), HitRule.forms())
+                : reader.isEmpty() ? text("noSuchValue", asked.getDataId()) : "";
     if (!refusal.isEmpty()) {
       BreakpointRequests.unverified(told, refusal, BreakpointNotVerifiedReason.FAILED);
       return told;

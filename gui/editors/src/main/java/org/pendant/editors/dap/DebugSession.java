@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -71,7 +73,7 @@ final class DebugSession {
 
   /** The program, which must be there. */
   Debuggee program() {
-    return debuggee.orElseThrow(() -> Refusals.of("no program was launched"));
+    return debuggee.orElseThrow(() -> Refusals.of(text("notLaunched")));
   }
 
   /** The moment that is looked at, while the program stands still. */
@@ -81,7 +83,7 @@ final class DebugSession {
 
   /** The same, which must be there. */
   StandingProgram stopped() {
-    return view.orElseThrow(() -> Refusals.of("the program is not stopped"));
+    return view.orElseThrow(() -> Refusals.of(text("notStopped")));
   }
 
   /** The program goes on. */

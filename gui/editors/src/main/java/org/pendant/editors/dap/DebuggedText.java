@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,7 +44,7 @@ final class DebuggedText {
             ? Optional.empty()
             : Optional.of(Path.of(target.source().orElseThrow().name())),
         true,
-        "made of a program tree");
+        text("madeOfTree"));
   }
 
   /**
@@ -51,7 +53,7 @@ final class DebuggedText {
    * @param file that has it; empty for none
    */
   DebuggedText(ClientForm form, org.pendant.language.source.Source source, Optional<Path> file) {
-    this(form, source, file, true, "sent to the robot");
+    this(form, source, file, true, text("sentToRobot"));
   }
 
   private DebuggedText(
@@ -70,7 +72,11 @@ final class DebuggedText {
   /** Stands for that of a program which will begin: any text may be meant. */
   static DebuggedText unknown(ClientForm form) {
     return new DebuggedText(
-        form, org.pendant.language.source.Source.of("no program", ""), Optional.empty(), false, "");
+        form,
+        org.pendant.language.source.Source.of(text("noProgram"), ""),
+        Optional.empty(),
+        false,
+        "");
   }
 
   /** Whether there is a program. */

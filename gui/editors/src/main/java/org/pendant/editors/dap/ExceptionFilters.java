@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -28,11 +30,8 @@ final class ExceptionFilters {
   /** What a client can choose from. */
   static ExceptionBreakpointsFilter[] all() {
     return new ExceptionBreakpointsFilter[] {
-      filter(ERROR, "Runtime errors", "Before a program ends with an error"),
-      filter(
-          SAFETY,
-          "Protective stops",
-          "When a safety function stops the arm, before the program ends with it"),
+      filter(ERROR, text("runtimeErrors"), text("runtimeErrorsTip")),
+      filter(SAFETY, text("protectiveStops"), text("protectiveStopsTip")),
     };
   }
 
@@ -65,9 +64,7 @@ final class ExceptionFilters {
     told.setVerified(true);
     if (!name.equals(ERROR) && !name.equals(SAFETY)) {
       BreakpointRequests.unverified(
-          told,
-          "filter is " + name + ", must be " + ERROR + " or " + SAFETY,
-          BreakpointNotVerifiedReason.FAILED);
+          told, text("wrongFilter", name, ERROR, SAFETY), BreakpointNotVerifiedReason.FAILED);
     }
     return told;
   }

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -56,7 +58,7 @@ final class ExecutionRequests {
         .written()
         .of(id)
         .map(past::to)
-        .orElseGet(() -> Refusals.answer("that line of output is not known any more"));
+        .orElseGet(() -> Refusals.answer(text("outputForgotten")));
   }
 
   /**
@@ -96,7 +98,7 @@ final class ExecutionRequests {
   /** Lets the program run until a thread comes to a line that has a statement. */
   CompletableFuture<Void> runTo(int threadNumber, int line) {
     if (past.past()) {
-      return Refusals.answer(PastView.UNCHANGEABLE);
+      return Refusals.answer(PastView.unchangeable());
     }
     wishes.expect(StopWishes.Step.LINE);
     int thread = DebugSession.thread(threadNumber);
@@ -156,7 +158,7 @@ final class ExecutionRequests {
 
   CompletableFuture<Void> pause() {
     if (session.view().isPresent()) {
-      return Refusals.answer("the program is stopped already");
+      return Refusals.answer(text("stoppedAlready"));
     }
     return session
         .ask(

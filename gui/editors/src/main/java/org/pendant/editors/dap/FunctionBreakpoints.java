@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -72,7 +74,7 @@ final class FunctionBreakpoints {
       all.add(
           i < BreakpointTable.MOST
               ? wanted(id, asked[i], outline)
-              : refused(id, "there are at most " + BreakpointTable.MOST + " of functions"));
+              : refused(id, text("tooManyFunctionBreakpoints", BreakpointTable.MOST)));
     }
     table.setFunctions(all);
     return all;
@@ -89,26 +91,25 @@ final class FunctionBreakpoints {
   private BreakpointTable.Wanted wanted(
       int id, FunctionBreakpoint each, List<OutlineItem> outline) {
     if (!known()) {
-      return refused(id, "no program is there yet");
+      return refused(id, text("noProgramYet"));
     }
     Optional<HitRule> rule = HitRule.of(Objects.requireNonNullElse(each.getHitCondition(), ""));
     if (rule.isEmpty()) {
-      return refused(
-          id, "hit condition is " + each.getHitCondition() + ", must be " + HitRule.forms());
+      return refused(id, text("wrongHitCondition", each.getHitCondition(), HitRule.forms()));
     }
     if (each.getName() == null) {
-      return refused(id, "a function breakpoint needs the name of a function");
+      return refused(id, text("functionNameMissing"));
     }
     Optional<OutlineItem> function =
         definitions(outline)
             .filter(item -> item.name().equals(ByteText.asBytes(each.getName().strip())))
             .findFirst();
     if (function.isEmpty()) {
-      return refused(id, "the program has no function " + each.getName());
+      return refused(id, text("noSuchFunction", each.getName()));
     }
     OptionalInt line = firstStatement(function.get());
     if (line.isEmpty()) {
-      return refused(id, each.getName() + " has no statement");
+      return refused(id, text("functionWithoutStatement", each.getName()));
     }
     org.pendant.script.debug.Breakpoint breakpoint =
         new org.pendant.script.debug.Breakpoint(

@@ -26,7 +26,8 @@ final class JsonArguments {
   }
 
   private static IllegalArgumentException wrong(String name, Object found, String expected) {
-    return new IllegalArgumentException(name + " is " + found + ", must be " + expected);
+    return new IllegalArgumentException(
+        DebugAdapterTexts.text("wrongArgument", name, found, expected));
   }
 
   /** A text that is not empty; an empty one counts as missing. */
@@ -36,7 +37,7 @@ final class JsonArguments {
         .filter(each -> !(each instanceof String))
         .ifPresent(
             each -> {
-              throw wrong(name, each, "a text");
+              throw wrong(name, each, DebugAdapterTexts.text("aText"));
             });
     return found.map(String.class::cast).filter(each -> !each.isBlank());
   }
@@ -53,7 +54,7 @@ final class JsonArguments {
       case Number number when number.doubleValue() == number.longValue() ->
           String.valueOf(number.longValue());
       case Number number -> number.toString();
-      default -> throw wrong(name, found, "a text, a number, true or false");
+      default -> throw wrong(name, found, DebugAdapterTexts.text("anyScalar"));
     };
   }
 
@@ -64,7 +65,7 @@ final class JsonArguments {
               if (each instanceof Boolean flag) {
                 return flag;
               }
-              throw wrong(name, each, "true or false");
+              throw wrong(name, each, DebugAdapterTexts.text("trueOrFalse"));
             })
         .orElse(false);
   }
@@ -76,7 +77,7 @@ final class JsonArguments {
       return List.of();
     }
     if (!(found.get() instanceof List<?> list) || list.size() > MOST) {
-      throw wrong(name, found.get(), "a list of texts");
+      throw wrong(name, found.get(), DebugAdapterTexts.text("listOfTexts"));
     }
     return list.stream().map(each -> scalar(name, each)).toList();
   }

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -36,8 +38,7 @@ record LaunchArguments(
     String program =
         arguments
             .text("program")
-            .orElseThrow(
-                () -> new IllegalArgumentException("program is missing, the file to be debugged"));
+            .orElseThrow(() -> new IllegalArgumentException(text("programMissing")));
     List<String> options = new ArrayList<>();
     for (String name : List.of("robot", "installation", "scene")) {
       arguments.text(name).ifPresent(value -> add(options, name, value));

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -58,7 +60,7 @@ final class Launching {
   /** Reads a program and switches a robot on; it starts when the client has set its breakpoints. */
   CompletableFuture<Void> launch(Map<String, Object> told) {
     if (launching || session.debuggee().isPresent()) {
-      return Refusals.answer("a program was launched already");
+      return Refusals.answer(text("launchedAlready"));
     }
     return load(LaunchArguments.of(told))
         .thenCompose(
@@ -75,7 +77,7 @@ final class Launching {
     int before = ends;
     return progress
         .of(
-            "Reading " + arguments.program(),
+            text("reading", arguments.program()),
             false,
             CompletableFuture.supplyAsync(
                 () -> read(arguments), task -> Thread.ofVirtual().name("launch").start(task)))
@@ -84,7 +86,7 @@ final class Launching {
             read -> {
               if (before != ends) {
                 read.target().outside().run();
-                throw Refusals.of(arguments.program() + ": ended before it has begun");
+                throw Refusals.of(text("endedBeforeBegun", arguments.program()));
               }
               begin(arguments, read);
             });
@@ -118,7 +120,7 @@ final class Launching {
     if (target.source().isEmpty()) {
       target.outside().run();
       throw Refusals.of(
-          target.problems().stream().findFirst().orElse(target.file() + ": the tree cannot run"));
+          target.problems().stream().findFirst().orElse(text("treeCannotRun", target.file())));
     }
     DebuggedText text = new DebuggedText(session.form(), target);
     OutputEvents output = new OutputEvents(target.node(), text);
@@ -130,8 +132,7 @@ final class Launching {
     var program = read.result().program().get();
     if (program.secondary()) {
       target.outside().run();
-      throw Refusals.of(
-          target.file() + ": a secondary program runs within a frame and cannot be debugged");
+      throw Refusals.of(text("secondaryProgram", target.file()));
     }
     RunEvents events = new RunEvents(session, stops, wishes, () -> output);
     RobotRun run =
@@ -154,15 +155,16 @@ final class Launching {
     List<Diagnostic> errors = diagnostics.stream().filter(Diagnostic::isError).toList();
     Diagnostic first = errors.getFirst();
     int at = Math.min(first.range().start(), source.text().length());
-    String more = errors.size() == 1 ? "" : " (and " + (errors.size() - 1) + " more)";
+    String message = ByteText.decoded(first.message());
     return source.name()
         + ":"
         + source.line(at)
         + ":"
         + source.column(at)
-        + ": error: "
-        + ByteText.decoded(first.message())
-        + more;
+        + ": "
+        + (errors.size() == 1
+            ? text("error", message)
+            : text("errorAndMore", message, errors.size() - 1));
   }
 
   private void say(String category, String words) {
@@ -201,10 +203,10 @@ final class Launching {
   /** Begins anew, with the text and the arguments as they are now. */
   CompletableFuture<Void> restart(Optional<Map<String, Object>> told) {
     if (launching) {
-      return Refusals.answer("a program is being launched");
+      return Refusals.answer(text("launching"));
     }
     if (session.debuggee().isPresent() && launched.isEmpty()) {
-      return Refusals.answer("only programs that were launched are restarted");
+      return Refusals.answer(text("notRestartable"));
     }
     LaunchArguments arguments = LaunchArguments.again(session.program().arguments(), told);
     end();

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -118,7 +120,7 @@ public final class LiveRobotRequests {
         .request(
             () ->
                 asked == null || asked.timeS() == null
-                    ? Refusals.answer("timeS is missing, robot time in s")
+                    ? Refusals.answer(text("timeMissing"))
                     : session.leadingAway(execution.toTime(asked.timeS())));
   }
 
@@ -141,10 +143,10 @@ public final class LiveRobotRequests {
             .filter(each -> asked != null && each.text().equals(asked.bank()))
             .findFirst();
     if (bank.isEmpty()) {
-      return Refusals.answer("bank is unknown, must be such as digital_out");
+      return Refusals.answer(text("unknownBank"));
     }
     if (session.view().filter(view -> view instanceof PastView).isPresent()) {
-      return Refusals.answer(PastView.UNCHANGEABLE);
+      return Refusals.answer(PastView.unchangeable());
     }
     SignalWrite write = new SignalWrite.Digital(new Signal(bank.get(), asked.index()), asked.on());
     return session

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.pendant.script.vm.Program;
@@ -28,6 +30,6 @@ record Moves(Set<Integer> lines) {
 
   /** What is said, within a sentence, of a program that has stepped to {@code line} by a move. */
   String words(int line) {
-    return lines.contains(line) ? "here a move begins" : "here the move has ended";
+    return lines.contains(line) ? text("moveBegins") : text("moveEnded");
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -61,8 +63,9 @@ final class OutputEvents {
           default ->
               switch (entry.level()) {
                 case INFO -> output(OutputEventArgumentsCategory.CONSOLE, words);
-                case WARNING -> output(OutputEventArgumentsCategory.CONSOLE, "warning: " + words);
-                case ERROR -> output(OutputEventArgumentsCategory.STDERR, "error: " + words);
+                case WARNING ->
+                    output(OutputEventArgumentsCategory.CONSOLE, text("warning", words));
+                case ERROR -> output(OutputEventArgumentsCategory.STDERR, text("error", words));
               };
         };
     entry
@@ -73,15 +76,14 @@ final class OutputEvents {
   }
 
   private static OutputEventArguments of(Popup popup) {
-    String kind =
-        switch (popup.severity()) {
-          case MESSAGE -> "popup: ";
-          case WARNING -> "popup (warning): ";
-          case ERROR -> "popup (error): ";
-        };
+    String words = ByteText.decoded(popup.title() + ": " + popup.text());
     return output(
         OutputEventArgumentsCategory.CONSOLE,
-        kind + ByteText.decoded(popup.title() + ": " + popup.text()));
+        switch (popup.severity()) {
+          case MESSAGE -> text("popup", words);
+          case WARNING -> text("popupWarning", words);
+          case ERROR -> text("popupError", words);
+        });
   }
 
   private void at(OutputEventArguments told, int line) {
@@ -125,10 +127,8 @@ final class OutputEvents {
                   output(
                       OutputEventArgumentsCategory.STDERR,
                       source.name()
-                          + ": error: stopped in line "
-                          + result.line()
                           + ": "
-                          + ByteText.decoded(why)
+                          + text("stoppedInLine", result.line(), ByteText.decoded(why))
                           + node(result.line()));
               if (result.line() > 0) {
                 at(told, result.line());
@@ -145,27 +145,21 @@ final class OutputEvents {
     List<ScriptFailure.StackEntry> stack = failure.stack();
     stack.stream()
         .limit(MAX_CALLS)
-        .forEach(
-            each ->
-                words
-                    .append("\n  in ")
-                    .append(each.function())
-                    .append(", line ")
-                    .append(each.line()));
+        .forEach(each -> words.append("\n  ").append(text("call", each.function(), each.line())));
     if (stack.size() > MAX_CALLS) {
-      words.append("\n  ... ").append(stack.size() - MAX_CALLS).append(" more");
+      words.append("\n  ").append(text("moreCalls", stack.size() - MAX_CALLS));
     }
     return words.toString();
   }
 
   /** The node of the tree that a line belongs to, as a line of its own. */
   private String node(int line) {
-    return node.apply(line).map(found -> "\n" + found + "stopped here").orElse("");
+    return node.apply(line).map(found -> "\n" + found + text("stoppedHere")).orElse("");
   }
 
   /** A remark about the program. */
   OutputEventArguments note(String words) {
-    return output(OutputEventArgumentsCategory.CONSOLE, source.name() + ": note: " + words);
+    return output(OutputEventArgumentsCategory.CONSOLE, text("note", source.name(), words));
   }
 
   /** A line. */

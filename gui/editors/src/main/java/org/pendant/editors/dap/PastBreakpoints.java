@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -48,10 +50,8 @@ final class PastBreakpoints {
     return holds.orElse(false);
   }
 
-  /** What could not be found out, to be said behind a message; empty for nothing. */
-  String unknown() {
-    return untold
-        .map(each -> "; it cannot tell whether the condition of line " + each.line() + " was true")
-        .orElse("");
+  /** What has come of a search that these stopped nowhere, and what it could not find out. */
+  String said(String found) {
+    return untold.map(each -> found + "; " + text("conditionUnknown", each.line())).orElse(found);
   }
 }

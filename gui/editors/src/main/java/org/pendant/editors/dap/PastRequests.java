@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -48,7 +50,7 @@ final class PastRequests {
    */
   private record Found(Optional<Moment> moment, String reason, String words) {
     static final Found NOW =
-        new Found(Optional.empty(), StoppedEventArgumentsReason.STEP, "Back to now");
+        new Found(Optional.empty(), StoppedEventArgumentsReason.STEP, text("backToNow"));
   }
 
   /** Something to look for; it fails with the reason why there is none. */
@@ -68,7 +70,7 @@ final class PastRequests {
             new StepSearch(recording)
                 .before(from)
                 .map(step -> found(step, StoppedEventArgumentsReason.STEP))
-                .orElseThrow(() -> Refusals.of("the recording has no earlier statement")));
+                .orElseThrow(() -> Refusals.of(text("noEarlierStatement"))));
   }
 
   /** To the frame before. */
@@ -76,7 +78,7 @@ final class PastRequests {
     return begin(
         (recording, from, now) -> {
           if (from.frame() <= recording.firstFrame()) {
-            throw Refusals.of("the recording has no earlier frame");
+            throw Refusals.of(text("noEarlierFrame"));
           }
           return new Found(
               Optional.of(Moment.endOf(from.frame() - 1)), StoppedEventArgumentsReason.STEP, "");
@@ -88,7 +90,7 @@ final class PastRequests {
     return begin(
         (recording, from, now) -> {
           if (written.moment().frame() < recording.firstFrame()) {
-            throw Refusals.of("the recording does not go back to that line of output");
+            throw Refusals.of(text("outputNotRecorded"));
           }
           return until(
               now,
@@ -96,7 +98,7 @@ final class PastRequests {
                   new Found(
                       Optional.of(written.moment()),
                       StoppedEventArgumentsReason.GOTO,
-                      "here was written: " + written.text())));
+                      text("hereWritten", written.text()))));
         });
   }
 
@@ -136,7 +138,7 @@ final class PastRequests {
             new StepSearch(recording)
                 .before(from, moves.lines(), step -> true)
                 .map(step -> toMove(step, moves))
-                .orElseThrow(() -> Refusals.of("the recording has no earlier move")));
+                .orElseThrow(() -> Refusals.of(text("noEarlierMove"))));
   }
 
   /** To where the next move begins, or to the statement behind the one that is looked at. */
@@ -178,10 +180,10 @@ final class PastRequests {
             new StepSearch(recording)
                 .before(from, breakpoints.lines(), breakpoints::stop)
                 .map(step -> found(step, StoppedEventArgumentsReason.BREAKPOINT))
-                .orElseGet(() -> beginning(recording, from, breakpoints.unknown())));
+                .orElseGet(() -> beginning(recording, from, breakpoints)));
   }
 
-  private static Found beginning(Recording recording, Moment from, String unknown) {
+  private static Found beginning(Recording recording, Moment from, PastBreakpoints breakpoints) {
     long frame =
         recording
             .programOf(from.frame())
@@ -196,8 +198,8 @@ final class PastRequests {
                 new Found(
                     Optional.of(moment),
                     StoppedEventArgumentsReason.ENTRY,
-                    "the beginning of what is recorded" + unknown))
-        .orElseThrow(() -> Refusals.of("the recording has no earlier breakpoint" + unknown));
+                    breakpoints.said(text("beginning"))))
+        .orElseThrow(() -> Refusals.of(breakpoints.said(text("noEarlierBreakpoint"))));
   }
 
   /** To the next breakpoint that the program came to, or to now. */
@@ -263,7 +265,7 @@ final class PastRequests {
                       (arrival, fault) -> searching.remove(request), session.thread());
             });
     return progress
-        .of("Searching the recording", true, found)
+        .of(text("searching"), true, found)
         // so that a refusal takes its turn as well
         .whenCompleteAsync((arrival, fault) -> {}, session.thread())
         .thenAccept(arrival -> arrive(before, arrival));
@@ -271,7 +273,7 @@ final class PastRequests {
 
   private void arrive(StandingProgram before, Arrival arrival) {
     if (session.view().filter(view -> view.equals(before)).isEmpty()) {
-      throw Refusals.of("the program has gone on meanwhile");
+      throw Refusals.of(text("goneOnMeanwhile"));
     }
     session.goOn();
     // behind the answer to this request
@@ -296,12 +298,12 @@ final class PastRequests {
     }
     Moment moment = found.moment().get();
     PastView view = PastView.of(moment, recording.at(moment), debuggee.text().source());
+    String then = seconds(moment.frame());
+    String current = seconds(now.state().frame());
     told.setDescription(
-        "In the past, at "
-            + seconds(moment.frame())
-            + "; now is "
-            + seconds(now.state().frame())
-            + (found.words().isEmpty() ? "" : "; " + found.words()));
+        found.words().isEmpty()
+            ? text("inThePast", then, current)
+            : text("inThePastBecause", then, current, found.words()));
     told.setThreadId(DebugSession.number(thread(view)));
     return new Arrival(view, told);
   }

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.HashMap;
 import java.util.Map;
 import org.pendant.editors.dap.look.Branch;
@@ -33,7 +35,7 @@ final class References {
 
   private int next() {
     if (frames.size() + branches.size() >= MOST) {
-      throw Refusals.of("more than " + MOST + " values were looked at since the program stopped");
+      throw Refusals.of(text("tooManyValues", MOST));
     }
     return ++last;
   }
@@ -56,7 +58,7 @@ final class References {
   Frame frame(int number) {
     Frame frame = frames.get(number);
     if (frame == null) {
-      throw Refusals.of("there is no call " + number + " any more: the program has gone on");
+      throw Refusals.of(text("noSuchCall", number));
     }
     return frame;
   }
@@ -65,7 +67,7 @@ final class References {
   Owned branch(int number) {
     Owned branch = branches.get(number);
     if (branch == null) {
-      throw Refusals.of("there are no variables " + number + " any more: the program has gone on");
+      throw Refusals.of(text("noSuchVariables", number));
     }
     return branch;
   }

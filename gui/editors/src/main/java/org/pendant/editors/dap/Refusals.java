@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
@@ -46,17 +48,17 @@ final class Refusals {
     }
     return switch (cause) {
       case ResponseErrorException refused -> refused.getResponseError();
-      case CancellationException _ -> error(ResponseErrorCode.RequestCancelled, "cancelled");
+      case CancellationException _ -> error(ResponseErrorCode.RequestCancelled, text("cancelled"));
       case IllegalArgumentException _, ScriptError _, TargetRefusal _ ->
           error(
               ResponseErrorCode.RequestFailed,
               ByteText.decoded(String.valueOf(cause.getMessage())));
       // What the adapter says that it cannot do, and a client asks for all the same.
       case UnsupportedOperationException _ ->
-          error(ResponseErrorCode.MethodNotFound, "not supported");
+          error(ResponseErrorCode.MethodNotFound, text("notSupported"));
       default -> {
         faults.accept(cause);
-        yield error(ResponseErrorCode.InternalError, "internal error: " + cause);
+        yield error(ResponseErrorCode.InternalError, text("internalError", cause));
       }
     };
   }

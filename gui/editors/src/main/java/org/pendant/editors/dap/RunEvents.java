@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
@@ -113,14 +115,14 @@ final class RunEvents implements RunListener {
       }
       case PauseReason.ConditionFailed(int line, String message) -> {
         told.setReason(StoppedEventArgumentsReason.BREAKPOINT);
-        told.setDescription("The condition of a breakpoint failed");
+        told.setDescription(text("conditionFailed"));
         told.setText(ByteText.decoded(message));
         told.setHitBreakpointIds(stops.lines().at(line).ids());
       }
       case PauseReason.Stepped _ -> {
         told.setReason(step.reason());
         if (step == StopWishes.Step.MOVE) {
-          told.setDescription("Paused: " + session.program().moves().words(stop.line()));
+          told.setDescription(text("pausedAtMove", session.program().moves().words(stop.line())));
         }
       }
       case PauseReason.PauseRequested _ -> {
@@ -134,7 +136,7 @@ final class RunEvents implements RunListener {
       }
       case PauseReason.Failed(var failure) -> {
         told.setReason(StoppedEventArgumentsReason.EXCEPTION);
-        told.setDescription("The program has failed");
+        told.setDescription(text("programFailed"));
         told.setText(ByteText.decoded(failure.message()));
       }
     }
@@ -160,7 +162,7 @@ final class RunEvents implements RunListener {
     DebuggedRobot run = run().get();
     StoppedEventArguments told = new StoppedEventArguments();
     told.setReason(StoppedEventArgumentsReason.EXCEPTION);
-    told.setDescription("A safety function has stopped the arm");
+    told.setDescription(text("safetyStopped"));
     told.setText(state.safety().stop().map(SafetyStop::message).orElse(""));
     told.setThreadId(DebugSession.number(Debugger.MAIN));
     var _ =
@@ -204,7 +206,7 @@ final class RunEvents implements RunListener {
     atEnd = Optional.of(result);
     StoppedEventArguments told = new StoppedEventArguments();
     told.setReason(ENDED);
-    told.setDescription("The program has ended");
+    told.setDescription(text("programEnded"));
     told.setThreadId(DebugSession.number(Debugger.MAIN));
     session.stop(
         EndedView.of(
@@ -248,7 +250,7 @@ final class RunEvents implements RunListener {
                   .client()
                   .output(
                       OutputEvents.output(
-                          OutputEventArgumentsCategory.STDERR, "internal error: " + fault));
+                          OutputEventArgumentsCategory.STDERR, text("internalError", fault)));
               ended(new RunResult(RunResult.INTERNAL_ERROR, Optional.empty(), Optional.empty(), 0));
             });
   }

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Queue;
@@ -146,9 +148,7 @@ final class SessionThread implements Executor, AutoCloseable {
   @Override
   public void close() {
     thread.shutdownNow();
-    awaited
-        .values()
-        .forEach(each -> each.completeExceptionally(Refusals.of("the session has ended")));
+    awaited.values().forEach(each -> each.completeExceptionally(Refusals.of(text("sessionEnded"))));
     try {
       var _ = thread.awaitTermination(LAST_WORDS_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -37,7 +39,7 @@ final class SourceRequests {
       named.setSourceReference(asked.getSourceReference());
     }
     if (!text.isMeant(named)) {
-      throw Refusals.of("there is no such text; " + text.source().name() + " is debugged");
+      throw Refusals.of(text("noSuchText", text.source().name()));
     }
     SourceResponse response = new SourceResponse();
     response.setContent(ByteText.decoded(text.source().text()));
@@ -56,19 +58,15 @@ final class SourceRequests {
   GotoTargetsResponse targets(GotoTargetsArguments asked) {
     Debuggee debuggee = session.program();
     if (!debuggee.text().isMeant(asked.getSource())) {
-      throw Refusals.of("not in " + debuggee.text().source().name() + ", which is debugged");
+      throw Refusals.of(text("notInDebugged", debuggee.text().source().name()));
     }
     int wanted = session.form().fromLine(asked.getLine());
     OptionalInt line = debuggee.text().statementLine(debuggee.program(), wanted);
     if (line.isEmpty()) {
-      throw Refusals.of("no statement begins here or after it");
+      throw Refusals.of(text("noStatementHere"));
     }
     List<GotoTarget> targets = new ArrayList<>();
-    targets.add(
-        target(
-            line.getAsInt(),
-            line.getAsInt(),
-            "Run to line " + line.getAsInt() + ": what is between is carried out"));
+    targets.add(target(line.getAsInt(), line.getAsInt(), text("runToLine", line.getAsInt())));
     List<WrittenLines.Written> written =
         debuggee.events().written().all().stream()
             .filter(each -> each.line() == wanted)
@@ -91,8 +89,8 @@ final class SourceRequests {
   }
 
   private static String label(WrittenLines.Written written) {
-    return String.format(
-        Locale.ROOT, "Back to %.3f s, when it wrote: %s", written.timeS(), written.text());
+    String then = String.format(Locale.ROOT, "%.3f s", written.timeS());
+    return text("backToWritten", then, written.text());
   }
 
   /** To a line, or to a moment of the past. */

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -72,7 +74,7 @@ final class StackRequests {
         session.stopped().threads().stream()
             .filter(each -> each.id() == id)
             .findFirst()
-            .orElseThrow(() -> Refusals.of("there is no thread " + asked.getThreadId()))
+            .orElseThrow(() -> Refusals.of(text("noSuchThread", asked.getThreadId())))
             .stack();
     int start = Math.max(0, Objects.requireNonNullElse(asked.getStartFrame(), 0));
     int levels = Objects.requireNonNullElse(asked.getLevels(), 0);

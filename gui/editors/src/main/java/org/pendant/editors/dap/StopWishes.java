@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.Optional;
 import org.eclipse.lsp4j.debug.StoppedEventArgumentsReason;
 
@@ -8,18 +10,18 @@ final class StopWishes {
   /** Why a request has paused a program. */
   enum Pause {
     /** A client asked for it. */
-    ASKED("pause", "Paused"),
+    ASKED("pause", "paused"),
     /** It was to stop before its first statement. */
-    ENTRY("entry", "Paused before the first statement"),
+    ENTRY("entry", "pausedAtEntry"),
     /** One frame of a step is over. */
-    FRAME("step", "Paused after a frame of 2 ms");
+    FRAME("step", "pausedAfterFrame");
 
     private final String reason;
-    private final String description;
+    private final String key;
 
-    Pause(String reason, String description) {
+    Pause(String reason, String key) {
       this.reason = reason;
-      this.description = description;
+      this.key = key;
     }
 
     String reason() {
@@ -27,7 +29,7 @@ final class StopWishes {
     }
 
     String description() {
-      return description;
+      return text(key);
     }
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
@@ -28,7 +30,7 @@ final class ThreadRequests {
   /** Ends threads of a stopped program, and those that they have started. */
   CompletableFuture<Void> end(TerminateThreadsArguments asked) {
     if (!(session.stopped() instanceof LiveView live)) {
-      return Refusals.answer(PastView.UNCHANGEABLE);
+      return Refusals.answer(PastView.unchangeable());
     }
     int[] numbers = Objects.requireNonNullElse(asked.getThreadIds(), new int[0]);
     List<Integer> threads = Arrays.stream(numbers).mapToObj(DebugSession::thread).toList();
@@ -59,11 +61,7 @@ final class ThreadRequests {
       details.setStackTrace(calls(failure));
       return response;
     }
-    SafetyStop stop =
-        state
-            .safety()
-            .stop()
-            .orElseThrow(() -> Refusals.of("the program has stopped for no failure"));
+    SafetyStop stop = state.safety().stop().orElseThrow(() -> Refusals.of(text("noFailure")));
     response.setExceptionId(stop.codeText());
     response.setDescription(stop.message());
     details.setMessage(stop.message());
@@ -75,14 +73,7 @@ final class ThreadRequests {
     StringBuilder calls = new StringBuilder();
     failure.stack().stream()
         .limit(OutputEvents.MAX_CALLS)
-        .forEach(
-            each ->
-                calls
-                    .append("in ")
-                    .append(each.function())
-                    .append(", line ")
-                    .append(each.line())
-                    .append('\n'));
+        .forEach(each -> calls.append(text("call", each.function(), each.line())).append('\n'));
     return calls.toString();
   }
 }

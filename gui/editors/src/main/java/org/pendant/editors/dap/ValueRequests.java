@@ -1,5 +1,7 @@
 package org.pendant.editors.dap;
 
+import static org.pendant.editors.dap.DebugAdapterTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -75,7 +77,7 @@ final class ValueRequests {
               return branch.assign(name, value);
             }
           };
-      pages.add(new Shown("[" + first + " to " + last + "]", "", "", "", Optional.of(page)));
+      pages.add(new Shown(text("page", first, last), "", "", "", Optional.of(page)));
     }
     return pages;
   }
@@ -121,7 +123,7 @@ final class ValueRequests {
     String expression = asked.getExpression();
     boolean hover = EvaluateArgumentsContext.HOVER.equals(asked.getContext());
     if (hover && expression.indexOf('(') >= 0) {
-      return Refusals.answer("what calls a function is not computed when the pointer rests on it");
+      return Refusals.answer(text("callsNotHovered"));
     }
     References.Frame frame = frame(asked.getFrameId());
     boolean repl = EvaluateArgumentsContext.REPL.equals(asked.getContext());

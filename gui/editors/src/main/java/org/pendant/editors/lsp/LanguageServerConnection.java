@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp;
 
+import static org.pendant.editors.lsp.LanguageServerTexts.text;
+
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.List;
@@ -75,13 +77,14 @@ public final class LanguageServerConnection {
     return switch (cause) {
       case ResponseErrorException refused -> refused.getResponseError();
       case CancellationException _ ->
-          new ResponseError(ResponseErrorCode.RequestCancelled, "cancelled", null);
+          new ResponseError(ResponseErrorCode.RequestCancelled, text("cancelled"), null);
       // What the server says that it cannot do, and an editor asks for all the same.
       case UnsupportedOperationException _ ->
-          new ResponseError(ResponseErrorCode.MethodNotFound, "not supported", null);
+          new ResponseError(ResponseErrorCode.MethodNotFound, text("notSupported"), null);
       default -> {
         faults.accept(cause);
-        yield new ResponseError(ResponseErrorCode.InternalError, "internal error: " + cause, null);
+        yield new ResponseError(
+            ResponseErrorCode.InternalError, text("internalError", cause), null);
       }
     };
   }

@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp;
 
+import static org.pendant.editors.lsp.LanguageServerTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -102,7 +104,7 @@ public final class RobotRequests {
   }
 
   private static RuntimeException notOpen(TextDocumentPositionParams asked) {
-    return RequestRefusal.ofParameters(asked.getTextDocument().getUri() + " is not open");
+    return RequestRefusal.ofParameters(text("notOpen", asked.getTextDocument().getUri()));
   }
 
   private static DryRunAnswer answer(DryRunResult result) {

@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp;
 
+import static org.pendant.editors.lsp.LanguageServerTexts.text;
+
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -113,7 +115,7 @@ final class ServerSession implements AutoCloseable {
     } catch (RuntimeException | StackOverflowError e) {
       faults.accept(e);
       throw new ResponseErrorException(
-          new ResponseError(ResponseErrorCode.InternalError, "internal error: " + e, null));
+          new ResponseError(ResponseErrorCode.InternalError, text("internalError", e), null));
     }
   }
 

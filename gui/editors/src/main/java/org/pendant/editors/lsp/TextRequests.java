@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp;
 
+import static org.pendant.editors.lsp.LanguageServerTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -127,7 +129,7 @@ final class TextRequests implements TextDocumentService {
   private <R> CompletableFuture<R> about(String uri, Function<Document, R> answer) {
     Optional<Document> document = session.documents().find(uri);
     return document.isEmpty()
-        ? CompletableFuture.failedFuture(RequestRefusal.ofParameters(uri + " is not open"))
+        ? CompletableFuture.failedFuture(RequestRefusal.ofParameters(text("notOpen", uri)))
         : session.answer(cancelled -> answer.apply(document.get()));
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp;
 
+import static org.pendant.editors.lsp.LanguageServerTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -123,7 +125,7 @@ final class WorkspaceRequests implements WorkspaceService {
 
   private void begin(Either<String, Integer> token) {
     WorkDoneProgressBegin begin = new WorkDoneProgressBegin();
-    begin.setTitle("Checking URScript files");
+    begin.setTitle(text("checkingFiles"));
     tell(token, begin);
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.editors.wire;
 
+import static org.pendant.editors.wire.FrameTexts.text;
+
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -86,8 +88,7 @@ public final class CheckedFrames extends InputStream {
           length = number(line.substring(LENGTH.length()).strip());
         }
         if (size > MAX_HEAD) {
-          complaints.accept(
-              "a message with a head of more than " + MAX_HEAD + " bytes is left out");
+          complaints.accept(text("longHead", MAX_HEAD));
           length = OptionalLong.empty();
           any = false;
           size = 0;
@@ -100,14 +101,10 @@ public final class CheckedFrames extends InputStream {
         return true;
       }
       if (length.isPresent()) {
-        complaints.accept(
-            "a message of "
-                + length.getAsLong()
-                + " bytes is left out, the most is "
-                + MAX_MESSAGE);
+        complaints.accept(text("longMessage", length.getAsLong(), MAX_MESSAGE));
         input.skipNBytes(length.getAsLong());
       } else if (any) {
-        complaints.accept("a message is left out, its head has no Content-Length");
+        complaints.accept(text("noLength"));
       }
     }
   }

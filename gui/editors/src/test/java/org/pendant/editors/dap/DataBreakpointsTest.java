@@ -117,6 +117,35 @@ class DataBreakpointsTest {
   }
 
   @Test
+  void aProgramStopsWhenThereIsAValueAndWhenThereIsNoneAnyMore() throws Exception {
+    String program =
+        """
+        count = 0
+        sleep(0.1)
+        parts = [10, 20]
+        while True:
+          sleep(0.1)
+          count = count + 1
+        end
+        """;
+    try (DebugClient client = DebugClient.of(folder, program)) {
+      client.launch();
+      var _ = client.breakpoints(2);
+      client.configured();
+      client.stop();
+      DataBreakpoint part = new DataBreakpoint();
+      part.setDataId("value:parts[count]");
+      var _ = set(client, part);
+      client.resume();
+      assertEquals("parts[count] changed from no value to 10", client.stop().getDescription());
+      client.resume();
+      assertEquals("parts[count] changed from 10 to 20", client.stop().getDescription());
+      client.resume();
+      assertEquals("parts[count] changed from 20 to no value", client.stop().getDescription());
+    }
+  }
+
+  @Test
   void whatPeopleChangeThemselvesStopsNothing() throws Exception {
     try (DebugClient client = stopped(6)) {
       var _ = set(client, on(info(client, 0, "count")));

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.look;
 
+import static org.pendant.editors.dap.look.LookTexts.text;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -33,7 +35,7 @@ public interface Branch {
    */
   default CompletableFuture<Shown> assign(String name, String value) {
     return CompletableFuture.failedFuture(
-        new IllegalArgumentException(name + " cannot be changed from here"));
+        new IllegalArgumentException(text("notChangeableHere", name)));
   }
 
   /** The name by which data breakpoints know a part; empty where they cannot watch it. */

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.look;
 
+import static org.pendant.editors.dap.look.LookTexts.text;
+
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.state.ControllerState;
@@ -16,9 +18,6 @@ import org.pendant.script.vm.ThreadSnapshot;
  * @param end what is known of the end
  */
 public record EndedView(PastView end) implements StandingProgram {
-  /** Why nothing can be changed. */
-  private static final String UNCHANGEABLE = "the program has ended, nothing can be changed";
-
   /**
    * The end of a run.
    *
@@ -57,6 +56,6 @@ public record EndedView(PastView end) implements StandingProgram {
 
   @Override
   public CompletableFuture<Shown> assign(int thread, int depth, String target, String value) {
-    return CompletableFuture.failedFuture(new IllegalArgumentException(UNCHANGEABLE));
+    return CompletableFuture.failedFuture(new IllegalArgumentException(text("endUnchangeable")));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.look;
 
+import static org.pendant.editors.dap.look.LookTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -29,8 +31,8 @@ public record LiveView(DebuggedRobot run, ControllerState state, List<ThreadSnap
             LiveScope.global(run).globals(),
             (locals, globals) -> {
               List<Scope> all = new ArrayList<>();
-              all.add(new Scope("Locals", "locals", locals));
-              all.add(new Scope("Globals", "", globals));
+              all.add(new Scope(text("locals"), "locals", locals));
+              all.add(new Scope(text("globals"), "", globals));
               all.addAll(StandingProgram.ofRobot(run.robot().state()));
               return all;
             });

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.look;
 
+import static org.pendant.editors.dap.look.LookTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -25,9 +27,6 @@ import org.pendant.script.vm.ThreadSnapshot;
  */
 public record PastView(Moment moment, ControllerState state, List<ThreadSnapshot> threads)
     implements StandingProgram {
-  /** Why nothing can be changed. */
-  public static final String UNCHANGEABLE = "the past cannot be changed: continue to now first";
-
   /** Copies the list. */
   public PastView {
     threads = List.copyOf(threads);
@@ -62,9 +61,9 @@ public record PastView(Moment moment, ControllerState state, List<ThreadSnapshot
     List<Scope> all = new ArrayList<>();
     VariableSamples variables = state.variables();
     if (!variables.locals().isEmpty()) {
-      all.add(new Scope("Locals", "locals", branch(variables.locals())));
+      all.add(new Scope(text("locals"), "locals", branch(variables.locals())));
     }
-    all.add(new Scope("Globals", "", branch(variables.globals())));
+    all.add(new Scope(text("globals"), "", branch(variables.globals())));
     all.addAll(StandingProgram.ofRobot(state));
     return CompletableFuture.completedFuture(all);
   }
@@ -98,15 +97,17 @@ public record PastView(Moment moment, ControllerState state, List<ThreadSnapshot
         .orElseGet(
             () ->
                 CompletableFuture.failedFuture(
-                    new IllegalArgumentException(
-                        expression
-                            + " is not in the recording: it has global variables, and no answers"
-                            + " of functions")));
+                    new IllegalArgumentException(text("notRecorded", expression))));
   }
 
   @Override
   public CompletableFuture<Shown> assign(int thread, int depth, String target, String value) {
-    return CompletableFuture.failedFuture(new IllegalArgumentException(UNCHANGEABLE));
+    return CompletableFuture.failedFuture(new IllegalArgumentException(unchangeable()));
+  }
+
+  /** Why nothing can be changed. */
+  public static String unchangeable() {
+    return text("pastUnchangeable");
   }
 
   /** Parts of what was recorded. */
@@ -123,7 +124,7 @@ public record PastView(Moment moment, ControllerState state, List<ThreadSnapshot
 
     @Override
     public CompletableFuture<Shown> assign(String name, String value) {
-      return CompletableFuture.failedFuture(new IllegalArgumentException(UNCHANGEABLE));
+      return CompletableFuture.failedFuture(new IllegalArgumentException(unchangeable()));
     }
   }
 }

@@ -16,7 +16,7 @@ import org.pendant.script.value.ValueKind;
  */
 public record Shown(
     String name, String value, String type, String expression, Optional<Branch> branch) {
-  private static final String NO_VALUE = "(no value)";
+  private static final String NO_VALUE = LookTexts.text("noValue");
 
   /** One without parts, which no expression yields. */
   public static Shown leaf(String name, String value, String type) {

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.look;
 
+import static org.pendant.editors.dap.look.LookTexts.text;
+
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.pendant.controller.state.ControllerState;
@@ -38,7 +40,7 @@ public interface StandingProgram {
   static List<Scope> ofRobot(ControllerState state) {
     return List.of(
         new Scope("I/O", "", RobotBranches.signals(state)),
-        new Scope("Registers", "", RobotBranches.registers(state)),
-        new Scope("Robot", "", RobotBranches.robot(state)));
+        new Scope(text("registers"), "", RobotBranches.registers(state)),
+        new Scope(text("robot"), "", RobotBranches.robot(state)));
   }
 }

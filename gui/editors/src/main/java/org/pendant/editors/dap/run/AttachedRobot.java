@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.run;
 
+import static org.pendant.editors.dap.run.DebuggedRunTexts.text;
+
 import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -68,7 +70,7 @@ public final class AttachedRobot implements DebuggedRobot {
   public static AttachedRobot begin(
       AttachableRobot attachable, RunListener listener, Executor answers) {
     if (!attachable.take()) {
-      throw new IllegalArgumentException("another editor is attached to this robot");
+      throw new IllegalArgumentException(text("anotherEditor"));
     }
     AttachedRobot attached = new AttachedRobot(attachable, listener, answers);
     attached.thread.start();

@@ -1,9 +1,12 @@
 package org.pendant.editors.dap.run;
 
+import static org.pendant.editors.dap.run.DebuggedRunTexts.text;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.language.source.ByteText;
@@ -17,11 +20,10 @@ import org.pendant.script.value.ScriptError;
  * that drives the robot looks; another one may take what was found.
  */
 public final class DataWatch implements DebuggedRobot.FrameWatch {
-  private static final String NOTHING = "no value";
 
   private final Supplier<ControllerState> robot;
   private final List<Watched> all;
-  private final Map<Watched, String> last = new HashMap<>();
+  private final Map<Watched, Optional<String>> last = new HashMap<>();
   private final Map<Watched, Integer> hits = new HashMap<>();
   private volatile boolean afresh;
   private volatile List<Change> changes = List.of();
@@ -85,10 +87,10 @@ public final class DataWatch implements DebuggedRobot.FrameWatch {
     boolean silent = afresh;
     afresh = false;
     for (Watched each : all) {
-      String now = read(each, debugger, state);
-      String before = last.put(each, now);
+      Optional<String> now = read(each, debugger, state);
+      Optional<String> before = last.put(each, now);
       if (before != null && !before.equals(now) && !silent && counts(each, debugger)) {
-        found.add(new Change(each.id(), each.name() + " changed from " + before + " to " + now));
+        found.add(new Change(each.id(), words(each.name(), before, now)));
       }
     }
     if (!found.isEmpty()) {
@@ -97,12 +99,21 @@ public final class DataWatch implements DebuggedRobot.FrameWatch {
     }
   }
 
-  private static String read(Watched each, Debugger debugger, ControllerState state) {
+  private static String words(String name, Optional<String> before, Optional<String> now) {
+    if (before.isEmpty()) {
+      return text("gotValue", name, now.orElseThrow());
+    }
+    return now.isEmpty()
+        ? text("lostValue", name, before.get())
+        : text("changed", name, before.get(), now.get());
+  }
+
+  /** Empty before it is assigned, and while no program runs. */
+  private static Optional<String> read(Watched each, Debugger debugger, ControllerState state) {
     try {
-      return each.reader().read(debugger, state);
+      return Optional.of(each.reader().read(debugger, state));
     } catch (ScriptError | IllegalArgumentException e) {
-      // before it is assigned, or while no program runs
-      return NOTHING;
+      return Optional.empty();
     }
   }
 

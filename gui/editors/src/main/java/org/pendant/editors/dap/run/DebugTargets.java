@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.run;
 
+import static org.pendant.editors.dap.run.DebuggedRunTexts.text;
+
 import java.util.List;
 
 /**
@@ -26,6 +28,6 @@ public interface DebugTargets {
    * @throws TargetRefusal if it cannot be debugged, or there is none, or an option makes no sense
    */
   default DebugTarget test(String file, String test, List<String> options) throws TargetRefusal {
-    throw new TargetRefusal("no tests are debugged here");
+    throw new TargetRefusal(text("noTestsHere"));
   }
 }

@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.run;
 
+import static org.pendant.editors.dap.run.DebuggedRunTexts.text;
+
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import org.pendant.controller.DebugCommand;
@@ -41,7 +43,7 @@ final class DebuggerLink {
                 reply ->
                     // where it was not even asked
                     found.completeExceptionally(
-                        new IllegalArgumentException(reply.complaint().orElse("nothing came"))));
+                        new IllegalArgumentException(reply.complaint().orElse(text("noAnswer")))));
     return answer;
   }
 }

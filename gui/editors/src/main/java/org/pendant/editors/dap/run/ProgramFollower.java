@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.run;
 
+import static org.pendant.editors.dap.run.DebuggedRunTexts.text;
+
 import java.util.Optional;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.Robot;
@@ -74,10 +76,7 @@ final class ProgramFollower {
     asked = true;
     Optional<SafetyStop> stop = state.safety().stop();
     if (stop.isEmpty()) {
-      listener.note(
-          "paused in line "
-              + state.program().line()
-              + "; continues at once, as nobody is here to resume it");
+      listener.note(text("pausedContinues", state.program().line()));
       var _ = robot.submit(new ProgramCommand.ResumeProgram());
       return Next.FRAMES;
     }

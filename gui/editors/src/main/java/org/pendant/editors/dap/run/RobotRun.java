@@ -1,5 +1,7 @@
 package org.pendant.editors.dap.run;
 
+import static org.pendant.editors.dap.run.DebuggedRunTexts.text;
+
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -261,7 +263,7 @@ public final class RobotRun implements DebuggedRobot {
     over = true;
     String name = result.id().name();
     if (result.failure().isEmpty()) {
-      listener.note(name + " passed");
+      listener.note(text("passed", name));
       listener.over(new RunResult(RunResult.DONE, Optional.empty(), Optional.empty(), 0));
       return;
     }
@@ -269,7 +271,7 @@ public final class RobotRun implements DebuggedRobot {
         new RunResult(
             RunResult.PROGRAM_FAILED,
             Optional.empty(),
-            Optional.of(name + " is red: " + result.failure().get().message()),
+            Optional.of(text("isRed", name, result.failure().get().message())),
             0));
   }
 

@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.provider;
 
+import static org.pendant.editors.lsp.provider.AnswerTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -73,7 +75,7 @@ public final class CodeActions {
     }
     return edits.isEmpty()
         ? Optional.empty()
-        : Optional.of(action(document, "Fix all that can be fixed", FIX_ALL, edits));
+        : Optional.of(action(document, text("fixAll"), FIX_ALL, edits));
   }
 
   private static boolean fits(

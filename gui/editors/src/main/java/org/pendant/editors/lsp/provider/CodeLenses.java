@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.provider;
 
+import static org.pendant.editors.lsp.provider.AnswerTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -35,8 +37,9 @@ public final class CodeLenses {
     if (TestCatalogue.isFor(document.source().name())) {
       for (OutlineItem item : outline) {
         if (item.name().startsWith(TEST_PREFIX)) {
-          lenses.add(lens(document, item.nameRange(), "Run test", RUN_TEST, uri, item.name()));
-          lenses.add(lens(document, item.nameRange(), "Debug test", DEBUG_TEST, uri, item.name()));
+          lenses.add(lens(document, item.nameRange(), text("runTest"), RUN_TEST, uri, item.name()));
+          lenses.add(
+              lens(document, item.nameRange(), text("debugTest"), DEBUG_TEST, uri, item.name()));
         }
       }
       return List.copyOf(lenses);
@@ -45,8 +48,8 @@ public final class CodeLenses {
       return List.of();
     }
     SourceRange place = program(document, outline);
-    lenses.add(lens(document, place, "Run", RUN, uri));
-    lenses.add(lens(document, place, "Debug", DEBUG, uri));
+    lenses.add(lens(document, place, text("run"), RUN, uri));
+    lenses.add(lens(document, place, text("debug"), DEBUG, uri));
     lastRun.ifPresent(text -> lenses.add(lens(document, place, text, "")));
     return List.copyOf(lenses);
   }

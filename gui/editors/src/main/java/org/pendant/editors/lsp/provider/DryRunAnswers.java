@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.provider;
 
+import static org.pendant.editors.lsp.provider.AnswerTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -58,13 +60,17 @@ public final class DryRunAnswers {
   }
 
   private static String words(Worst worst) {
-    String amount =
-        worst.margin().isShare()
-            ? String.format("%.0f %%", worst.value() * 100)
-            : worst.margin() == Margin.PLANE
-                ? String.format("%.0f mm left", worst.value() * 1000)
-                : String.format("%.0f° left", Math.toDegrees(worst.value()));
-    return worst.margin().words() + " of " + worst.part() + ": " + amount;
+    String of = worst.margin().words();
+    if (worst.margin().isShare()) {
+      return text("shareUsed", of, worst.part(), whole(worst.value() * 100));
+    }
+    return worst.margin() == Margin.PLANE
+        ? text("distanceLeft", of, worst.part(), whole(worst.value() * 1000))
+        : text("angleLeft", of, worst.part(), whole(Math.toDegrees(worst.value())));
+  }
+
+  private static String whole(double value) {
+    return String.format("%.0f", value);
   }
 
   /** The time of each line of {@code asked} on which the arm moves, at its end. */
@@ -83,10 +89,7 @@ public final class DryRunAnswers {
             new InlayHint(
                 range(document, line.line()).getEnd(), Either.forLeft(time(line, givenUp)));
         hint.setPaddingLeft(true);
-        hint.setTooltip(
-            givenUp
-                ? "Robot time of this line until the dry run was given up"
-                : "Robot time of this line in a dry run");
+        hint.setTooltip(givenUp ? text("lineTimeGivenUp") : text("lineTime"));
         hints.add(hint);
       }
     }
@@ -96,14 +99,14 @@ public final class DryRunAnswers {
   /** What was not seen to its end took at least that long. */
   private static String time(LineStatistics line, boolean givenUp) {
     String time = (givenUp ? "\u2265 " : "") + seconds(line.timeS());
-    return line.executions() > 1 ? time + " in " + line.executions() + " turns" : time;
+    return line.executions() > 1 ? text("timeInTurns", time, line.executions()) : time;
   }
 
   /** How long the whole program took, or that it was given up. */
   public static Optional<String> duration(DryRunResult result) {
     return switch (result.outcome()) {
-      case FINISHED -> Optional.of(seconds(result.timeS()) + " in a dry run");
-      case FAILED, STOPPED -> Optional.of("stops after " + seconds(result.timeS()));
+      case FINISHED -> Optional.of(text("durationInDryRun", seconds(result.timeS())));
+      case FAILED, STOPPED -> Optional.of(text("stopsAfter", seconds(result.timeS())));
       case GIVEN_UP, NOT_RUN -> Optional.empty();
     };
   }

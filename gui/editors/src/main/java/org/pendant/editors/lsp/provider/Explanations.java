@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.provider;
 
+import static org.pendant.editors.lsp.provider.AnswerTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -52,10 +54,10 @@ final class Explanations {
     }
     signature.parameters().forEach(each -> lines.add(each.described()));
     if (!signature.deprecated().isEmpty()) {
-      lines.add("Deprecated: use " + signature.deprecated() + ".");
+      lines.add(text("deprecated", signature.deprecated()));
     }
     if (!signature.section().isEmpty()) {
-      lines.add("Manual " + signature.section());
+      lines.add(text("manual", signature.section()));
     }
     return new Text(signature.head(), lines);
   }

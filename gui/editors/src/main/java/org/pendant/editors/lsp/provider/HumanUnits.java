@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.provider;
 
+import static org.pendant.editors.lsp.provider.AnswerTexts.text;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -58,13 +60,13 @@ final class HumanUnits {
             rounded(pose.get(0) * MM_PER_M, 3),
             rounded(pose.get(1) * MM_PER_M, 3),
             rounded(pose.get(2) * MM_PER_M, 3)),
-        String.format(
-            "rotation vector %s°, %s°, %s°",
+        text(
+            "rotationVector",
             rounded(Math.toDegrees(pose.get(3)), 3),
             rounded(Math.toDegrees(pose.get(4)), 3),
             rounded(Math.toDegrees(pose.get(5)), 3)),
-        String.format(
-            "roll %s°, pitch %s°, yaw %s°",
+        text(
+            "rollPitchYaw",
             rounded(Math.toDegrees(rpy[0]), 3),
             rounded(Math.toDegrees(rpy[1]), 3),
             rounded(Math.toDegrees(rpy[2]), 3)));

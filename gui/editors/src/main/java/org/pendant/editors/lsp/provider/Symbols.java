@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.provider;
 
+import static org.pendant.editors.lsp.provider.AnswerTexts.text;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -87,7 +89,7 @@ public final class Symbols {
   private static DocumentSymbol nested(Document document, OutlineItem item) {
     DocumentSymbol symbol =
         new DocumentSymbol(
-            item.name().isEmpty() ? "(no name)" : item.name(),
+            item.name().isEmpty() ? text("noName") : item.name(),
             kind(item),
             document.range(item.range()),
             document.range(item.nameRange()),

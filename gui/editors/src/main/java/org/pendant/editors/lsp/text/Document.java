@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.text;
 
+import static org.pendant.editors.lsp.text.DocumentTexts.text;
+
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -95,8 +97,7 @@ public final class Document {
 
   private static void refuseLong(String uri, long bytes) {
     if (bytes > MAX_BYTES) {
-      throw new IllegalArgumentException(
-          uri + " has " + bytes + " bytes, the most is " + MAX_BYTES);
+      throw new IllegalArgumentException(text("tooManyBytes", uri, bytes, MAX_BYTES));
     }
   }
 

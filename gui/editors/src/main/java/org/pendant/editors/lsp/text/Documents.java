@@ -1,5 +1,7 @@
 package org.pendant.editors.lsp.text;
 
+import static org.pendant.editors.lsp.text.DocumentTexts.text;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -37,8 +39,7 @@ public final class Documents {
    */
   public Document open(String uri, int version, String text) {
     if (open.size() >= MAX_OPEN && !open.containsKey(uri)) {
-      throw new IllegalArgumentException(
-          uri + " is not opened, " + MAX_OPEN + " texts are open already");
+      throw new IllegalArgumentException(text("tooManyOpen", uri, MAX_OPEN));
     }
     Document document = of(uri, version, text.getBytes(StandardCharsets.UTF_8));
     open.put(uri, document);
@@ -113,8 +114,7 @@ public final class Documents {
    * @throws IllegalArgumentException if it is not open
    */
   public Document get(String uri) {
-    return find(uri)
-        .orElseThrow(() -> new IllegalArgumentException(uri + " is not open, open it first"));
+    return find(uri).orElseThrow(() -> new IllegalArgumentException(text("notOpen", uri)));
   }
 
   public Collection<Document> all() {
