@@ -1,11 +1,13 @@
 package org.pendant.desktop.debug;
 
+import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Source;
 import org.pendant.project.program.script.GeneratedNames;
 
 /**
  * Run script: a text that is started, and what it has to do with the one that people see.
  *
+ * @param shown the text that people saw when it was started
  * @param lines of both
  * @param turnLine a line that the main program comes to once in each of its turns, and on which no
  *     breakpoint is set; 0 if there is none
@@ -13,9 +15,15 @@ import org.pendant.project.program.script.GeneratedNames;
  * @param names that it has besides those that people gave
  */
 public record RunScript(
-    Source source, RunLines lines, int turnLine, int turnsBefore, GeneratedNames names) {
+    Source source,
+    String shown,
+    RunLines lines,
+    int turnLine,
+    int turnsBefore,
+    GeneratedNames names) {
   /** A text that runs as people see it. */
   public static RunScript whole(Source source) {
-    return new RunScript(source, RunLines.SAME, 0, 0, GeneratedNames.NONE);
+    return new RunScript(
+        source, ByteText.decoded(source.text()), RunLines.SAME, 0, 0, GeneratedNames.NONE);
   }
 }

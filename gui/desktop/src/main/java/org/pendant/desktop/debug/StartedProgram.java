@@ -6,10 +6,11 @@ import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.language.source.Source;
 
 /**
- * Started program: the one that was started last, and where its lines are in the text as it is at
- * the moment: people edit a program while it runs. One thread uses it, the dispatch thread.
+ * Started program: one that was started, such as the last one, and where its lines are in the text
+ * as it is at the moment: people edit a program while it runs. One thread uses it, the dispatch
+ * thread.
  */
-final class StartedProgram {
+public final class StartedProgram {
   private Optional<ProgramDocument> document = Optional.empty();
   private String text = "";
   private String mapped = "";
@@ -17,11 +18,11 @@ final class StartedProgram {
   private RunScript script = RunScript.whole(Source.of("", ""));
   private boolean stranger;
 
-  /** {@code program} is started as it stands, or a part of it. */
-  void start(ProgramDocument program, RunScript run) {
+  /** {@code program} is started as it stands, or a part of it, or was some time ago. */
+  public void start(ProgramDocument program, RunScript run) {
     document = Optional.of(program);
     script = run;
-    text = program.script().text();
+    text = run.shown();
     mapped = text;
     lines = LineMap.between(text, text);
     stranger = false;
@@ -32,7 +33,7 @@ final class StartedProgram {
    *
    * @param received its text as it is shown, if it is
    */
-  void startStranger(Optional<ProgramDocument> received) {
+  public void startStranger(Optional<ProgramDocument> received) {
     document = received;
     script = RunScript.whole(received.map(ProgramDocument::source).orElse(Source.of("", "")));
     text = received.map(ProgramDocument::text).orElse("");
@@ -42,11 +43,12 @@ final class StartedProgram {
   }
 
   /** Whether the text of what was started is not shown. */
-  boolean hidden() {
+  public boolean hidden() {
     return stranger && document.isEmpty();
   }
 
-  Optional<ProgramDocument> document() {
+  /** The program; empty for one that is not shown. */
+  public Optional<ProgramDocument> document() {
     return document;
   }
 
@@ -60,7 +62,7 @@ final class StartedProgram {
   }
 
   /** The line of the present text where line {@code run} of the running one is. */
-  int toNow(int run) {
+  public int toNow(int run) {
     return stranger ? run : lines().toNow(script.lines().toShown(run));
   }
 
@@ -70,7 +72,7 @@ final class StartedProgram {
   }
 
   /** What was started. */
-  RunScript script() {
+  public RunScript script() {
     return script;
   }
 

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SequencedMap;
+import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
-import org.pendant.desktop.debug.RunLines;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.editor.LineNote;
 import org.pendant.desktop.session.ProgramDocument;
@@ -61,8 +61,14 @@ public final class PathStrip {
   private GeneratedScript nodesOf = GeneratedScript.EMPTY;
   private Map<Long, LineNote> nodes = Map.of();
 
-  /** A program that was started, and its text then. */
-  private record Ran(ProgramDocument document, String text, RunLines lines) {}
+  private Consumer<Optional<Ran>> back = before -> {};
+
+  /**
+   * A program that was started.
+   *
+   * @param received whether others have sent it
+   */
+  public record Ran(ProgramDocument document, RunScript script, boolean received) {}
 
   /** A run, also among those of the other controllers of a cell. */
   private record RunKey(long run, String name, long firstFrame) {
@@ -108,13 +114,14 @@ public final class PathStrip {
 
   /** A program is about to start. */
   public void beforeRun(ProgramDocument program, RunScript script) {
-    next = Optional.of(new Ran(program, program.script().text(), script.lines()));
+    next = Optional.of(new Ran(program, script, false));
     starting = true;
   }
 
   /** A program that is none of the user's has started; its text is shown, or not. */
   public void strangerStarted(Optional<ProgramDocument> received) {
-    next = received.map(program -> new Ran(program, program.script().text(), RunLines.SAME));
+    next =
+        received.map(program -> new Ran(program, RunScript.whole(program.script().source()), true));
     starting = true;
   }
 
@@ -142,18 +149,31 @@ public final class PathStrip {
     show();
   }
 
+  /**
+   * Has {@code listener} told when an earlier run is the last one again, as after a branch.
+   *
+   * @param listener gets what ran; empty if that is not shown
+   */
+  public void whenBack(Consumer<Optional<Ran>> listener) {
+    back = listener;
+  }
+
   private void begin(RunKey run) {
-    if (starting && !runs.containsKey(run)) {
+    boolean before = runs.containsKey(run);
+    if (starting && !before) {
       starting = false;
       runs.put(run, next);
       if (runs.size() > MAX_RUNS) {
         runs.pollFirstEntry();
       }
     }
-    ran.ifPresent(before -> sink.show(before.document(), Map.of()));
+    ran.ifPresent(last -> sink.show(last.document(), Map.of()));
     ran = runs.getOrDefault(run, Optional.empty());
     textNow = "";
     kept = KeptLines.between("", "");
+    if (before) {
+      back.accept(ran);
+    }
   }
 
   private void show() {
@@ -165,11 +185,11 @@ public final class PathStrip {
     String text = shown.document().script().text();
     if (!text.equals(textNow)) {
       textNow = text;
-      kept = KeptLines.between(shown.text(), text);
+      kept = KeptLines.between(shown.script().shown(), text);
     }
     Map<Integer, LineStatistics> now = new HashMap<>();
     for (LineStatistics each : on ? profile.lines() : List.<LineStatistics>of()) {
-      int line = kept.now(shown.lines().toShown(each.line()));
+      int line = kept.now(shown.script().lines().toShown(each.line()));
       if (line > 0 && (each.moved() || each.timeS() >= MIN_S)) {
         now.merge(line, each, LineStatistics::and);
       }

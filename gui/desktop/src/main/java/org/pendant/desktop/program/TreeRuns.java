@@ -79,6 +79,7 @@ public final class TreeRuns {
    */
   public ProgramLaunch plan(ProgramDocument document, long from) {
     Source shown = document.script().source();
+    String text = document.script().text();
     Optional<TreeProgram> program = trees.of(document);
     if (program.isEmpty()) {
       return ProgramLaunch.of(RunScript.whole(shown));
@@ -89,7 +90,7 @@ public final class TreeRuns {
     int waiting = ExternalControl.count(tree);
     if (all && waiting == 0) {
       return ProgramLaunch.of(
-          new RunScript(shown, RunLines.SAME, TurnLine.of(tree, whole), 0, whole.names()));
+          new RunScript(shown, text, RunLines.SAME, TurnLine.of(tree, whole), 0, whole.names()));
     }
     String name = program.get().programName();
     Installation installation = program.get().installation();
@@ -103,6 +104,7 @@ public final class TreeRuns {
                   : ScriptGenerator.generateFrom(name, tree, from, installation, sent);
           return new RunScript(
               Source.of(shown.name(), run.text()),
+              text,
               RunLines.between(run, whole, sent),
               TurnLine.of(tree, run),
               all ? 0 : 1,

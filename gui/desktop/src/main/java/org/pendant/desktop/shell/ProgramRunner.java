@@ -353,6 +353,14 @@ final class ProgramRunner {
     beforeRun.accept(document, script);
   }
 
+  /** The controller is back in the run of a program that was started some time ago. */
+  void backTo(ProgramDocument document, RunScript script) {
+    Optional<Running> now = running();
+    if (now.isEmpty() || !now.get().script().equals(script)) {
+      startsElsewhere(document, script);
+    }
+  }
+
   /** Has the controller do something. */
   void send(Command command) {
     tellRefusal(session.submit(command));

@@ -117,6 +117,7 @@ final class Views {
         new PathStrip(workbench.settings(), session::profile, () -> System.nanoTime() / 1_000_000);
     strip.showIn(editor::showNotes);
     strip.addTo(workbench.actions());
+    strip.whenBack(this::backTo);
     runner.stepOverBy(debug.steps()::over);
     BreakpointsView breakpoints = new BreakpointsView(workbench, debug);
     editor.setMarginMenu(breakpoints.marginMenu());
@@ -316,6 +317,16 @@ final class Views {
     runner.forget();
     link.strangerStarted(Optional.empty());
     strip.strangerStarted(Optional.empty());
+  }
+
+  /** After a branch an earlier run goes on, maybe that of another program than the last. */
+  private void backTo(Optional<PathStrip.Ran> ran) {
+    if (ran.isPresent() && !ran.get().received()) {
+      runner.backTo(ran.get().document(), ran.get().script());
+    } else {
+      runner.forget();
+      link.strangerStarted(ran.map(PathStrip.Ran::document));
+    }
   }
 
   /** What is asked before a program starts. */

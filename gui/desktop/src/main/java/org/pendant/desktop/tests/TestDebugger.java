@@ -196,7 +196,14 @@ final class TestDebugger implements SwitchListener {
     DebuggedTest test = prepared.test();
     SessionMember tested = session.members().getFirst();
     starts.accept(
-        document, new RunScript(test.program().source(), lines(test), 0, 0, GeneratedNames.NONE));
+        document,
+        new RunScript(
+            test.program().source(),
+            document.script().text(),
+            lines(test),
+            0,
+            0,
+            GeneratedNames.NONE));
     if (test.watches()) {
       tell.accept(text("breakpointsInStopTheTestThose", test.file()));
     }

@@ -61,7 +61,12 @@ final class PartialRunTest {
 
   private static RunScript part(int turnLine) {
     return new RunScript(
-        Source.of("test", PART.text()), RunLines.between(PART, WHOLE), turnLine, 1, PART.names());
+        Source.of("test", PART.text()),
+        WHOLE.text(),
+        RunLines.between(PART, WHOLE),
+        turnLine,
+        1,
+        PART.names());
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.pendant.desktop.lines;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -118,6 +119,39 @@ final class PathStripTest {
     assertEquals(List.of(1), List.copyOf(shown.keySet()));
     assertTrue(strip.about(program, 1, "line 1").isPresent());
     assertEquals(Optional.empty(), strip.about(other, 1, "line 1"));
+  }
+
+  @Test
+  void aBranchToTheRunBeforeTellsWhichProgramRunsAgainAndItsTextThen() {
+    List<Optional<PathStrip.Ran>> back = new ArrayList<>();
+    strip.whenBack(back::add);
+    run(line(1, 500));
+    RunProfile first = profile;
+    program.setText("sleep(9)\n" + TEXT);
+    strip.beforeRun(ProgramDocument.untitled("b.script", TEXT), RunScript.whole(program.source()));
+    profile = new RunProfile(2, "b", 700, List.of());
+    look();
+    assertEquals(List.of(), back);
+
+    profile = first;
+    look();
+    assertEquals(program, back.getFirst().orElseThrow().document());
+    assertEquals(TEXT, back.getFirst().orElseThrow().script().shown());
+    assertEquals(1, back.size());
+  }
+
+  @Test
+  void aBranchToARunOfOthersThatIsNotShownTellsOfNoProgram() {
+    List<Optional<PathStrip.Ran>> back = new ArrayList<>();
+    strip.whenBack(back::add);
+    strip.strangerStarted(Optional.empty());
+    profile = new RunProfile(1, "b", 0, List.of());
+    look();
+    RunProfile first = profile;
+    run(line(1, 500));
+    profile = first;
+    look();
+    assertEquals(List.of(Optional.empty()), back);
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,6 +22,7 @@ import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.installation.ControlHost;
 import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.debug.ProgramLaunch;
+import org.pendant.desktop.debug.RunLines;
 import org.pendant.desktop.debug.RunScript;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
@@ -28,6 +30,7 @@ import org.pendant.desktop.session.RobotSession;
 import org.pendant.kit.fault.ReportedFaults;
 import org.pendant.language.source.Source;
 import org.pendant.project.program.ControlScript;
+import org.pendant.project.program.script.GeneratedNames;
 import org.pendant.script.vm.ProgramState;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS)
@@ -55,6 +58,26 @@ final class ProgramRunnerTest {
         EventQueue.invokeAndWait(() -> {});
       }
       assertEquals(1, faults.all().size());
+    }
+  }
+
+  @Test
+  void theProgramOfARunThatABranchGoesBackToIsTheOneThatRunsAgain() {
+    try (RobotSession session = RobotSession.start(ControllerOptions.headless())) {
+      ProgramDocument first = ProgramDocument.untitled("a.script", "sleep(1)");
+      ProgramDocument second = ProgramDocument.untitled("b.script", "sleep(2)");
+      RunScript script = RunScript.whole(first.source());
+      ProgramRunner runner =
+          new ProgramRunner(session, new Programs(first), told::add, (line, column) -> {});
+      runner.startsElsewhere(first, script);
+      runner.startsElsewhere(second, RunScript.whole(second.source()));
+      List<ProgramDocument> begun = new ArrayList<>();
+      runner.beforeEachRun((document, run) -> begun.add(document));
+      runner.backTo(first, script);
+      assertEquals(Optional.of(first), runner.program());
+      assertEquals("sleep(1)", runner.line(1));
+      runner.backTo(first, script);
+      assertEquals(List.of(first), begun);
     }
   }
 
@@ -151,7 +174,7 @@ final class ProgramRunnerTest {
 
   /** The text of a program, or one that makes the compiler throw. */
   private static RunScript script(ProgramDocument program, boolean broken) {
-    Source none = null;
-    return RunScript.whole(broken ? none : program.source());
+    Source source = broken ? null : program.source();
+    return new RunScript(source, program.text(), RunLines.SAME, 0, 0, GeneratedNames.NONE);
   }
 }
