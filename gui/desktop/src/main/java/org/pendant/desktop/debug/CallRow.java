@@ -4,7 +4,7 @@ import static org.pendant.desktop.debug.DebugTexts.text;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.IntUnaryOperator;
+import java.util.function.IntFunction;
 import org.pendant.script.vm.ThreadSnapshot;
 
 /**
@@ -12,7 +12,7 @@ import org.pendant.script.vm.ThreadSnapshot;
  *
  * @param depth 1 for the outermost call, 0 for the thread itself
  * @param name of thread or function
- * @param place such as {@code line 12}, or what the thread waits for
+ * @param place such as {@code line 12} or {@code node 3 Point}, or what the thread waits for
  */
 record CallRow(int thread, int depth, String name, String place) {
 
@@ -23,27 +23,27 @@ record CallRow(int thread, int depth, String name, String place) {
   /**
    * Each thread with its calls below, innermost first.
    *
-   * @param now the present line of a line of the running text
+   * @param places what a line of the running text is called
    */
-  static List<CallRow> of(List<ThreadSnapshot> threads, IntUnaryOperator now) {
+  static List<CallRow> of(List<ThreadSnapshot> threads, IntFunction<String> places) {
     List<CallRow> rows = new ArrayList<>();
     for (ThreadSnapshot each : threads) {
       String number = each.id() == 0 ? text("mainThread") : text("thread", each.id());
       String waits = each.waitsFor().isEmpty() ? text("ready") : text("waitsIn", each.waitsFor());
-      String at = ", " + where(each.stack().getFirst(), now);
+      String at = ", " + where(each.stack().getFirst(), places);
       rows.add(new CallRow(each.id(), 0, number + ": " + each.name(), waits + at));
       int depth = each.stack().size();
       for (ThreadSnapshot.Level level : each.stack()) {
-        rows.add(new CallRow(each.id(), depth, level.function(), where(level, now)));
+        rows.add(new CallRow(each.id(), depth, level.function(), where(level, places)));
         depth--;
       }
     }
     return rows;
   }
 
-  private static String where(ThreadSnapshot.Level level, IntUnaryOperator now) {
+  private static String where(ThreadSnapshot.Level level, IntFunction<String> places) {
     return level.source().equals("interpreter")
         ? text("interpreterLine", level.line())
-        : text("inLine", now.applyAsInt(level.line()));
+        : places.apply(level.line());
   }
 }

@@ -8,6 +8,7 @@ import java.awt.EventQueue;
 import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -52,6 +53,7 @@ public final class CallStackView implements View {
   private final List<JButton> steps;
   private boolean showing;
   private Supplier<Optional<ControllerState>> past = Optional::empty;
+  private IntFunction<String> pastPlaces;
   private Optional<DebugState> shownPast = Optional.empty();
 
   /** Without threads yet. */
@@ -59,6 +61,7 @@ public final class CallStackView implements View {
     assert EventQueue.isDispatchThread();
     this.workbench = workbench;
     this.debug = debug;
+    pastPlaces = debug::place;
     hold = button(text("pauseAll"), "debug.pause", text("pausesAllThreadsToLookAt"));
     resume = button(text("resume"), "program.run", text("resumesTheProgram"));
     resume.setName("call-stack-resume");
@@ -76,9 +79,14 @@ public final class CallStackView implements View {
     show();
   }
 
-  /** Has the calls of a moment of the past shown, while there is one. */
-  public void setPast(Supplier<Optional<ControllerState>> moment) {
+  /**
+   * Has the calls of a moment of the past shown, while there is one.
+   *
+   * @param places what a line of the program of that moment is called in a sentence
+   */
+  public void setPast(Supplier<Optional<ControllerState>> moment, IntFunction<String> places) {
     past = moment;
+    pastPlaces = places;
   }
 
   private void setUpTable() {
@@ -175,7 +183,7 @@ public final class CallStackView implements View {
     }
     showing = true;
     try {
-      rows.replace(CallRow.of(debug.threads(), debug::lineNow));
+      rows.replace(CallRow.of(debug.threads(), debug::place));
       table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
       debug.selected().filter(scope -> debug.held()).ifPresent(this::mark);
     } finally {
@@ -190,7 +198,7 @@ public final class CallStackView implements View {
       return;
     }
     panel.showContent(debug.stopText(then.stop().orElseThrow()));
-    rows.replace(CallRow.of(then.threads(), debug::lineNow));
+    rows.replace(CallRow.of(then.threads(), pastPlaces));
     table.setRowHeight(table.getFontMetrics(table.getFont()).getHeight() + 12);
   }
 

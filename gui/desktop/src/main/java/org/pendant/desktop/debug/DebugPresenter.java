@@ -177,12 +177,17 @@ public final class DebugPresenter {
   }
 
   /**
-   * Names the places where programs are paused.
+   * Names the places where programs are paused, and their calls.
    *
    * @param names what a line of the running text is called within a sentence
    */
   public void nameLinesBy(IntFunction<String> names) {
     held.nameLinesBy(names);
+  }
+
+  /** What a line of the running text is called in a sentence. */
+  String place(int line) {
+    return held.place(line);
   }
 
   /**

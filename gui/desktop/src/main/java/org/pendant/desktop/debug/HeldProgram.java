@@ -63,6 +63,11 @@ final class HeldProgram {
     places = names;
   }
 
+  /** What a line of the running text is called in a sentence. */
+  String place(int line) {
+    return places.apply(line);
+  }
+
   // --- the call that is looked at
 
   Optional<Scope> selected() {

@@ -282,7 +282,7 @@ final class Views {
 
   private View callStack(ShellWorkbench workbench) {
     CallStackView calls = new CallStackView(workbench, debug);
-    calls.setPast(past::past);
+    calls.setPast(past::past, line -> names.of(past.program(), line));
     return calls;
   }
 

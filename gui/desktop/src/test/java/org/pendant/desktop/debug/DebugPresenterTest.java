@@ -205,7 +205,13 @@ final class DebugPresenterTest {
             new CallRow(0, 1, "program", "line 7"),
             new CallRow(1, 0, "Thread 1: other", "waits in sleep, line 3"),
             new CallRow(1, 1, "other", "line 3")),
-        CallRow.of(threads.debug().threads(), line -> line));
+        CallRow.of(threads.debug().threads(), line -> "line " + line));
+    threads.debug().nameLinesBy(line -> "node " + line);
+    assertEquals(
+        List.of(
+            new CallRow(0, 0, "Main thread: program", "ready, node 7"),
+            new CallRow(0, 1, "program", "node 7")),
+        CallRow.of(threads.debug().threads(), threads.debug()::place).subList(0, 2));
     threads.debug().steps().kill(1);
     threads.frames(1);
     assertEquals(1, threads.debug().threads().size());
