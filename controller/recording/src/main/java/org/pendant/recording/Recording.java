@@ -308,8 +308,9 @@ public final class Recording {
    */
   public void frames(long from, long to, Consumer<ControllerState> reader) {
     long first = inside(from);
+    // a frame that a debugger held has several entries: a look begins with the last one of a frame
     look(
-        first,
+        first - 1,
         to,
         entry -> {
           if (entry.frame() >= first) {

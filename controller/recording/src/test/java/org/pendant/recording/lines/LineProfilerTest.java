@@ -10,6 +10,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.pendant.controller.Controller;
 import org.pendant.controller.ControllerOptions;
+import org.pendant.controller.DebugCommand;
 import org.pendant.controller.ProgramCommand;
 import org.pendant.controller.TestController;
 import org.pendant.controller.box.ArmChoice;
@@ -18,6 +19,8 @@ import org.pendant.controller.safety.Axis;
 import org.pendant.controller.safety.SafetyPlane;
 import org.pendant.recording.Recording;
 import org.pendant.recording.RecordingRing;
+import org.pendant.script.debug.Breakpoint;
+import org.pendant.script.debug.Debugger;
 import org.pendant.script.vm.ProgramState;
 
 /** What lines take of a run, by programs of which that is known exactly. */
@@ -282,5 +285,47 @@ final class LineProfilerTest {
     for (int i = 0; i < seen.size(); i++) {
       assertEquals(seen.get(i), profiler.until(pasts.get(i), options.safety()).profile());
     }
+  }
+
+  @Test
+  void aRunThatIsHeldInItsFirstFrameIsKnownWhenItGoesOnOtherwise() {
+    Controller controller = new Controller(options);
+    LineProfiler profiler = new LineProfiler(controller::programSource, options::safety);
+    RecordingRing ring = new RecordingRing(controller.state(), controller::programSource);
+    var _ =
+        controller.submit(
+            new DebugCommand.Debug(
+                debugger -> {
+                  debugger.set(Breakpoint.at(2));
+                }));
+    var _ =
+        controller.submit(
+            new ProgramCommand.StartProgram(
+                TestController.program(
+                    controller,
+                    """
+                    a = 1
+                    b = 2
+                    movej([0.1, -1.5708, -1.5708, -1.5708, 1.5708, 0], t=0.2)
+                    """)));
+    boolean held = false;
+    for (int i = 0; i < 100; i++) {
+      controller.advance();
+      if (controller.state().debug().held()) {
+        held = true;
+        profiler.see(controller.state());
+        ring.take(controller.state());
+        var _ = controller.submit(new DebugCommand.Debug(Debugger::resume));
+        controller.advance();
+      }
+      profiler.see(controller.state());
+      ring.take(controller.state());
+    }
+
+    assertTrue(held);
+    assertEquals(3, profiler.profile().lines().getLast().line());
+    assertEquals(profiler.profile(), profiler.until(ring.recording(), options.safety()).profile());
+    RunProfile ofFile = LineProfiler.of(ring.recording(), options.safety());
+    assertEquals(profiler.profile().lines(), ofFile.lines());
   }
 }
