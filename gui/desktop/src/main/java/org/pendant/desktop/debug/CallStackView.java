@@ -26,6 +26,7 @@ import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.KeyText;
 import org.pendant.kit.layout.WrappingRow;
 import org.pendant.kit.table.RowsModel;
+import org.pendant.kit.theme.Markup;
 import org.pendant.kit.theme.Palette;
 import org.pendant.script.debug.DebugState;
 
@@ -98,8 +99,8 @@ public final class CallStackView implements View {
     table.setFillsViewportHeight(true);
     DebugPanel.alignTitles(table);
     table.setDefaultRenderer(Object.class, new Cell());
-    table.getColumnModel().getColumn(0).setPreferredWidth(320);
-    table.getColumnModel().getColumn(1).setPreferredWidth(160);
+    table.getColumnModel().getColumn(0).setPreferredWidth(200);
+    table.getColumnModel().getColumn(1).setPreferredWidth(200);
     table.getSelectionModel().addListSelectionListener(event -> choose());
     table.registerKeyboardAction(
         event -> killSelected(), KeyStroke.getKeyStroke("DELETE"), JComponent.WHEN_FOCUSED);
@@ -273,9 +274,12 @@ public final class CallStackView implements View {
         JTable table, Object value, boolean selected, boolean focused, int row, int column) {
       super.getTableCellRendererComponent(table, "", selected, focused, row, column);
       CallRow call = (CallRow) value;
-      setText(column == 0 ? call.name() : call.place());
+      String text = column == 0 ? call.name() : call.place();
+      setText(text);
       setIcon(column == 0 && !call.isThread() ? new DisclosureIcon(0, false, false) : null);
       setFont(call.isThread() ? table.getFont().deriveFont(Font.BOLD) : table.getFont());
+      int width = table.getColumnModel().getColumn(column).getWidth();
+      setToolTipText(getPreferredSize().width > width ? Markup.toolTip(text) : null);
       if (!selected) {
         setForeground(column == 0 ? table.getForeground() : Palette.quiet());
       }
