@@ -13,7 +13,7 @@ enum LogColumn {
       LogTexts.text("thread"),
       LogTexts.text("watchdogM"),
       LogTexts.text("scriptThreadOfTheProgram")),
-  LINE(LogTexts.text("line"), "00000", LogTexts.text("lineOfTheProgramAClick")),
+  LINE(LogTexts.text("line"), LogTexts.text("node000"), LogTexts.text("placeInTheProgramAClick")),
   MESSAGE(LogTexts.text("message"), "", LogTexts.text("theMessageErrorsAndWarningsAre"));
 
   private static final List<LogColumn> ALL = List.of(values());
@@ -63,7 +63,7 @@ enum LogColumn {
   }
 
   /** What stands in the cell. */
-  String text(LogLine line) {
+  String text(LogLine line, LogRuns runs) {
     return switch (this) {
       case TIME -> line.timeText();
       case WALL_TIME -> line.wallText();
@@ -71,7 +71,7 @@ enum LogColumn {
       case SOURCE -> line.source().title();
       case CODE -> line.shortCode();
       case THREAD -> line.thread();
-      case LINE -> line.lineText();
+      case LINE -> runs.brief(line);
       case MESSAGE -> line.firstLine();
     };
   }

@@ -28,10 +28,13 @@ final class LogDetail {
   private final JLabel heading = new JLabel();
   private final JButton source = new JButton();
   private final JTextArea text = new JTextArea();
+  private final LogRuns runs;
   private final LogHighlights highlights = new LogHighlights(text);
   private Optional<LogLine> shown = Optional.empty();
 
-  LogDetail(Consumer<LogLine> showSource) {
+  /** Nothing is shown yet; {@code runs} say where messages come from. */
+  LogDetail(LogRuns runs, Consumer<LogLine> showSource) {
+    this.runs = runs;
     JPanel head =
         new JPanel(new MigLayout("insets 4 8 4 8, gap 8", "[grow, 0::, fill][]", "[28:pref:]"));
     heading.setForeground(LogColors.quiet());
@@ -71,10 +74,12 @@ final class LogDetail {
     highlights.show();
     text.setCaretPosition(0);
     source.setVisible(line.sourceLine().isPresent());
-    line.sourceLine().ifPresent(this::offerSource);
+    if (line.sourceLine().isPresent()) {
+      offerSource(runs.shortWords(line), runs.words(line));
+    }
   }
 
-  private static String headline(LogLine line) {
+  private String headline(LogLine line) {
     StringBuilder words = new StringBuilder();
     words.append(text("from", line.severity(), line.source().title(), line.timeText()));
     if (!line.wallText().isEmpty()) {
@@ -84,7 +89,7 @@ final class LogDetail {
         .ifPresent(
             at -> {
               String file = ByteText.decoded(fileName(at.source()));
-              words.append(", ").append(text("place", line.thread(), at.line(), file));
+              words.append(", ").append(text("place", line.thread(), runs.words(line), file));
             });
     if (!line.code().isEmpty()) {
       words.append(", ").append(line.code());
@@ -108,9 +113,9 @@ final class LogDetail {
     highlights.mark(search);
   }
 
-  private void offerSource(int line) {
-    source.setText(text("goToLine", line));
-    source.setToolTipText(text("showLineOfTheProgramEnter", line));
+  private void offerSource(String brief, String place) {
+    source.setText(text("goToPlace", brief));
+    source.setToolTipText(text("showPlaceOfTheProgramEnter", place));
     source.getAccessibleContext().setAccessibleName(source.getText());
   }
 

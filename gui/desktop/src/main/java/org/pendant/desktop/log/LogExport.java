@@ -24,8 +24,9 @@ enum LogExport {
     }
 
     @Override
-    String row(LogLine line) {
-      String place = line.place().map(at -> line.thread() + ":" + at.line()).orElse("");
+    String row(Row exported) {
+      LogLine line = exported.line();
+      String place = line.place().map(at -> line.thread() + ":" + exported.place()).orElse("");
       String head =
           String.format(
               Locale.ROOT,
@@ -48,7 +49,8 @@ enum LogExport {
     }
 
     @Override
-    String row(LogLine line) {
+    String row(Row exported) {
+      LogLine line = exported.line();
       return String.join(
               ",",
               line.timeText(),
@@ -63,10 +65,17 @@ enum LogExport {
     }
   };
 
+  /**
+   * A message.
+   *
+   * @param place what stands beside it for where it comes from; files of values have the line
+   */
+  record Row(LogLine line, String place) {}
+
   abstract String header();
 
   /** One message with the line end. */
-  abstract String row(LogLine line);
+  abstract String row(Row row);
 
   /** The form that the name of a file asks for. */
   static LogExport forFile(Path file) {
@@ -74,15 +83,15 @@ enum LogExport {
   }
 
   /** Writes messages to a file, created or replaced as a whole; not for the dispatch thread. */
-  void write(List<LogLine> lines, Path file) throws IOException {
-    AtomicFile.write(file, out -> write(lines, out));
+  void write(List<Row> rows, Path file) throws IOException {
+    AtomicFile.write(file, out -> write(rows, out));
   }
 
-  private void write(List<LogLine> lines, OutputStream file) throws IOException {
+  private void write(List<Row> rows, OutputStream file) throws IOException {
     try (Writer out = new OutputStreamWriter(file, StandardCharsets.UTF_8)) {
       out.write(header());
-      for (LogLine line : lines) {
-        out.write(row(line));
+      for (Row each : rows) {
+        out.write(row(each));
       }
     }
   }

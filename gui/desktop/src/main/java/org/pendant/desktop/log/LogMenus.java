@@ -28,7 +28,7 @@ final class LogMenus {
   JPopupMenu ofMessages(Runnable copy, Runnable showSource) {
     JPopupMenu menu = new JPopupMenu();
     menu.add(item(text("copy"), "log-menu-copy", copy));
-    menu.add(item(text("showTheLineInTheProgram"), "log-menu-source", showSource));
+    menu.add(item(text("showThePlaceInTheProgram"), "log-menu-source", showSource));
     JMenu shown = new JMenu(text("columns"));
     fill(shown::add);
     menu.addSeparator();

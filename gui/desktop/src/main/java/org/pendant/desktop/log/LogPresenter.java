@@ -17,6 +17,7 @@ final class LogPresenter {
   private final LogStore store;
   private final LogPositions shown = new LogPositions();
   private final LogPositions matches = new LogPositions();
+  private final LogRuns runs = new LogRuns();
   private LogFilter filter = LogFilter.ALL;
   private TextSearch search = TextSearch.NONE;
   private PoseForm form = PoseForm.STANDARD;
@@ -108,6 +109,11 @@ final class LogPresenter {
   void setSearch(String wanted) {
     search = new TextSearch(wanted);
     lookAgain();
+  }
+
+  /** Where messages come from. */
+  LogRuns runs() {
+    return runs;
   }
 
   TextSearch search() {

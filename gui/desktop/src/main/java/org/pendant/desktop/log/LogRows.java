@@ -160,7 +160,7 @@ final class LogRows extends JTable {
       column.setCellRenderer(
           each.column() == LogColumn.MESSAGE
               ? message
-              : new LogCell(each.column(), each.compact()));
+              : new LogCell(each.column(), presenter.runs(), each.compact()));
       addColumn(column);
     }
     message.setCodeBeside(codeBeside);
@@ -217,7 +217,7 @@ final class LogRows extends JTable {
     return switch (LogColumn.at(convertColumnIndexToModel(column))) {
       case LINE ->
           line.sourceLine().isPresent()
-              ? text("showLineOfTheProgram", line.sourceLine().getAsInt())
+              ? text("showPlaceOfTheProgram", presenter.runs().words(line))
               : null;
       case CODE -> CodeHelp.of(line.code()).map(CodeHelp::meaning).orElse(null);
       case SEVERITY -> line.severity();

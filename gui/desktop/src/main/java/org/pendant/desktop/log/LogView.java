@@ -63,7 +63,7 @@ public final class LogView implements View {
         new LogMailbox(
             LogPresenter.KEPT, number -> session.robot().logSince(number), InstantSource.system());
     session.addCellListener(mailbox);
-    detail = new LogDetail(this::showSource);
+    detail = new LogDetail(presenter.runs(), this::showSource);
     LogColumns columns = new LogColumns(workbench.settings());
     table = new LogTable(presenter, columns, this::selected, this::showSource);
     bar = new LogBar(this::filter, this::search, this::step);
@@ -79,6 +79,15 @@ public final class LogView implements View {
     table.setMenu(menus.ofMessages(this::copy, table::showSelectedSource));
     bar.addColumns(menus.ofColumns());
     showCounts();
+  }
+
+  /**
+   * A program starts on the controller that is shown, or an earlier one goes on.
+   *
+   * @param places what its lines are called in the messages that come from now on
+   */
+  public void startsRun(LogPlaces places) {
+    presenter.runs().start(mailbox.newest(), workbench.session().shown().name(), places);
   }
 
   /** Keeps what the window tells, with the other messages. */
@@ -102,8 +111,13 @@ public final class LogView implements View {
     table.repaint();
   }
 
-  /** Shows the log of a recording instead of what comes, or no longer. */
-  public void showRecorded(Optional<List<LogEntry>> log) {
+  /**
+   * Shows the log of a recording instead of what comes, or no longer.
+   *
+   * @param places what the lines of its programs are called
+   */
+  public void showRecorded(Optional<List<LogEntry>> log, LogPlaces places) {
+    presenter.runs().setRecorded(log.map(each -> places));
     recorded = log.map(LogView::lines);
     table.keepingSelection(presenter::restart);
     LogPresenter.Change change = take();
@@ -288,7 +302,14 @@ public final class LogView implements View {
     if (session.members().stream().anyMatch(each -> each.name().equals(line.controller()))) {
       session.show(line.controller());
     }
-    line.sourceLine().ifPresent(showLine);
+    presenter
+        .runs()
+        .of(line)
+        .ifPresentOrElse(place -> place.show().run(), () -> line.sourceLine().ifPresent(showLine));
+  }
+
+  private LogExport.Row exported(LogLine line) {
+    return new LogExport.Row(line, presenter.runs().brief(line));
   }
 
   private void copy() {
@@ -299,25 +320,25 @@ public final class LogView implements View {
       return;
     }
     StringBuilder text = new StringBuilder();
-    lines.forEach(line -> text.append(LogExport.TEXT.row(line)));
+    lines.forEach(line -> text.append(LogExport.TEXT.row(exported(line))));
     detail.copy(text.toString());
     workbench.notify(
         lines.size() == 1 ? text("copied1Message") : text("copiedMessages", lines.size()));
   }
 
   private void export() {
-    List<LogLine> lines = new ArrayList<>();
+    List<LogExport.Row> rows = new ArrayList<>();
     for (int row = 0; row < presenter.rows(); row++) {
-      lines.add(presenter.row(row));
+      rows.add(exported(presenter.row(row)));
     }
     SaveDialog.open(
         content,
         new SaveRequest(
-            text("exportMessages", lines.size()),
+            text("exportMessages", rows.size()),
             workbench.exportFile("log.csv"),
             List.of("csv", "txt"),
             workbench.openFiles()),
-        file -> LogExport.forFile(file).write(lines, file),
+        file -> LogExport.forFile(file).write(rows, file),
         workbench::notify);
   }
 

@@ -16,4 +16,9 @@ public record RunNode(ProgramDocument document, long key, int number, String lab
   public String words() {
     return text("node", number, label);
   }
+
+  /** The same where there is little room, such as {@code node 15}. */
+  public String briefly() {
+    return text("nodeNumber", number);
+  }
 }

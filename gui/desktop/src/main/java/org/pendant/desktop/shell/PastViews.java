@@ -18,6 +18,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.editor.Execution;
 import org.pendant.desktop.editor.ScriptEditor;
 import org.pendant.desktop.lines.MotionView;
+import org.pendant.desktop.log.LogPlaces;
 import org.pendant.desktop.log.LogView;
 import org.pendant.desktop.program.RunNode;
 import org.pendant.desktop.session.ProgramDocument;
@@ -65,6 +66,7 @@ final class PastViews {
   private Optional<Moment> searched = Optional.empty();
   private Optional<List<LogEntry>> shownLog = Optional.empty();
   private IntFunction<String> place = line -> text("line", line);
+  private LogPlaces logPlaces = (timeS, source, line) -> Optional.empty();
 
   /**
    * Shows now.
@@ -207,6 +209,17 @@ final class PastViews {
     place = names;
   }
 
+  /** What lines of programs that ran are called in their logs, and how they are shown. */
+  void setRunPlaces(RunPlaces places) {
+    logPlaces =
+        (timeS, source, line) ->
+            recording()
+                .programAt(timeS)
+                .filter(ran -> ran.source().name().equals(source))
+                .flatMap(this::open)
+                .flatMap(document -> places.place(document, line, line));
+  }
+
   /** Opens a recording. */
   void open(Path file) {
     timeline.open(file, workbench::notify);
@@ -259,7 +272,7 @@ final class PastViews {
     lookBack.take(live);
     if (!lookBack.log().equals(shownLog)) {
       shownLog = lookBack.log();
-      log.showRecorded(shownLog);
+      log.showRecorded(shownLog, logPlaces);
     }
     if (!lookBack.back()) {
       if (searched.isPresent()) {

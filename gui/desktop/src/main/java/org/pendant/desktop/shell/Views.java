@@ -23,6 +23,7 @@ import org.pendant.desktop.debug.Favourites;
 import org.pendant.desktop.debug.FileKeeper;
 import org.pendant.desktop.debug.HiddenNames;
 import org.pendant.desktop.debug.HoverValues;
+import org.pendant.desktop.debug.StartedProgram;
 import org.pendant.desktop.debug.VariablesView;
 import org.pendant.desktop.debug.WatchesView;
 import org.pendant.desktop.editor.OutlineView;
@@ -82,6 +83,7 @@ final class Views {
   private final List<DebugBar> debugBars;
   private final BusyNotice busy;
   private final LineNames names;
+  private final RunPlaces runPlaces;
   private final HiddenNames hidden;
   private final PortsView ports;
   private final RobotSession session;
@@ -138,9 +140,19 @@ final class Views {
           hidden.start(script.names());
           link.beforeRun(document, script);
           strip.beforeRun(document, script);
+          logStart(started -> started.start(document, script));
         });
     program = programScreen(workbench, programs, move, scene);
     names = new LineNames(runs, runner, debug);
+    runPlaces =
+        new RunPlaces(
+            runs,
+            program::show,
+            (document, line) -> {
+              programs.select(document);
+              workbench.showSource(line, 1);
+            });
+    past.setRunPlaces(runPlaces);
     debug.nameLinesBy(names::started);
     past.timeline().setPins(strip::profile, new ProfilePins(strip, names)::of);
     scene.onNode(program::choose);
@@ -319,13 +331,21 @@ final class Views {
     strip.strangerStarted(Optional.empty());
   }
 
+  private void logStart(Consumer<StartedProgram> start) {
+    StartedProgram started = new StartedProgram();
+    start.accept(started);
+    log.startsRun(runPlaces.of(started));
+  }
+
   /** After a branch an earlier run goes on, maybe that of another program than the last. */
   private void backTo(Optional<PathStrip.Ran> ran) {
     if (ran.isPresent() && !ran.get().received()) {
       runner.backTo(ran.get().document(), ran.get().script());
     } else {
       runner.forget();
-      link.strangerStarted(ran.map(PathStrip.Ran::document));
+      Optional<ProgramDocument> shown = ran.map(PathStrip.Ran::document);
+      link.strangerStarted(shown);
+      logStart(started -> started.startStranger(shown));
     }
   }
 
@@ -446,6 +466,7 @@ final class Views {
       Optional<ProgramDocument> shown = received.show(session.startedSource());
       link.strangerStarted(shown);
       strip.strangerStarted(shown);
+      logStart(started -> started.startStranger(shown));
     }
     Faults.guard(() -> debug.refresh(state));
     debugBars.forEach(each -> Faults.guard(each::refresh));

@@ -83,12 +83,24 @@ final class LogLineTest {
   void csvQuotesWhatWouldBreakIt() {
     assertEquals(
         "12.346,2026-01-02T03:04:05Z,Error,Program,,watch,12,\"say \"\"a, b\"\"\"\n",
-        LogExport.CSV.row(line(Origin.SCRIPT, "", "say \"a, b\"", at("p.script", 3))));
+        LogExport.CSV.row(
+            row(line(Origin.SCRIPT, "", "say \"a, b\"", at("p.script", 3)), "node 4")));
+  }
+
+  private static LogExport.Row row(LogLine line, String place) {
+    return new LogExport.Row(line, place);
+  }
+
+  @Test
+  void textSaysWhereAMessageComesFromAsTheTableDoes() {
+    LogLine line = line(Origin.SCRIPT, "", "a", at("p.script", 3));
+    String row = LogExport.TEXT.row(row(line, "node 4"));
+    assertTrue(row.contains("  watch:node 4  "), row);
   }
 
   @Test
   void furtherLinesOfATextAreIndented() {
-    String row = LogExport.TEXT.row(said("one\ntwo"));
+    String row = LogExport.TEXT.row(row(said("one\ntwo"), ""));
     String[] lines = row.split("\n", -1);
     assertEquals(lines[0].indexOf("one"), lines[1].indexOf("two"));
     assertEquals("two", lines[1].strip());
@@ -98,7 +110,7 @@ final class LogLineTest {
   void savedMessagesCannotActOnATerminal() {
     LogLine line = said("\u001b]0;owned\u0007");
     for (LogExport form : LogExport.values()) {
-      String row = form.row(line);
+      String row = form.row(row(line, ""));
       assertTrue(row.contains("\\x1b]0;owned\\x07"), row);
       assertEquals(1, row.chars().filter(Character::isISOControl).count(), "its line end");
     }
