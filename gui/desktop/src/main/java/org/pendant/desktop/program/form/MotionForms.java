@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.pendant.controller.installation.NamedTool;
 import org.pendant.desktop.program.form.Item.Option;
+import org.pendant.desktop.unit.ShownMeasure;
 import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.Joints;
 import org.pendant.project.program.MotionStep;
@@ -371,12 +372,13 @@ final class MotionForms {
                     new MotionStep.Home(home.speedRadPerS(), home.accelerationRadPerS2(), value))
             .quiet("time-hint", text("withATimeSpeedAndAcceleration"));
     Joints at = context.installation().homeRad();
+    Measure angle = ShownMeasure.of(Measure.DEGREE, context.host().poseForm());
     List<String> places = new ArrayList<>();
     for (int i = 0; i < Joints.COUNT; i++) {
-      places.add(text(JOINTS.get(i), Measure.DEGREE.text(at.get(i))));
+      places.add(text(JOINTS.get(i), angle.text(at.get(i))));
     }
     return form.part(text("whereItIs"))
-        .quiet("place", text("jointsInDeg", String.join(", ", places)))
+        .quiet("place", text("jointsIn", angle.symbol(), String.join(", ", places)))
         .build();
   }
 }

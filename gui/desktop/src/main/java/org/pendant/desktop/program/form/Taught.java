@@ -98,13 +98,18 @@ public final class Taught {
         position.jointsRad());
   }
 
-  /** What is to be said of a position: that the arm does not get there, or hardly. */
-  static String remark(WaypointPosition position, ArmDescription arm, Installation installation) {
+  /**
+   * What is to be said of a position: that the arm does not get there, or hardly.
+   *
+   * @param angle how people read angles
+   */
+  static String remark(
+      WaypointPosition position, ArmDescription arm, Installation installation, Measure angle) {
     for (int i = 0; i < Joints.COUNT; i++) {
       JointLimits limits = arm.joints().get(i);
       double q = position.jointsRad().get(i);
       if (!limits.contains(q)) {
-        return text("wouldBeOutsideItsRange", joint(i), range(limits));
+        return text("wouldBeOutsideItsRange", joint(i), range(limits, angle));
       }
     }
     Reach reach = reach(position, arm, installation);
@@ -115,16 +120,14 @@ public final class Taught {
       JointLimits limits = arm.joints().get(i);
       double q = position.jointsRad().get(i);
       if (q - limits.lowestRad() < NEAR_RAD || limits.highestRad() - q < NEAR_RAD) {
-        return text("isWithin5DegOfThe", joint(i), range(limits));
+        return text(
+            "isNearTheEndOfItsRange", joint(i), angle.words(NEAR_RAD), range(limits, angle));
       }
     }
     return reach.text().isEmpty() ? "" : text("sentence", reach.text());
   }
 
-  private static String range(JointLimits limits) {
-    return text(
-        "fromTo",
-        Measure.DEGREE.text(limits.lowestRad()),
-        Measure.DEGREE.words(limits.highestRad()));
+  private static String range(JointLimits limits, Measure angle) {
+    return text("fromTo", angle.text(limits.lowestRad()), angle.words(limits.highestRad()));
   }
 }

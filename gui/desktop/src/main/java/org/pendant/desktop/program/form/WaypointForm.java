@@ -9,6 +9,7 @@ import org.pendant.controller.installation.Installation;
 import org.pendant.desktop.program.form.Item.Option;
 import org.pendant.desktop.unit.PoseForm;
 import org.pendant.desktop.unit.ShownMeasure;
+import org.pendant.kit.form.Measure;
 import org.pendant.models.arm.ArmDescription;
 import org.pendant.models.arm.Joints;
 import org.pendant.models.pose.Pose;
@@ -200,7 +201,16 @@ final class WaypointForm {
         "frame-missing",
         Item.Tone.WARNING,
         known ? "" : text("isMissingInTheInstallationOr", position.feature()));
-    form.note("reach", Item.Tone.WARNING, known ? Taught.remark(position, arm, installation) : "");
+    form.note(
+        "reach",
+        Item.Tone.WARNING,
+        known
+            ? Taught.remark(
+                position,
+                arm,
+                installation,
+                ShownMeasure.of(Measure.DEGREE, context.host().poseForm()))
+            : "");
   }
 
   /** A position for a pose. */

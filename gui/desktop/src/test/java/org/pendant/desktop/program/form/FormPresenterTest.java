@@ -322,6 +322,27 @@ final class FormPresenterTest {
   }
 
   @Test
+  void anglesInSentencesAreInTheUnitThatPeopleHaveChosen() {
+    PoseForm radians =
+        new PoseForm(DisplayUnit.INCH, DisplayUnit.RADIAN, RotationForm.ROLL_PITCH_YAW);
+    open(node(new MotionStep.Home(1, 1, OptionalDouble.empty())));
+    host.setPoseForm(radians);
+    select(selected().orElseThrow());
+    Item.Note home = assertInstanceOf(Item.Note.class, item("place"));
+    assertTrue(home.text().startsWith("Joints in rad: base 0, shoulder -1.570796, "), home.text());
+
+    open(move(MoveKind.JOINT, fixed("A")));
+    host.setPoseForm(radians);
+    host.change("Teach", host.tree().withWaypoint("A", here()));
+    select(selected().orElseThrow().children().getFirst());
+    assertEquals("", presenter.typeNumber("joint-5", "6.3"));
+    Item.Note note = assertInstanceOf(Item.Note.class, item("reach"));
+    assertEquals(
+        "Wrist 3 is within 0.087266 rad of the end of its range, -6.335545 to 6.335545 rad.",
+        note.text());
+  }
+
+  @Test
   void aPoseOutOfReachIsKeptAndTold() {
     open(move(MoveKind.JOINT, fixed("A")));
     host.change("Teach", host.tree().withWaypoint("A", here()));
