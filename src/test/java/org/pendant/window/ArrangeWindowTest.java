@@ -37,6 +37,22 @@ final class ArrangeWindowTest {
   }
 
   @Test
+  void theTreeKeepsItsShareAndTheKeyboardInAWindowThatGetsSmallAndLargeAgain() {
+    window.press("control N");
+    window.awaitFocus("program-tree");
+    window.settle();
+    String form = window.place("node-form");
+    window.resize("1024x700");
+    window.awaitHidden("program-palette");
+    window.awaitFocus("program-tree");
+    window.resize("1440x900");
+    window.awaitShown("program-palette");
+    window.awaitFocus("program-tree");
+    window.settle();
+    assertEquals(form, window.place("node-form"));
+  }
+
+  @Test
   void aPanelGoesIntoAWindowOfItsOwnAndBackWhenThatIsClosed() {
     List<String> before = window.tabs("dock-tabs-lower");
     window.perform("Move Outline to a window of its own");

@@ -4,12 +4,15 @@ import static org.pendant.desktop.program.ProgramViewTexts.text;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.util.OptionalInt;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
 import org.pendant.kit.settings.Settings;
 
 /**
@@ -101,6 +104,11 @@ final class ThreeParts extends JPanel {
       arrange();
     }
     super.doLayout();
+    // They divide what they have gained their own way, once: the shares are set after that.
+    if (!narrow) {
+      outer.doLayout();
+    }
+    inner.doLayout();
     int room = getWidth() - (narrow ? 0 : outer.getDividerLocation() + outer.getDividerSize());
     int most = room - inner.getDividerSize() - UIScale.scale(MIN_TABS);
     int tree = Math.min(treeWidth(), most);
@@ -108,7 +116,10 @@ final class ThreeParts extends JPanel {
     arranging = false;
   }
 
+  /** What has the keyboard keeps it, in whichever place it is then. */
   private void arrange() {
+    Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+    boolean inside = owner != null && SwingUtilities.isDescendingFrom(owner, this);
     if (narrow) {
       remove(outer);
       outer.setRightComponent(null);
@@ -122,6 +133,9 @@ final class ThreeParts extends JPanel {
       outer.setRightComponent(inner);
       outer.setDividerLocation(paletteWidth());
       add(outer);
+    }
+    if (inside) {
+      owner.requestFocusInWindow();
     }
   }
 
