@@ -294,9 +294,15 @@ public final class DockFrame {
         .flatMap(bounds -> WindowBounds.within(bounds, screens))
         .orElseGet(
             () -> {
-              Dimension size = new Dimension(area.getWidth() / 2, area.getHeight() / 2);
+              Dimension size = new Dimension(area.getWidth() * 2 / 5, area.getHeight() / 2);
               Rectangle first = SwingUtilities.getWindowAncestor(area).getBounds();
-              return WindowBounds.second(first, screens, size);
+              Rectangle shown = new Rectangle(area.getLocationOnScreen(), area.getSize());
+              List<Rectangle> others =
+                  windows.values().stream()
+                      .map(FloatingDock::bounds)
+                      .flatMap(Optional::stream)
+                      .toList();
+              return WindowBounds.second(first, shown, others, screens, size);
             });
   }
 

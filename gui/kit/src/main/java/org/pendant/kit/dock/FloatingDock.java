@@ -6,6 +6,7 @@ import java.awt.BorderLayout;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 
@@ -53,6 +54,11 @@ final class FloatingDock {
     window.setAutoRequestFocus(takesKeys);
     window.setVisible(true);
     window.setAutoRequestFocus(true);
+  }
+
+  /** Where it is; empty while it is not open. */
+  Optional<Rectangle> bounds() {
+    return window.isVisible() ? Optional.of(window.getBounds()) : Optional.empty();
   }
 
   /** Puts it above the main window, which keeps the keyboard. */

@@ -5,7 +5,6 @@ import java.awt.GraphicsConfiguration;
 import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
 import java.awt.Insets;
-import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.util.List;
@@ -17,8 +16,11 @@ public final class WindowBounds {
   private static final int WIDTH = 1440;
   private static final int HEIGHT = 900;
 
-  /** How far a second window is from the corner of the first, pixels. */
-  private static final int STEP = 80;
+  /** How far a second window is from another one that is at the same place, pixels. */
+  private static final int STEP = 40;
+
+  /** A window that is narrower than this is of no use, pixels. */
+  private static final int MIN_WIDTH = 320;
 
   private WindowBounds() {}
 
@@ -68,21 +70,61 @@ public final class WindowBounds {
   }
 
   /**
-   * Where a second window goes: to the middle of the first screen that {@code first} is not on, or
-   * else a little below the corner of {@code first}.
+   * Where a second window goes: to the middle of the first screen that {@code first} is not on;
+   * else beside it, where it may be narrower; else into the lower right corner of {@code area},
+   * which people look at least.
    *
    * @param first the bounds of the window that is there already
+   * @param area what it holds, on the screen
+   * @param others windows that are there as well: none has the same corner
    * @param screens what of each screen can be used
    */
-  public static Rectangle second(Rectangle first, List<Rectangle> screens, Dimension size) {
-    Rectangle corner = new Rectangle(new Point(first.x + STEP, first.y + STEP), size);
+  public static Rectangle second(
+      Rectangle first,
+      Rectangle area,
+      List<Rectangle> others,
+      List<Rectangle> screens,
+      Dimension size) {
     Rectangle wanted =
         screens.stream()
             .filter(screen -> !screen.intersects(first))
             .findFirst()
             .map(screen -> middle(screen, size))
-            .orElse(corner);
-    return within(wanted, screens).orElse(wanted);
+            .or(() -> beside(first, screens, size))
+            .orElseGet(
+                () ->
+                    new Rectangle(
+                        area.x + area.width - size.width,
+                        area.y + area.height - size.height,
+                        size.width,
+                        size.height));
+    Rectangle free = within(wanted, screens).orElse(wanted);
+    for (int i = 0; i < others.size() && hasCornerOf(free, others); i++) {
+      free.translate(0, -STEP);
+    }
+    return within(free, screens).orElse(free);
+  }
+
+  private static boolean hasCornerOf(Rectangle bounds, List<Rectangle> others) {
+    return others.stream().anyMatch(each -> each.getLocation().equals(bounds.getLocation()));
+  }
+
+  private static Optional<Rectangle> beside(
+      Rectangle first, List<Rectangle> screens, Dimension size) {
+    return screens.stream()
+        .filter(first::intersects)
+        .findFirst()
+        .flatMap(
+            screen -> {
+              int right = screen.x + screen.width - first.x - first.width;
+              int left = first.x - screen.x;
+              int width = Math.min(size.width, Math.max(right, left));
+              int x = right >= left ? first.x + first.width : first.x - width;
+              int y = first.y + Math.max(0, first.height - size.height) / 2;
+              return width >= MIN_WIDTH
+                  ? Optional.of(new Rectangle(x, y, width, size.height))
+                  : Optional.empty();
+            });
   }
 
   private static Rectangle middle(Rectangle screen, Dimension size) {

@@ -41,15 +41,51 @@ final class WindowBoundsTest {
     Rectangle first = new Rectangle(100, 50, 800, 600);
     Rectangle left = new Rectangle(0, 0, 1024, 700);
     Rectangle right = new Rectangle(1024, 0, 1920, 1080);
-    Dimension size = new Dimension(500, 400);
     assertEquals(
-        new Rectangle(1734, 340, 500, 400), WindowBounds.second(first, List.of(left, right), size));
+        new Rectangle(1734, 340, 500, 400), second(first, List.of(), List.of(left, right)));
+  }
+
+  /** A window of 500 x 400; what the first one holds is between its head and its foot. */
+  private static Rectangle second(
+      Rectangle first, List<Rectangle> others, List<Rectangle> screens) {
+    Rectangle area = new Rectangle(first.x, first.y + 100, first.width, first.height - 150);
+    return WindowBounds.second(first, area, others, screens, new Dimension(500, 400));
+  }
+
+  @Test
+  void aSecondWindowGoesBesideTheFirstWhereTheScreenHasRoom() {
+    List<Rectangle> screen = List.of(new Rectangle(0, 0, 1920, 1080));
     assertEquals(
-        new Rectangle(180, 130, 500, 400), WindowBounds.second(first, List.of(left), size));
-    Rectangle whole = new Rectangle(0, 0, 1024, 700);
+        new Rectangle(1000, 200, 500, 400),
+        second(new Rectangle(0, 0, 1000, 800), List.of(), screen));
     assertEquals(
-        new Rectangle(24, 0, 1000, 700),
-        WindowBounds.second(whole, List.of(left), new Dimension(1000, 900)));
+        new Rectangle(420, 240, 500, 400),
+        second(new Rectangle(920, 40, 1000, 800), List.of(), screen));
+    assertEquals(
+        new Rectangle(1540, 250, 380, 400),
+        second(new Rectangle(100, 50, 1440, 800), List.of(), screen),
+        "narrower");
+  }
+
+  @Test
+  void elseItGoesToTheLowerRightOfWhatTheFirstHolds() {
+    List<Rectangle> screen = List.of(new Rectangle(0, 0, 1600, 1000));
+    assertEquals(
+        new Rectangle(940, 450, 500, 400),
+        second(new Rectangle(0, 0, 1440, 900), List.of(), screen));
+    assertEquals(
+        new Rectangle(524, 250, 500, 400),
+        second(new Rectangle(0, 0, 1024, 700), List.of(), List.of(new Rectangle(0, 0, 1024, 700))));
+  }
+
+  @Test
+  void noTwoWindowsOpenAtTheSameCorner() {
+    List<Rectangle> screen = List.of(new Rectangle(0, 0, 1600, 1000));
+    Rectangle first = new Rectangle(0, 0, 1440, 900);
+    Rectangle second = second(first, List.of(), screen);
+    Rectangle third = second(first, List.of(second), screen);
+    assertEquals(new Rectangle(940, 410, 500, 400), third);
+    assertEquals(new Rectangle(940, 370, 500, 400), second(first, List.of(third, second), screen));
   }
 
   @Test
