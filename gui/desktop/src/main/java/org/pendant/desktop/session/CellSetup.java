@@ -1,7 +1,9 @@
 package org.pendant.desktop.session;
 
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.pendant.controller.ControllerOptions;
 import org.pendant.controller.box.CellPlan;
 
@@ -20,6 +22,16 @@ public record CellSetup(CellPlan plan, List<ControllerOptions> options) {
 
   /** The same with each controller switched on otherwise. */
   CellSetup with(UnaryOperator<ControllerOptions> change) {
-    return new CellSetup(plan, options.stream().map(change).toList());
+    return with((name, each) -> change.apply(each));
+  }
+
+  /** As the other one, with the name of each controller. */
+  public CellSetup with(BiFunction<String, ControllerOptions, ControllerOptions> change) {
+    List<String> names = plan.layout().names();
+    return new CellSetup(
+        plan,
+        IntStream.range(0, options.size())
+            .mapToObj(i -> change.apply(names.get(i), options.get(i)))
+            .toList());
   }
 }

@@ -26,6 +26,7 @@ import org.pendant.controller.file.ProgramsFolder;
 import org.pendant.controller.safety.SafetyChecksum;
 import org.pendant.controller.safety.SafetyConfiguration;
 import org.pendant.controller.state.ControllerState;
+import org.pendant.desktop.session.ArmReadiness.Light;
 import org.pendant.kit.fault.Faults;
 import org.pendant.language.source.Source;
 import org.pendant.models.arm.ArmDescription;
@@ -397,6 +398,32 @@ public final class RobotSession implements AutoCloseable {
     } else {
       restart(change.apply(options()));
     }
+  }
+
+  /**
+   * As {@link #restartWith}, where people ask for something else than a restart: each arm has power
+   * afterwards if it has it now, see {@link #keepingPower}.
+   */
+  public void changeWith(UnaryOperator<ControllerOptions> change) {
+    Optional<CellSetup> shared = cell;
+    if (shared.isPresent()) {
+      restart(shared.get().with(change).with(this::keepingPower));
+    } else {
+      restart(keepingPower(shown().name(), change.apply(options())));
+    }
+  }
+
+  /**
+   * Options of a controller in the place of the one of that name. Its arm has power if this one is
+   * ready for programs, so that an arm that is off, or that something has stopped, does not come on
+   * by itself. As they are where there is none of that name.
+   */
+  public ControllerOptions keepingPower(String name, ControllerOptions options) {
+    return members().stream()
+        .filter(each -> each.name().equals(name) && !each.armless())
+        .findFirst()
+        .map(each -> options.withPower(ArmReadiness.of(each.state()).light() == Light.READY))
+        .orElse(options);
   }
 
   /** How the controller that is alone is switched on, or was before there was a cell. */

@@ -21,6 +21,7 @@ final class RobotChange {
 
   private static final String NOISE = "robot.measured-noise";
   private static final String START_RAMP = "robot.start-ramp";
+  private static final String POWER = "robot.power-at-start";
 
   private final RobotSession session;
   private final Consumer<CellStart> begins;
@@ -70,6 +71,13 @@ final class RobotChange {
     settings.put(START_RAMP, Boolean.toString(on));
   }
 
+  /**
+   * Whether arms have power as soon as their controllers are switched on; they have it at first.
+   */
+  static boolean powerAtStart(Settings settings) {
+    return settings.get(POWER).map(Boolean::parseBoolean).orElse(true);
+  }
+
   /** Another robot; nothing happens if it is there already. */
   void choose(String id) {
     if (session.inCell()) {
@@ -91,7 +99,7 @@ final class RobotChange {
   private void switchOffAndOn() {
     Background.run(
         () -> {
-          session.restartWith(each -> each);
+          session.restartWith(each -> each.withPower(powerAtStart(settings)));
           return session.options().robotId();
         },
         done -> tell.accept(text("theControllerWasSwitchedOffAnd")),
@@ -109,7 +117,7 @@ final class RobotChange {
   private void setNoise(boolean on) {
     Background.run(
         () -> {
-          session.restartWith(each -> each.withMeasuredNoise(on));
+          session.changeWith(each -> each.withMeasuredNoise(on));
           return on;
         },
         done -> {
@@ -131,7 +139,7 @@ final class RobotChange {
   private void setStartRamp(boolean on) {
     Background.run(
         () -> {
-          session.restartWith(each -> each.withStartRamp(on));
+          session.changeWith(each -> each.withStartRamp(on));
           return on;
         },
         done -> {
@@ -143,7 +151,8 @@ final class RobotChange {
   }
 
   /**
-   * The same robot where it stands, with other surroundings.
+   * The same robot where it stands, with other surroundings: a real one would stay on or off, too,
+   * so its arm has power afterwards if it has it now.
    *
    * @param then runs when it has them
    */
@@ -171,14 +180,16 @@ final class RobotChange {
       session.restart(
           scene.in(
               session.inCell()
-                  ? alone
-                  : alone.withStart(session.state().arm().actualPositionRad())));
+                  ? alone.withPower(powerAtStart(settings))
+                  : session.keepingPower(
+                      session.shown().name(),
+                      alone.withStart(session.state().arm().actualPositionRad()))));
       return scene;
     }
     CellStart start = CellStart.of(scene, settings);
     begins.accept(start);
     try {
-      session.restart(start.setup());
+      session.restart(start.setup().with(session::keepingPower));
     } catch (IllegalArgumentException e) {
       throw new IOException(e.getMessage(), e);
     }
@@ -205,7 +216,7 @@ final class RobotChange {
   private void change(String id) {
     Background.run(
         () -> {
-          session.restart(session.options().withRobot(id));
+          session.restart(session.options().withRobot(id).withPower(powerAtStart(settings)));
           return session.options().arm().displayName();
         },
         name -> {

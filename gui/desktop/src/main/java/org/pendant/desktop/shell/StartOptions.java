@@ -90,7 +90,7 @@ record StartOptions(ControllerOptions controller, List<String> troubles) {
         .withStartRamp(RobotChange.startRamp(settings))
         .withOperator(Operator.present())
         .withSystemTime(InstantSource.system())
-        .withPower(settings.get("robot.power-at-start").map(Boolean::parseBoolean).orElse(true));
+        .withPower(RobotChange.powerAtStart(settings));
   }
 
   /** The file that an installation names. */
