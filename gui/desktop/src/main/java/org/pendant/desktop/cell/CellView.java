@@ -101,7 +101,8 @@ public final class CellView implements View {
   }
 
   /**
-   * A hand that moves objects and devices in 3D.
+   * A hand that moves objects and devices in 3D. Keys come here afterwards, not to 3D: Ctrl+Z takes
+   * back what was moved.
    *
    * @param active whether it may now
    */
@@ -111,7 +112,8 @@ public final class CellView implements View {
         active,
         name -> cards().objects().choose(name),
         name -> cards().devices().choose(name),
-        this::words);
+        this::words,
+        () -> workbench.show(ID));
   }
 
   /** A place in the base, such as {@code X 300 Y -250 Z 120 mm}. */

@@ -24,6 +24,7 @@ final class PlacingHand implements ObjectHand {
   private final Consumer<String> chosen;
   private final Consumer<String> deviceChosen;
   private final Function<Vector3, String> placeWords;
+  private final Runnable putDown;
   private Optional<SceneObject> held = Optional.empty();
   private Optional<HeldDevice> device = Optional.empty();
   private String words = "";
@@ -38,18 +39,21 @@ final class PlacingHand implements ObjectHand {
    * @param chosen told the name of an object that is held
    * @param deviceChosen told the name of a device that is held
    * @param placeWords a place in the base, m, for people
+   * @param putDown told when what was held is let go
    */
   PlacingHand(
       SceneDraft draft,
       BooleanSupplier active,
       Consumer<String> chosen,
       Consumer<String> deviceChosen,
-      Function<Vector3, String> placeWords) {
+      Function<Vector3, String> placeWords,
+      Runnable putDown) {
     this.draft = draft;
     this.active = active;
     this.chosen = chosen;
     this.deviceChosen = deviceChosen;
     this.placeWords = placeWords;
+    this.putDown = putDown;
   }
 
   @Override
@@ -153,9 +157,13 @@ final class PlacingHand implements ObjectHand {
 
   @Override
   public void end() {
+    boolean holds = held.isPresent() || device.isPresent();
     held = Optional.empty();
     device = Optional.empty();
     words = "";
     draft.endRow();
+    if (holds) {
+      putDown.run();
+    }
   }
 }

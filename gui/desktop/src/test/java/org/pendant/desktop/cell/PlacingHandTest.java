@@ -25,7 +25,8 @@ final class PlacingHandTest {
           () -> true,
           chosen::add,
           name -> chosen.add("device " + name),
-          place -> "at " + place.x() + " " + place.y() + " " + place.z());
+          place -> "at " + place.x() + " " + place.y() + " " + place.z(),
+          () -> chosen.add("put down"));
 
   private void put() {
     draft.set(
@@ -68,6 +69,16 @@ final class PlacingHandTest {
     assertEquals(new Vector3(0.6, 0.033, 0.05), placeM());
     draft.undo();
     assertEquals(new Vector3(0.4, 0.033, 0.05), placeM());
+  }
+
+  @Test
+  void whatWasHeldIsPutDownOnce() {
+    put();
+    assertTrue(hand.begin("ball", new Vector3(0, 0, 0)));
+    hand.end();
+    assertFalse(hand.begin("table", new Vector3(0, 0, 0)));
+    hand.end();
+    assertEquals(List.of("ball", "put down"), chosen);
   }
 
   @Test
