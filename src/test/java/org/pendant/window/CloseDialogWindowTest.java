@@ -165,15 +165,23 @@ final class CloseDialogWindowTest {
     Files.write(binary, new byte[] {1, 0, 2});
     Path good = folder.resolve("good.script");
     Files.writeString(good, "fine = 1\n");
+    Files.writeString(folder.resolve("beside.script"), "fine = 2\n");
     try (OpenWindow window =
         OpenWindow.open(display, folder, List.of(binary, folder.resolve("none.script"), good))) {
       window.awaitWords("notices", "a.script: it is no text");
       window.awaitWords("notices", "none.script: there is no such file");
       window.awaitWords("program-name", "good.script");
       window.await("it is remembered", () -> settings().contains("file.open = " + good));
+      window.press("control O");
+      window.awaitFocus("open-dialog");
+      window.type("beside.script\n");
+      window.awaitWords("program-name", "beside.script");
+      window.awaitHidden("open-dialog");
+      window.raise();
+      window.await("both are remembered", () -> settings().contains("beside.script"));
     }
     try (OpenWindow window = OpenWindow.open(display, folder)) {
-      window.awaitWords("program-name", "good.script");
+      window.awaitWords("program-name", "beside.script");
     }
   }
 

@@ -415,8 +415,12 @@ final class DesktopWindow {
     }
   }
 
-  /** Opens a program, an installation, a scene, a recording, a plan or a table of waveforms. */
+  /**
+   * Opens a program, an installation, a scene, a recording, a plan or a table of waveforms. Dialogs
+   * begin in its folder afterwards.
+   */
   void open(Path file) {
+    workbench.usedFolder().chosen(file);
     if (InstallationFile.hasEnding(file.toString())) {
       installationFiles.open(file);
       return;
