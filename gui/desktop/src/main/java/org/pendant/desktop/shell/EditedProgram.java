@@ -10,6 +10,7 @@ import org.pendant.desktop.program.TreeRuns;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.Programs;
 import org.pendant.desktop.session.RobotSession;
+import org.pendant.desktop.whatif.WhatIfView;
 import org.pendant.kit.background.Background;
 import org.pendant.language.source.ByteText;
 import org.pendant.language.source.Diagnostic;
@@ -18,7 +19,7 @@ import org.pendant.script.vm.LoadResult;
 import org.pendant.script.vm.Program;
 
 /** Edited program: the program that ran last, compiled as it is edited now. */
-final class EditedProgram {
+final class EditedProgram implements WhatIfView.RanProgram {
   private final RobotSession session;
   private final Programs programs;
   private final ProgramRunner runner;
@@ -31,10 +32,20 @@ final class EditedProgram {
     this.runs = runs;
   }
 
+  @Override
+  public Optional<ProgramDocument> started() {
+    return runner.program().filter(programs.all()::contains);
+  }
+
+  @Override
+  public ProgramDocument front() {
+    return programs.current();
+  }
+
   /** Compiles it; that of the one in front if none of those that are open has run. */
-  void compile(Consumer<Program> then, Consumer<String> failed) {
-    ProgramDocument document =
-        runner.program().filter(programs.all()::contains).orElseGet(programs::current);
+  @Override
+  public void compile(Consumer<Program> then, Consumer<String> failed) {
+    ProgramDocument document = started().orElseGet(programs::current);
     Optional<String> why = runs.whyNot(document, 0);
     if (why.isPresent()) {
       failed.accept(document.name() + ": " + why.get());

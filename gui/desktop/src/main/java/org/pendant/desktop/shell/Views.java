@@ -238,7 +238,7 @@ final class Views {
             workbench,
             past::past,
             past::ofFile,
-            new EditedProgram(session, programs, runner, runs)::compile);
+            new EditedProgram(session, programs, runner, runs));
     scene.setCompared(whatIf::ways);
     places =
         ViewPlaces.of(

@@ -5,9 +5,11 @@ import static org.pendant.desktop.whatif.WhatIfTexts.text;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.event.MouseEvent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import javax.swing.DefaultCellEditor;
@@ -20,6 +22,7 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellEditor;
+import javax.swing.table.TableCellRenderer;
 import org.pendant.desktop.debug.CheckedField;
 import org.pendant.kit.table.TableLook;
 import org.pendant.kit.theme.Palette;
@@ -27,15 +30,21 @@ import org.pendant.kit.theme.Palette;
 /** Variant table: the variants in rows, edited in place. */
 @SuppressWarnings("serial") // never written to a stream
 final class VariantTable extends JTable {
-  private static final List<Integer> WIDTHS = List.of(136, 66, 66, 100, 84, 120, 104, 104, 110);
-  private static final int MIN_WIDTH = 60;
+  /** Names and results may be cut down to so much, and need no more than so much; unscaled. */
+  private static final int LEAST_NAME = 90;
+
+  private static final int MOST_NAME = 220;
+  private static final int LEAST_RESULT = 130;
+  private static final int MOST_RESULT = 420;
+
   private static final int ROW_SPACE = 12;
 
-  /** Columns may take this share of what they want. */
-  private static final double SQUEEZE = 0.92;
+  /** Beside the text of a cell, so that it does not touch its neighbours; unscaled. */
+  private static final int CELL_SPACE = 10;
 
   private final transient WhatIfPresenter presenter;
   private final VariantTableModel model;
+  private boolean byHand;
 
   /**
    * The variants.
@@ -48,11 +57,10 @@ final class VariantTable extends JTable {
     this.model = model;
     TableLook.apply(this, "whatif-table", text("variants"));
     TableLook.editInPlace(this);
-    for (int i = 0; i < WIDTHS.size(); i++) {
-      getColumnModel().getColumn(i).setPreferredWidth(WIDTHS.get(i));
-      getColumnModel().getColumn(i).setMinWidth(MIN_WIDTH);
+    for (int i = 0; i < getColumnCount(); i++) {
       getColumnModel().getColumn(i).setCellRenderer(new Cell());
     }
+    model.addTableModelListener(event -> fitColumns());
     edit(VariantTableModel.NAME, "whatif-name", refused, VariantRow::nameRefusal);
     edit(VariantTableModel.SPEED, "whatif-speed", refused, VariantRow::speedRefusal);
     edit(VariantTableModel.LOAD, "whatif-load", refused, VariantRow::loadRefusal);
@@ -90,13 +98,79 @@ final class VariantTable extends JTable {
   /** In a narrow dock the last columns are scrolled to, rather than all cut off. */
   @Override
   public boolean getScrollableTracksViewportWidth() {
-    return getParent() != null && getParent().getWidth() >= SQUEEZE * getPreferredSize().width;
+    return getParent() != null && getParent().getWidth() >= getPreferredSize().width;
+  }
+
+  @Override
+  public Dimension getPreferredSize() {
+    return new Dimension(VariantColumns.least(widths()), super.getPreferredSize().height);
   }
 
   @Override
   public void updateUI() {
     super.updateUI();
     TableLook.fitRows(this, ROW_SPACE);
+    byHand = false;
+    revalidate();
+  }
+
+  /** Columns that people have made wider or narrower stay so. */
+  @Override
+  public void doLayout() {
+    if (getTableHeader().getResizingColumn() != null) {
+      byHand = true;
+    }
+    if (byHand) {
+      super.doLayout();
+      return;
+    }
+    int[] fitting = VariantColumns.fit(getWidth(), widths());
+    for (int i = 0; i < fitting.length; i++) {
+      getColumnModel().getColumn(i).setPreferredWidth(fitting[i]);
+      getColumnModel().getColumn(i).setWidth(fitting[i]);
+    }
+  }
+
+  private void fitColumns() {
+    if (!byHand) {
+      resizeAndRepaint();
+    }
+  }
+
+  private List<VariantColumns.Width> widths() {
+    List<VariantColumns.Width> widths = new ArrayList<>();
+    for (int column = 0; column < getColumnCount(); column++) {
+      int content = content(column);
+      widths.add(
+          switch (column) {
+            case VariantTableModel.NAME -> cut(content, LEAST_NAME, MOST_NAME);
+            case VariantTableModel.RESULT -> cut(content, LEAST_RESULT, MOST_RESULT);
+            default -> new VariantColumns.Width(content, content);
+          });
+    }
+    return widths;
+  }
+
+  private static VariantColumns.Width cut(int content, int least, int most) {
+    return new VariantColumns.Width(
+        Math.min(content, UIScale.scale(least)), Math.min(content, UIScale.scale(most)));
+  }
+
+  /** The width by which title and cells of a column are whole. */
+  private int content(int column) {
+    TableCellRenderer titles = getTableHeader().getDefaultRenderer();
+    int most =
+        titles
+            .getTableCellRendererComponent(this, getColumnName(column), false, false, -1, column)
+            .getPreferredSize()
+            .width;
+    for (int row = 0; row < getRowCount(); row++) {
+      most =
+          Math.max(
+              most,
+              prepareRenderer(getCellRenderer(row, column), row, column).getPreferredSize().width);
+    }
+    return most + UIScale.scale(CELL_SPACE);
   }
 
   @Override

@@ -25,6 +25,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.scene.ComparedWays;
+import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SessionMember;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
@@ -70,15 +71,25 @@ public final class WhatIfView implements View {
   private final JTextField most = new JTextField(Integer.toString(MAX_S), FIELD_COLUMNS);
   private final JCheckBox ghosts = new JCheckBox(text("ghostsIn3d"));
   private final BooleanSupplier ofFile;
+  private final RanProgram program;
+
   private VariantSights sights = new VariantSights(List.of(), List.of(), -1, row -> 0);
 
   /** Whose variants they are; empty before the first. */
   private volatile Optional<SessionMember> ranBy = Optional.empty();
 
-  /** Compiles the program as it is edited now. */
-  @FunctionalInterface
-  public interface Edited {
-    /** One of both follows, in the dispatch thread. */
+  /** Of which program they are; empty before the first. */
+  private Optional<VariantSubject> subject = Optional.empty();
+
+  /** The program that ran last. */
+  public interface RanProgram {
+    /** The one that was started last; empty where it is none that is open. */
+    Optional<ProgramDocument> started();
+
+    /** The one that people look at. */
+    ProgramDocument front();
+
+    /** Compiles it as it is edited now; one of both follows, in the dispatch thread. */
     void compile(Consumer<Program> then, Consumer<String> failed);
   }
 
@@ -92,13 +103,14 @@ public final class WhatIfView implements View {
       Workbench workbench,
       Supplier<Optional<ControllerState>> past,
       BooleanSupplier ofFile,
-      Edited edited) {
+      RanProgram program) {
     this.workbench = workbench;
+    this.program = program;
     this.past = past;
     this.ofFile = ofFile;
     presenter =
         new WhatIfPresenter(
-            new SessionSource(edited),
+            new SessionSource(),
             () -> start(ofFile.getAsBoolean()),
             EventQueue::invokeLater,
             work -> Thread.ofPlatform().daemon().name("what-if").start(work),
@@ -121,12 +133,6 @@ public final class WhatIfView implements View {
   }
 
   private final class SessionSource implements WhatIfPresenter.Source {
-    private final Edited edited;
-
-    SessionSource(Edited edited) {
-      this.edited = edited;
-    }
-
     @Override
     public VariantRun begin(OptionalLong frame, Variant variant, VariantLimits limits)
         throws RerunRefused {
@@ -135,7 +141,7 @@ public final class WhatIfView implements View {
 
     @Override
     public void compile(Consumer<Program> then, Consumer<String> failed) {
-      edited.compile(then, failed);
+      program.compile(then, failed);
     }
   }
 
@@ -306,6 +312,7 @@ public final class WhatIfView implements View {
     }
     if (whyNot().isEmpty()) {
       ranBy = Optional.of(workbench.session().shown());
+      subject = Optional.of(new VariantSubject(program.started(), program.front()));
       presenter.setMost(Duration.ofMillis(Math.round(1000 * mostS().orElseThrow())));
       presenter.run();
     }
@@ -346,23 +353,34 @@ public final class WhatIfView implements View {
   }
 
   /**
-   * Whether the variants are those of the arm that is shown, also after it was switched on anew.
+   * Whether the variants are those of the program and the arm that are shown, also after that was
+   * switched on anew.
    */
   private boolean ofShown() {
     SessionMember shown = workbench.session().shown();
-    return ranBy.stream()
-        .anyMatch(
-            each ->
-                each.name().equals(shown.name())
-                    && each.options().robotId().equals(shown.options().robotId()));
+    return ofFront()
+        && ranBy.stream()
+            .anyMatch(
+                each ->
+                    each.name().equals(shown.name())
+                        && each.options().robotId().equals(shown.options().robotId()));
   }
 
-  /** Says whose variants they are where another controller of the cell is shown. */
+  /** Whether they are those of the program that people look at. */
+  private boolean ofFront() {
+    return subject.stream().anyMatch(each -> each.seenWith(program.front()));
+  }
+
+  /** Says whose variants they are where another controller of the cell or program is shown. */
   private String ofOther() {
-    boolean any = presenter.running() || clear.isEnabled();
+    if (!presenter.running() && !clear.isEnabled()) {
+      return "";
+    }
     return ranBy
-        .filter(each -> any && !each.name().equals(workbench.session().shown().name()))
-        .map(each -> each.name().isEmpty() ? "" : text("theResultsAreThoseOf", each.name()))
+        .map(SessionMember::name)
+        .filter(name -> !name.isEmpty() && !name.equals(workbench.session().shown().name()))
+        .or(() -> subject.filter(each -> !ofFront()).map(VariantSubject::name))
+        .map(name -> text("theResultsAreThoseOf", name))
         .orElse("");
   }
 
