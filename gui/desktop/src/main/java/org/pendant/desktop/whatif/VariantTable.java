@@ -30,12 +30,10 @@ import org.pendant.kit.theme.Palette;
 /** Variant table: the variants in rows, edited in place. */
 @SuppressWarnings("serial") // never written to a stream
 final class VariantTable extends JTable {
-  /** Names and results may be cut down to so much, and need no more than so much; unscaled. */
-  private static final int LEAST_NAME = 90;
+  /** Names and results may be cut down to so much; unscaled. */
+  private static final int MIN_NAME = 90;
 
-  private static final int MOST_NAME = 220;
-  private static final int LEAST_RESULT = 130;
-  private static final int MOST_RESULT = 420;
+  private static final int MIN_RESULT = 130;
 
   private static final int ROW_SPACE = 12;
 
@@ -143,17 +141,16 @@ final class VariantTable extends JTable {
       int content = content(column);
       widths.add(
           switch (column) {
-            case VariantTableModel.NAME -> cut(content, LEAST_NAME, MOST_NAME);
-            case VariantTableModel.RESULT -> cut(content, LEAST_RESULT, MOST_RESULT);
+            case VariantTableModel.NAME -> cut(content, MIN_NAME);
+            case VariantTableModel.RESULT -> cut(content, MIN_RESULT);
             default -> new VariantColumns.Width(content, content);
           });
     }
     return widths;
   }
 
-  private static VariantColumns.Width cut(int content, int least, int most) {
-    return new VariantColumns.Width(
-        Math.min(content, UIScale.scale(least)), Math.min(content, UIScale.scale(most)));
+  private static VariantColumns.Width cut(int content, int least) {
+    return new VariantColumns.Width(Math.min(content, UIScale.scale(least)), content);
   }
 
   /** The width by which title and cells of a column are whole. */

@@ -4,7 +4,10 @@ import static org.pendant.desktop.whatif.WhatIfTexts.text;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import javax.swing.table.AbstractTableModel;
+import org.pendant.desktop.unit.PoseForm;
+import org.pendant.desktop.unit.SentenceUnits;
 import org.pendant.desktop.whatif.ResultWords.Figure;
 import org.pendant.recording.whatif.VariantOutcome;
 
@@ -24,10 +27,17 @@ final class VariantTableModel extends AbstractTableModel {
   private static final List<Figure> FIGURES = List.of(Figure.values());
 
   private final transient WhatIfPresenter presenter;
+  private final transient Supplier<PoseForm> form;
   private int shown;
 
-  VariantTableModel(WhatIfPresenter presenter) {
+  /**
+   * The variants of a presenter.
+   *
+   * @param form in which people read numbers now
+   */
+  VariantTableModel(WhatIfPresenter presenter, Supplier<PoseForm> form) {
     this.presenter = presenter;
+    this.form = form;
     shown = presenter.rows().size();
   }
 
@@ -86,7 +96,7 @@ final class VariantTableModel extends AbstractTableModel {
       case SPEED -> at.speed().isEmpty() ? AS_IT_WAS : at.speed() + " %";
       case LOAD -> at.load().isEmpty() ? AS_IT_WAS : at.load() + " kg";
       case PROGRAM -> at.edited() ? AS_EDITED : AS_IT_RAN;
-      case RESULT -> ResultWords.state(presenter.results().get(row));
+      case RESULT -> SentenceUnits.in(ResultWords.state(presenter.results().get(row)), form.get());
       default -> figure(column).map(each -> figure(each, row)).orElse("");
     };
   }

@@ -27,6 +27,7 @@ import org.pendant.controller.state.ControllerState;
 import org.pendant.desktop.scene.ComparedWays;
 import org.pendant.desktop.session.ProgramDocument;
 import org.pendant.desktop.session.SessionMember;
+import org.pendant.desktop.unit.FormMemory;
 import org.pendant.desktop.workbench.View;
 import org.pendant.desktop.workbench.Workbench;
 import org.pendant.kit.action.Action;
@@ -115,7 +116,7 @@ public final class WhatIfView implements View {
             EventQueue::invokeLater,
             work -> Thread.ofPlatform().daemon().name("what-if").start(work),
             this::show);
-    model = new VariantTableModel(presenter);
+    model = new VariantTableModel(presenter, () -> FormMemory.read(workbench.settings()));
     table = new VariantTable(presenter, model, refused);
     table.getSelectionModel().addListSelectionListener(event -> selectionChanged());
     JScrollPane scroll = new JScrollPane(table);

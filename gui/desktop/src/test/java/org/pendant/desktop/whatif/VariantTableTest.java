@@ -13,6 +13,7 @@ import java.util.OptionalLong;
 import java.util.function.Consumer;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
+import org.pendant.desktop.unit.PoseForm;
 import org.pendant.kit.theme.Palette;
 import org.pendant.recording.replay.RerunRefused;
 import org.pendant.recording.whatif.Variant;
@@ -62,7 +63,7 @@ final class VariantTableTest {
             Runnable::run,
             Runnable::run,
             () -> {});
-    VariantTableModel model = new VariantTableModel(presenter);
+    VariantTableModel model = new VariantTableModel(presenter, () -> PoseForm.STANDARD);
     VariantTable table = new VariantTable(presenter, model, new JLabel());
     presenter.run();
     model.show();
@@ -71,10 +72,11 @@ final class VariantTableTest {
 
   @Test
   void resultIsWholeWhereThereIsRoomAndWholeInItsTipWhereThereIsNot() throws Exception {
-    String why = "C152A0 protective stop at 12.344 s, line 42";
+    String said = "C157A4 protective stop at 12.344 s: the wrist 2 has hit \"table\": 0.00075 m";
+    String why = "C157A4 protective stop at 12.344 s: the wrist 2 has hit \"table\": 0.75 mm";
     EventQueue.invokeAndWait(
         () -> {
-          VariantTable table = refusing(why);
+          VariantTable table = refusing(said);
           int needed = table.getFontMetrics(table.getFont()).stringWidth(why);
 
           table.setSize(1600, 100);
