@@ -10,13 +10,13 @@ import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -163,18 +163,17 @@ final class TreeList extends JList<TreeRow> {
     }
   }
 
+  /** Where a node is hidden now, the folded one above it is selected in its place. */
   private void reselect(Set<Long> keys, OptionalLong lead) {
-    List<Integer> indices = new ArrayList<>();
-    keys.forEach(
-        key -> {
-          Integer place = places.get(key);
-          if (place != null) {
-            indices.add(place);
-          }
-        });
-    setSelectedIndices(indices.stream().mapToInt(Integer::intValue).toArray());
-    if (lead.isPresent() && places.containsKey(lead.getAsLong())) {
-      int place = places.get(lead.getAsLong());
+    setSelectedIndices(
+        keys.stream()
+            .map(key -> places.get(visible(key)))
+            .filter(Objects::nonNull)
+            .mapToInt(Integer::intValue)
+            .distinct()
+            .toArray());
+    if (lead.isPresent() && places.containsKey(visible(lead.getAsLong()))) {
+      int place = places.get(visible(lead.getAsLong()));
       getSelectionModel().setAnchorSelectionIndex(place);
       if (isSelectedIndex(place)) {
         addSelectionInterval(place, place);
