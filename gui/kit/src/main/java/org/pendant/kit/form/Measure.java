@@ -1,5 +1,8 @@
 package org.pendant.kit.form;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -40,6 +43,9 @@ public enum Measure {
   private static final Pattern NUMBER =
       Pattern.compile("([+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+-]?\\d{1,3})?)\\s*(\\S*)");
 
+  /** Digits of a number that gives an idea; a limit is not made larger. */
+  private static final MathContext BRIEF = new MathContext(4, RoundingMode.DOWN);
+
   private final String symbol;
   private final double factor;
   private final int decimals;
@@ -71,7 +77,7 @@ public enum Measure {
   public String brief(double value) {
     double shown = value / factor;
     return Math.abs(shown) < 100
-        ? text(value)
+        ? new BigDecimal(text(value)).round(BRIEF).stripTrailingZeros().toPlainString()
         : String.format(Locale.ROOT, "%.0f", Math.floor(Math.abs(shown)) * Math.signum(shown));
   }
 

@@ -15,6 +15,16 @@ final class MeasureTest {
   }
 
   @Test
+  void limitsHaveFewDigitsAndAreNotMadeLarger() {
+    assertEquals("3.141", Measure.RADIAN_PER_S.brief(Math.PI));
+    assertEquals("40", Measure.RADIAN_PER_S2.brief(40));
+    assertEquals("12.5", Measure.MILLIMETRE.brief(0.0125));
+    assertEquals("196", Measure.INCH_PER_S.brief(5));
+    assertEquals("-6.335", Measure.RADIAN.brief(-6.335545));
+    assertEquals("0", Measure.MILLIMETRE.brief(0));
+  }
+
+  @Test
   void readsPointsCommasAndUnits() {
     assertEquals(0.0125, Measure.MILLIMETRE.parse("12,5"), 1e-12);
     assertEquals(0.0125, Measure.MILLIMETRE.parse(" 12.5 mm "), 1e-12);
