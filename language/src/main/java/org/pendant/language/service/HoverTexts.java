@@ -42,30 +42,32 @@ final class HoverTexts {
               .map(signature -> builtin(occurrence, signature))
               .orElseGet(() -> bare(occurrence));
       case Symbol.NamedArgument argument -> argument(occurrence, argument);
-      case Symbol.Member member -> hover(occurrence, text("memberNamed", member.name()), List.of());
+      case Symbol.Member member ->
+          hover(occurrence, text("memberNamed", member.name()), List.of(), List.of());
       case Symbol.Unknown unknown ->
-          hover(occurrence, unknown.name(), List.of(text("undefinedName")));
+          hover(occurrence, unknown.name(), List.of(), List.of(text("undefinedName")));
     };
   }
 
   private Hover bare(Occurrence occurrence) {
-    return hover(occurrence, occurrence.symbol().name(), List.of());
+    return hover(occurrence, occurrence.symbol().name(), List.of(), List.of());
   }
 
   private Hover builtin(Occurrence occurrence, Signature signature) {
-    List<String> lines = new ArrayList<>();
-    lines.add(signature.documentation());
-    signature.parameters().forEach(parameter -> lines.add(parameter.described()));
+    List<String> documentation = new ArrayList<>();
+    documentation.add(signature.documentation());
+    signature.parameters().forEach(parameter -> documentation.add(parameter.described()));
+    List<String> facts = new ArrayList<>();
     if (signature.result() != Type.NONE) {
-      lines.add(result(signature.result(), signature.resultUnit()));
+      facts.add(result(signature.result(), signature.resultUnit()));
     }
     if (!signature.deprecated().isEmpty()) {
-      lines.add(text("deprecated", signature.deprecated()));
+      facts.add(text("deprecated", signature.deprecated()));
     }
     if (!signature.section().isEmpty()) {
-      lines.add(text("manual", signature.section()));
+      facts.add(text("manual", signature.section()));
     }
-    return hover(occurrence, head(signature), lines);
+    return hover(occurrence, head(signature), documentation, facts);
   }
 
   private static String head(Signature signature) {
@@ -81,7 +83,8 @@ final class HoverTexts {
     return hover(
         occurrence,
         text("parameterOf", argument.name(), argument.function()),
-        parameter.map(Parameter::described).stream().toList());
+        parameter.map(Parameter::described).stream().toList(),
+        List.of());
   }
 
   private static String result(Type type, Unit unit) {
@@ -93,12 +96,13 @@ final class HoverTexts {
   private Hover function(Occurrence occurrence, Symbol.Function function) {
     Definition definition = analysis.definitionAt(function.definedAt());
     Signature signature = analysis.signatures().of(definition);
-    List<String> lines = new ArrayList<>();
-    if (!signature.documentation().isEmpty()) {
-      lines.add(signature.documentation());
-    }
-    lines.add(text("definedOnLine", analysis.source().line(function.definedAt())));
-    return hover(occurrence, word(definition) + " " + signature.head(), lines);
+    List<String> documentation =
+        signature.documentation().isEmpty() ? List.of() : List.of(signature.documentation());
+    return hover(
+        occurrence,
+        word(definition) + " " + signature.head(),
+        documentation,
+        List.of(text("definedOnLine", analysis.source().line(function.definedAt()))));
   }
 
   private static String word(Definition definition) {
@@ -117,7 +121,8 @@ final class HoverTexts {
             .filter(other -> !other.required())
             .map(other -> text("defaultValue", other.defaultText()))
             .toList();
-    return hover(occurrence, text("parameterOf", parameter.name(), definition.name()), lines);
+    return hover(
+        occurrence, text("parameterOf", parameter.name(), definition.name()), List.of(), lines);
   }
 
   private Hover variable(Occurrence occurrence, String head) {
@@ -131,7 +136,7 @@ final class HoverTexts {
         .origin(occurrence.symbol())
         .map(origin -> analysis.source().line(origin.range().start()))
         .ifPresent(line -> lines.add(text("firstAssignedOnLine", line)));
-    return hover(occurrence, head, lines);
+    return hover(occurrence, head, List.of(), lines);
   }
 
   private Type type(Occurrence occurrence) {
@@ -145,7 +150,8 @@ final class HoverTexts {
     return types.variable(scope, binding);
   }
 
-  private static Hover hover(Occurrence occurrence, String head, List<String> lines) {
-    return new Hover(occurrence.range(), head, String.join("\n", lines));
+  private static Hover hover(
+      Occurrence occurrence, String head, List<String> documentation, List<String> facts) {
+    return new Hover(occurrence.range(), head, documentation, facts);
   }
 }

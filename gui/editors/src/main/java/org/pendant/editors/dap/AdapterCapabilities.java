@@ -6,14 +6,14 @@ import org.eclipse.lsp4j.debug.Capabilities;
 final class AdapterCapabilities {
   private AdapterCapabilities() {}
 
-  static Capabilities all() {
+  static Capabilities all(ClientForm form) {
     Capabilities all = new Capabilities();
     all.setSupportsConfigurationDoneRequest(true);
     all.setSupportsConditionalBreakpoints(true);
     all.setSupportsHitConditionalBreakpoints(true);
     all.setSupportsLogPoints(true);
     all.setSupportsBreakpointLocationsRequest(true);
-    all.setExceptionBreakpointFilters(ExceptionFilters.all());
+    all.setExceptionBreakpointFilters(ExceptionFilters.all(form));
     all.setSupportsStepBack(true);
     all.setSupportsSteppingGranularity(true);
     all.setSupportsDataBreakpoints(true);

@@ -90,13 +90,18 @@ final class BreakpointRequests {
     told.setSource(source);
     told.setLine(session.form().line(wanted.line()));
     if (wanted.refusal().isPresent()) {
-      unverified(told, wanted.refusal().get(), BreakpointNotVerifiedReason.FAILED);
+      unverified(told, wanted.refusal().get(), session.form(), BreakpointNotVerifiedReason.FAILED);
     } else if (session.debuggee().isEmpty() || !session.program().text().known()) {
-      unverified(told, DebugAdapterTexts.text("noProgramYet"), BreakpointNotVerifiedReason.PENDING);
+      unverified(
+          told,
+          DebugAdapterTexts.text("noProgramYet"),
+          session.form(),
+          BreakpointNotVerifiedReason.PENDING);
     } else if (text(source).isEmpty()) {
       unverified(
           told,
           DebugAdapterTexts.text("notInDebugged", session.program().text().source().name()),
+          session.form(),
           BreakpointNotVerifiedReason.FAILED);
     } else {
       place(told, wanted.line());
@@ -109,19 +114,23 @@ final class BreakpointRequests {
     OptionalInt statement = debuggee.text().statementLine(debuggee.program(), line);
     if (statement.isEmpty()) {
       unverified(
-          told, DebugAdapterTexts.text("noStatementHere"), BreakpointNotVerifiedReason.FAILED);
+          told,
+          DebugAdapterTexts.text("noStatementHere"),
+          session.form(),
+          BreakpointNotVerifiedReason.FAILED);
       return;
     }
     told.setVerified(true);
     told.setLine(session.form().line(statement.getAsInt()));
     if (statement.getAsInt() != line) {
-      told.setMessage(DebugAdapterTexts.text("movedToStatement"));
+      told.setMessage(session.form().shown(DebugAdapterTexts.text("movedToStatement")));
     }
   }
 
-  static void unverified(Breakpoint told, String why, BreakpointNotVerifiedReason reason) {
+  static void unverified(
+      Breakpoint told, String why, ClientForm form, BreakpointNotVerifiedReason reason) {
     told.setVerified(false);
-    told.setMessage(why);
+    told.setMessage(form.shown(why));
     told.setReason(reason);
   }
 

@@ -5,6 +5,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.eclipse.lsp4j.debug.InitializeRequestArguments;
 import org.pendant.editors.lsp.text.UriPath;
+import org.pendant.editors.wire.ClientLanguages;
+import org.pendant.text.MessageTranslator;
 
 /**
  * Client form: how a client counts lines and columns, names files, and what it can show.
@@ -14,11 +16,18 @@ import org.pendant.editors.lsp.text.UriPath;
  * @param uris whether files are named by URIs
  * @param progress whether it shows progress
  * @param invalidated whether it looks again when it is told that values have changed
+ * @param language says what people read in their language
  */
 record ClientForm(
-    int firstLine, int firstColumn, boolean uris, boolean progress, boolean invalidated) {
+    int firstLine,
+    int firstColumn,
+    boolean uris,
+    boolean progress,
+    boolean invalidated,
+    MessageTranslator language) {
   /** What the protocol takes for granted. */
-  static final ClientForm STANDARD = new ClientForm(1, 1, false, false, false);
+  static final ClientForm STANDARD =
+      new ClientForm(1, 1, false, false, false, ClientLanguages.ENGLISH);
 
   /** What a client says of itself. */
   static ClientForm of(InitializeRequestArguments told) {
@@ -27,7 +36,13 @@ record ClientForm(
         Boolean.FALSE.equals(told.getColumnsStartAt1()) ? 0 : 1,
         "uri".equals(told.getPathFormat()),
         Boolean.TRUE.equals(told.getSupportsProgressReporting()),
-        Boolean.TRUE.equals(told.getSupportsInvalidatedEvent()));
+        Boolean.TRUE.equals(told.getSupportsInvalidatedEvent()),
+        ClientLanguages.of(told.getLocale()));
+  }
+
+  /** A message as its people read it. */
+  String shown(String message) {
+    return language.shown(message);
   }
 
   /** The client's number of a line that is counted from 1. */

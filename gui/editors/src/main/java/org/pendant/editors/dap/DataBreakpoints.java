@@ -68,9 +68,9 @@ final class DataBreakpoints {
     return response;
   }
 
-  private static DataBreakpointInfoResponse none(String why) {
+  private DataBreakpointInfoResponse none(String why) {
     DataBreakpointInfoResponse response = new DataBreakpointInfoResponse();
-    response.setDescription(why);
+    response.setDescription(session.form().shown(why));
     return response;
   }
 
@@ -101,7 +101,8 @@ final class DataBreakpoints {
                 ? text("wrongHitCondition", asked.getHitCondition(), HitRule.forms())
                 : reader.isEmpty() ? text("noSuchValue", asked.getDataId()) : "";
     if (!refusal.isEmpty()) {
-      BreakpointRequests.unverified(told, refusal, BreakpointNotVerifiedReason.FAILED);
+      BreakpointRequests.unverified(
+          told, refusal, session.form(), BreakpointNotVerifiedReason.FAILED);
       return told;
     }
     String name = asked.getDataId().substring(asked.getDataId().indexOf(':') + 1);

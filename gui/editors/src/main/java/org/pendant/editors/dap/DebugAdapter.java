@@ -137,7 +137,7 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
         () -> {
           session.talkTo(
               ClientForm.of(told), Boolean.TRUE.equals(told.getSupportsVariablePaging()));
-          return AdapterCapabilities.all();
+          return AdapterCapabilities.all(session.form());
         });
   }
 
@@ -339,6 +339,11 @@ final class DebugAdapter implements IDebugProtocolServer, AutoCloseable {
   @Override
   public CompletableFuture<CompletionsResponse> completions(CompletionsArguments asked) {
     return now(() -> completions.complete(asked));
+  }
+
+  /** A message as the people at the client read it. */
+  String shown(String message) {
+    return session.form().shown(message);
   }
 
   /** What the protocol has no word for: other services of the same connection. */

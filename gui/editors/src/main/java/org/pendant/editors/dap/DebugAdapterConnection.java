@@ -55,7 +55,7 @@ public final class DebugAdapterConnection {
               .setOutput(output)
               .setExecutorService(reader)
               .wrapMessages(turns::gated)
-              .setExceptionHandler(fault -> Refusals.told(fault, faults))
+              .setExceptionHandler(fault -> Refusals.told(fault, faults, adapter::shown))
               .create();
       client.complete(launcher.getRemoteProxy());
       var _ = launcher.startListening();

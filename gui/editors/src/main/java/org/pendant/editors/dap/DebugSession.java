@@ -25,7 +25,7 @@ final class DebugSession {
   private final Supplier<IDebugProtocolClient> client;
   private final References references = new References();
   private final List<Integer> toldThreads = new ArrayList<>();
-  private ClientForm form = ClientForm.STANDARD;
+  private volatile ClientForm form = ClientForm.STANDARD;
   private boolean paging;
   private Optional<Debuggee> debuggee = Optional.empty();
   private Optional<StandingProgram> view = Optional.empty();
@@ -47,6 +47,7 @@ final class DebugSession {
     return references;
   }
 
+  /** How the client wants to be told things; for any thread. */
   ClientForm form() {
     return form;
   }
@@ -98,6 +99,8 @@ final class DebugSession {
     view = Optional.of(moment);
     tellThreads(moment.threads().stream().map(ThreadSnapshot::id).toList());
     told.setAllThreadsStopped(true);
+    Optional.ofNullable(told.getDescription()).map(form::shown).ifPresent(told::setDescription);
+    Optional.ofNullable(told.getText()).map(form::shown).ifPresent(told::setText);
     client().stopped(told);
   }
 

@@ -97,7 +97,7 @@ final class DebuggedText {
     } else {
       named.setName(source.name());
       named.setSourceReference(GENERATED);
-      named.setOrigin(origin);
+      named.setOrigin(form.shown(origin));
       named.setPresentationHint(SourcePresentationHint.NORMAL);
     }
     return named;

@@ -28,10 +28,10 @@ final class ExceptionFilters {
   }
 
   /** What a client can choose from. */
-  static ExceptionBreakpointsFilter[] all() {
+  static ExceptionBreakpointsFilter[] all(ClientForm form) {
     return new ExceptionBreakpointsFilter[] {
-      filter(ERROR, text("runtimeErrors"), text("runtimeErrorsTip")),
-      filter(SAFETY, text("protectiveStops"), text("protectiveStopsTip")),
+      filter(ERROR, form.shown(text("runtimeErrors")), form.shown(text("runtimeErrorsTip"))),
+      filter(SAFETY, form.shown(text("protectiveStops")), form.shown(text("protectiveStopsTip"))),
     };
   }
 
@@ -64,7 +64,10 @@ final class ExceptionFilters {
     told.setVerified(true);
     if (!name.equals(ERROR) && !name.equals(SAFETY)) {
       BreakpointRequests.unverified(
-          told, text("wrongFilter", name, ERROR, SAFETY), BreakpointNotVerifiedReason.FAILED);
+          told,
+          text("wrongFilter", name, ERROR, SAFETY),
+          session.form(),
+          BreakpointNotVerifiedReason.FAILED);
     }
     return told;
   }

@@ -158,7 +158,7 @@ final class FunctionBreakpoints {
     told.setId(wanted.id());
     if (wanted.refusal().isPresent()) {
       BreakpointRequests.unverified(
-          told, wanted.refusal().get(), BreakpointNotVerifiedReason.FAILED);
+          told, wanted.refusal().get(), session.form(), BreakpointNotVerifiedReason.FAILED);
     } else {
       told.setVerified(true);
       told.setSource(session.program().text().asSource());

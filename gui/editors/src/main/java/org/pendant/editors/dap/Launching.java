@@ -168,7 +168,7 @@ final class Launching {
   }
 
   private void say(String category, String words) {
-    session.client().output(OutputEvents.output(category, words));
+    session.client().output(OutputEvents.output(category, session.form().shown(words)));
   }
 
   /** The client has set its breakpoints. */

@@ -102,14 +102,12 @@ public final class LiveRobotRequests {
                     signals));
   }
 
-  private static CompletableFuture<List<Named>> all(Branch branch) {
-    return branch
-        .page(0, Branch.MOST)
-        .thenApply(parts -> parts.stream().map(LiveRobotRequests::named).toList());
+  private CompletableFuture<List<Named>> all(Branch branch) {
+    return branch.page(0, Branch.MOST).thenApply(parts -> parts.stream().map(this::named).toList());
   }
 
-  private static Named named(Shown shown) {
-    return new Named(shown.name(), shown.value());
+  private Named named(Shown shown) {
+    return new Named(shown.name(), shown.value(session.form()::shown));
   }
 
   /** {@code pendant/goToTime}: looks at a time of the recording, while the program is stopped. */

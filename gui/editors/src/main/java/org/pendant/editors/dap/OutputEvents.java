@@ -51,7 +51,7 @@ final class OutputEvents {
         .filter(entry -> entry.origin() != LogEntry.Origin.ENDING)
         .map(this::of)
         .forEach(all::add);
-    state.newPopups().stream().map(OutputEvents::of).forEach(all::add);
+    state.newPopups().stream().map(this::of).forEach(all::add);
     return all;
   }
 
@@ -62,10 +62,15 @@ final class OutputEvents {
           case SCRIPT -> output(OutputEventArgumentsCategory.STDOUT, words);
           default ->
               switch (entry.level()) {
-                case INFO -> output(OutputEventArgumentsCategory.CONSOLE, words);
+                case INFO -> output(OutputEventArgumentsCategory.CONSOLE, shown(words));
                 case WARNING ->
-                    output(OutputEventArgumentsCategory.CONSOLE, text("warning", words));
-                case ERROR -> output(OutputEventArgumentsCategory.STDERR, text("error", words));
+                    output(
+                        OutputEventArgumentsCategory.CONSOLE,
+                        shown(DebugAdapterTexts.text("warning", words)));
+                case ERROR ->
+                    output(
+                        OutputEventArgumentsCategory.STDERR,
+                        shown(DebugAdapterTexts.text("error", words)));
               };
         };
     entry
@@ -75,14 +80,14 @@ final class OutputEvents {
     return told;
   }
 
-  private static OutputEventArguments of(Popup popup) {
+  private OutputEventArguments of(Popup popup) {
     String words = ByteText.decoded(popup.title() + ": " + popup.text());
     return output(
         OutputEventArgumentsCategory.CONSOLE,
         switch (popup.severity()) {
-          case MESSAGE -> text("popup", words);
-          case WARNING -> text("popupWarning", words);
-          case ERROR -> text("popupError", words);
+          case MESSAGE -> shown(DebugAdapterTexts.text("popup", words), words);
+          case WARNING -> shown(DebugAdapterTexts.text("popupWarning", words), words);
+          case ERROR -> shown(DebugAdapterTexts.text("popupError", words), words);
         });
   }
 
@@ -105,7 +110,7 @@ final class OutputEvents {
             diagnostic.isError()
                 ? OutputEventArgumentsCategory.STDERR
                 : OutputEventArgumentsCategory.CONSOLE,
-            DiagnosticFormat.format(source, diagnostic));
+            formatted(diagnostic));
     at(told, diagnostic.range());
     return told;
   }
@@ -128,7 +133,9 @@ final class OutputEvents {
                       OutputEventArgumentsCategory.STDERR,
                       source.name()
                           + ": "
-                          + text("stoppedInLine", result.line(), ByteText.decoded(why))
+                          + shown(
+                              DebugAdapterTexts.text(
+                                  "stoppedInLine", result.line(), ByteText.decoded(why)))
                           + node(result.line()));
               if (result.line() > 0) {
                 at(told, result.line());
@@ -140,26 +147,50 @@ final class OutputEvents {
   private String words(ScriptFailure failure) {
     StringBuilder words =
         new StringBuilder(
-            DiagnosticFormat.format(
-                source, Diagnostic.error(failure.code(), failure.range(), failure.message(), "")));
+            formatted(Diagnostic.error(failure.code(), failure.range(), failure.message(), "")));
     List<ScriptFailure.StackEntry> stack = failure.stack();
     stack.stream()
         .limit(MAX_CALLS)
-        .forEach(each -> words.append("\n  ").append(text("call", each.function(), each.line())));
+        .forEach(
+            each ->
+                words
+                    .append("\n  ")
+                    .append(shown(DebugAdapterTexts.text("call", each.function(), each.line()))));
     if (stack.size() > MAX_CALLS) {
-      words.append("\n  ").append(text("moreCalls", stack.size() - MAX_CALLS));
+      words
+          .append("\n  ")
+          .append(shown(DebugAdapterTexts.text("moreCalls", stack.size() - MAX_CALLS)));
     }
     return words.toString();
   }
 
   /** The node of the tree that a line belongs to, as a line of its own. */
   private String node(int line) {
-    return node.apply(line).map(found -> "\n" + found + text("stoppedHere")).orElse("");
+    return node.apply(line)
+        .map(found -> "\n" + shown(found + DebugAdapterTexts.text("stoppedHere")))
+        .orElse("");
+  }
+
+  private String shown(String message) {
+    return text.form().shown(message);
+  }
+
+  private String shown(String message, String written) {
+    return text.form().language().shown(message, written);
+  }
+
+  /** With the line of the text below it, which is the people's own. */
+  private String formatted(Diagnostic diagnostic) {
+    String all = DiagnosticFormat.format(source, diagnostic);
+    int end = all.indexOf(System.lineSeparator());
+    return shown(all.substring(0, end)) + all.substring(end);
   }
 
   /** A remark about the program. */
   OutputEventArguments note(String words) {
-    return output(OutputEventArgumentsCategory.CONSOLE, text("note", source.name(), words));
+    return output(
+        OutputEventArgumentsCategory.CONSOLE,
+        shown(DebugAdapterTexts.text("note", source.name(), words)));
   }
 
   /** A line. */

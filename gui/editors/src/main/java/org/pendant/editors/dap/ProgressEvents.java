@@ -68,7 +68,7 @@ final class ProgressEvents {
   private void begin(String id, String title, boolean mayGiveUp) {
     ProgressStartEventArguments told = new ProgressStartEventArguments();
     told.setProgressId(id);
-    told.setTitle(title);
+    told.setTitle(session.form().shown(title));
     told.setCancellable(mayGiveUp);
     session.client().progressStart(told);
   }

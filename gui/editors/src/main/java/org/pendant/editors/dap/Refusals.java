@@ -7,6 +7,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
 import org.eclipse.lsp4j.jsonrpc.messages.ResponseError;
 import org.eclipse.lsp4j.jsonrpc.messages.ResponseErrorCode;
@@ -41,29 +42,38 @@ final class Refusals {
   }
 
   /** What a client is told of a request that failed. */
-  static ResponseError told(Throwable fault, Consumer<Throwable> faults) {
+  static ResponseError told(
+      Throwable fault, Consumer<Throwable> faults, UnaryOperator<String> shown) {
     Throwable cause = fault;
     while (cause instanceof CompletionException && cause.getCause() != null) {
       cause = cause.getCause();
     }
     return switch (cause) {
-      case ResponseErrorException refused -> refused.getResponseError();
-      case CancellationException _ -> error(ResponseErrorCode.RequestCancelled, text("cancelled"));
+      case ResponseErrorException refused ->
+          error(
+              refused.getResponseError().getCode(),
+              shown.apply(refused.getResponseError().getMessage()));
+      case CancellationException _ ->
+          error(ResponseErrorCode.RequestCancelled, shown.apply(text("cancelled")));
       case IllegalArgumentException _, ScriptError _, TargetRefusal _ ->
           error(
               ResponseErrorCode.RequestFailed,
-              ByteText.decoded(String.valueOf(cause.getMessage())));
+              shown.apply(ByteText.decoded(String.valueOf(cause.getMessage()))));
       // What the adapter says that it cannot do, and a client asks for all the same.
       case UnsupportedOperationException _ ->
-          error(ResponseErrorCode.MethodNotFound, text("notSupported"));
+          error(ResponseErrorCode.MethodNotFound, shown.apply(text("notSupported")));
       default -> {
         faults.accept(cause);
-        yield error(ResponseErrorCode.InternalError, text("internalError", cause));
+        yield error(ResponseErrorCode.InternalError, shown.apply(text("internalError", cause)));
       }
     };
   }
 
   private static ResponseError error(ResponseErrorCode code, String text) {
+    return error(code.getValue(), text);
+  }
+
+  private static ResponseError error(int code, String text) {
     Map<String, Object> message =
         Map.of("id", MESSAGE, "format", text.replace("{", "(").replace("}", ")"));
     return new ResponseError(code, text, Map.of("error", message));

@@ -250,7 +250,8 @@ final class RunEvents implements RunListener {
                   .client()
                   .output(
                       OutputEvents.output(
-                          OutputEventArgumentsCategory.STDERR, text("internalError", fault)));
+                          OutputEventArgumentsCategory.STDERR,
+                          session.form().shown(text("internalError", fault))));
               ended(new RunResult(RunResult.INTERNAL_ERROR, Optional.empty(), Optional.empty(), 0));
             });
   }

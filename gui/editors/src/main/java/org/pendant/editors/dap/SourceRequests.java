@@ -83,7 +83,7 @@ final class SourceRequests {
   private GotoTarget target(int id, int line, String label) {
     GotoTarget target = new GotoTarget();
     target.setId(id);
-    target.setLabel(label);
+    target.setLabel(session.form().shown(label));
     target.setLine(session.form().line(line));
     return target;
   }

@@ -127,7 +127,7 @@ final class StackRequests {
 
   private Scope told(StandingProgram.Scope scope, References.Frame frame) {
     Scope told = new Scope();
-    told.setName(scope.name());
+    told.setName(session.form().shown(scope.name()));
     if (!scope.kind().isEmpty()) {
       told.setPresentationHint(scope.kind());
     }

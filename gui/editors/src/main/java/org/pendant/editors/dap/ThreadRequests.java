@@ -55,25 +55,29 @@ final class ThreadRequests {
     if (state.debug().stop().isPresent()
         && state.debug().stop().get().reason() instanceof PauseReason.Failed(var failure)) {
       response.setExceptionId(failure.code());
-      response.setDescription(ByteText.decoded(failure.message()));
-      details.setMessage(ByteText.decoded(failure.message()));
+      response.setDescription(session.form().shown(ByteText.decoded(failure.message())));
+      details.setMessage(session.form().shown(ByteText.decoded(failure.message())));
       details.setTypeName(failure.code());
       details.setStackTrace(calls(failure));
       return response;
     }
     SafetyStop stop = state.safety().stop().orElseThrow(() -> Refusals.of(text("noFailure")));
     response.setExceptionId(stop.codeText());
-    response.setDescription(stop.message());
-    details.setMessage(stop.message());
+    response.setDescription(session.form().shown(stop.message()));
+    details.setMessage(session.form().shown(stop.message()));
     details.setTypeName(stop.codeText());
     return response;
   }
 
-  private static String calls(ScriptFailure failure) {
+  private String calls(ScriptFailure failure) {
     StringBuilder calls = new StringBuilder();
     failure.stack().stream()
         .limit(OutputEvents.MAX_CALLS)
-        .forEach(each -> calls.append(text("call", each.function(), each.line())).append('\n'));
+        .forEach(
+            each ->
+                calls
+                    .append(session.form().shown(text("call", each.function(), each.line())))
+                    .append('\n'));
     return calls.toString();
   }
 }

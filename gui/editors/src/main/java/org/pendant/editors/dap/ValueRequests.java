@@ -50,7 +50,7 @@ final class ValueRequests {
   }
 
   /** For a client that would ask for all at once: a part for each thousand. */
-  private static List<Shown> pages(Branch branch) {
+  private List<Shown> pages(Branch branch) {
     List<Shown> pages = new ArrayList<>();
     for (int i = 0; i < branch.size() && pages.size() < Branch.MOST; i += Branch.MOST) {
       int first = i;
@@ -77,7 +77,14 @@ final class ValueRequests {
               return branch.assign(name, value);
             }
           };
-      pages.add(new Shown(text("page", first, last), "", "", "", Optional.of(page)));
+      pages.add(
+          new Shown(
+              session.form().shown(text("page", first, last)),
+              "",
+              "",
+              "",
+              Optional.of(page),
+              false));
     }
     return pages;
   }
@@ -91,7 +98,7 @@ final class ValueRequests {
   private Variable told(Shown shown, References.Frame frame) {
     Variable told = new Variable();
     told.setName(shown.name());
-    told.setValue(shown.value());
+    told.setValue(shown.value(session.form()::shown));
     if (!shown.type().isEmpty()) {
       told.setType(shown.type());
     }
@@ -135,7 +142,7 @@ final class ValueRequests {
     return value.thenApply(
         shown -> {
           EvaluateResponse response = new EvaluateResponse();
-          response.setResult(shown.value());
+          response.setResult(shown.value(session.form()::shown));
           response.setType(shown.type());
           Parts parts = parts(shown, frame);
           response.setVariablesReference(parts.reference());
@@ -187,7 +194,7 @@ final class ValueRequests {
         .thenApply(
             shown -> {
               SetVariableResponse response = new SetVariableResponse();
-              response.setValue(shown.value());
+              response.setValue(shown.value(session.form()::shown));
               response.setType(shown.type());
               Parts parts = parts(shown, owned.frame());
               response.setVariablesReference(parts.reference());
@@ -203,7 +210,7 @@ final class ValueRequests {
         .thenApply(
             shown -> {
               SetExpressionResponse response = new SetExpressionResponse();
-              response.setValue(shown.value());
+              response.setValue(shown.value(session.form()::shown));
               response.setType(shown.type());
               Parts parts = parts(shown, frame);
               response.setVariablesReference(parts.reference());

@@ -9,24 +9,28 @@ import org.eclipse.lsp4j.DocumentDiagnosticReport;
 import org.eclipse.lsp4j.RelatedFullDocumentDiagnosticReport;
 import org.eclipse.lsp4j.RelatedUnchangedDocumentDiagnosticReport;
 import org.pendant.editors.dryrun.DryRunResult;
+import org.pendant.editors.lsp.provider.ClientFeatures;
 import org.pendant.editors.lsp.provider.DiagnosticAnswers;
 import org.pendant.editors.lsp.provider.DryRunAnswers;
 import org.pendant.editors.lsp.text.Document;
 
 /** Diagnostic reports: what is wrong in an open text, by the language and by its dry run. */
 final class DiagnosticReports {
+  private final ServerSession session;
   private final DryRuns dryRuns;
 
-  DiagnosticReports(DryRuns dryRuns) {
+  DiagnosticReports(ServerSession session, DryRuns dryRuns) {
+    this.session = session;
     this.dryRuns = dryRuns;
   }
 
   /** What is wrong in {@code document}, as far as it is known by now. */
   List<Diagnostic> of(Document document) {
-    List<Diagnostic> all = new ArrayList<>(DiagnosticAnswers.of(document));
+    ClientFeatures client = session.features();
+    List<Diagnostic> all = new ArrayList<>(DiagnosticAnswers.of(document, client));
     dryRuns
         .of(document)
-        .ifPresent(result -> all.addAll(DryRunAnswers.diagnostics(document, result)));
+        .ifPresent(result -> all.addAll(DryRunAnswers.diagnostics(document, result, client)));
     return all;
   }
 

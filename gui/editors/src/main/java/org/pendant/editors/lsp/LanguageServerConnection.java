@@ -11,6 +11,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import org.eclipse.lsp4j.jsonrpc.Launcher;
 import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
 import org.eclipse.lsp4j.jsonrpc.messages.ResponseError;
@@ -54,7 +55,7 @@ public final class LanguageServerConnection {
               .setInput(new CheckedFrames(input, complaints))
               .setOutput(output)
               .setExecutorService(reader)
-              .setExceptionHandler(fault -> answer(fault, faults))
+              .setExceptionHandler(fault -> answer(fault, faults, server::shown))
               .create();
       server.connect(launcher.getRemoteProxy());
       var _ = launcher.startListening();
@@ -69,23 +70,31 @@ public final class LanguageServerConnection {
   }
 
   /** What a client is told of a request that failed. */
-  private static ResponseError answer(Throwable fault, Consumer<Throwable> faults) {
+  private static ResponseError answer(
+      Throwable fault, Consumer<Throwable> faults, UnaryOperator<String> shown) {
     Throwable cause = fault;
     while (cause instanceof CompletionException && cause.getCause() != null) {
       cause = cause.getCause();
     }
     return switch (cause) {
-      case ResponseErrorException refused -> refused.getResponseError();
+      case ResponseErrorException refused -> shown(refused.getResponseError(), shown);
       case CancellationException _ ->
-          new ResponseError(ResponseErrorCode.RequestCancelled, text("cancelled"), null);
+          new ResponseError(
+              ResponseErrorCode.RequestCancelled, shown.apply(text("cancelled")), null);
       // What the server says that it cannot do, and an editor asks for all the same.
       case UnsupportedOperationException _ ->
-          new ResponseError(ResponseErrorCode.MethodNotFound, text("notSupported"), null);
+          new ResponseError(
+              ResponseErrorCode.MethodNotFound, shown.apply(text("notSupported")), null);
       default -> {
         faults.accept(cause);
         yield new ResponseError(
-            ResponseErrorCode.InternalError, text("internalError", cause), null);
+            ResponseErrorCode.InternalError, shown.apply(text("internalError", cause)), null);
       }
     };
+  }
+
+  private static ResponseError shown(ResponseError refusal, UnaryOperator<String> shown) {
+    return new ResponseError(
+        refusal.getCode(), shown.apply(refusal.getMessage()), refusal.getData());
   }
 }

@@ -11,6 +11,7 @@ import org.eclipse.lsp4j.TextDocumentPositionParams;
 import org.eclipse.lsp4j.jsonrpc.services.JsonRequest;
 import org.pendant.editors.dryrun.DryRunResult;
 import org.pendant.editors.dryrun.DryRunResult.Trouble;
+import org.pendant.editors.lsp.provider.ClientFeatures;
 import org.pendant.editors.lsp.provider.Hovers;
 import org.pendant.editors.lsp.provider.RequestRefusal;
 import org.pendant.editors.lsp.text.Document;
@@ -99,7 +100,7 @@ public final class RobotRequests {
           if (known.isEmpty()) {
             dryRuns.ask(document.get());
           }
-          return known.<Object>map(RobotRequests::answer).orElse(null);
+          return known.<Object>map(result -> answer(result, session.features())).orElse(null);
         });
   }
 
@@ -107,11 +108,16 @@ public final class RobotRequests {
     return RequestRefusal.ofParameters(text("notOpen", asked.getTextDocument().getUri()));
   }
 
-  private static DryRunAnswer answer(DryRunResult result) {
+  private static DryRunAnswer answer(DryRunResult result, ClientFeatures client) {
     return new DryRunAnswer(
         result.outcome().name().toLowerCase(Locale.ROOT),
         result.trouble().map(Trouble::line).orElse(null),
-        result.trouble().map(Trouble::message).map(ByteText::decoded).orElse(null),
+        result
+            .trouble()
+            .map(Trouble::message)
+            .map(ByteText::decoded)
+            .map(client::shown)
+            .orElse(null),
         result.timeS(),
         result.lines().stream()
             .map(each -> new LineAnswer(each.line(), each.executions(), each.timeS(), each.pathM()))

@@ -47,7 +47,7 @@ public final class ScriptLanguageServer
   public ScriptLanguageServer(String version, Consumer<Throwable> faults) {
     this.version = version;
     session = new ServerSession(faults);
-    files = new WorkspaceFiles(session.documents());
+    files = new WorkspaceFiles(session);
     texts = new TextRequests(session);
     workspace = new WorkspaceRequests(session, files, this::askForSettings);
   }
@@ -60,7 +60,7 @@ public final class ScriptLanguageServer
   @Override
   @SuppressWarnings("deprecation") // clients that know no folders name the root
   public CompletableFuture<InitializeResult> initialize(InitializeParams asked) {
-    session.learn(ClientFeatures.of(asked.getCapabilities()));
+    session.learn(ClientFeatures.of(asked));
     session.use(ServerSettings.of(asked.getInitializationOptions()));
     PositionEncoding encoding = encoding(asked.getCapabilities());
     session.documents().countIn(encoding);
@@ -122,6 +122,11 @@ public final class ScriptLanguageServer
   public void exit() {
     // Behind what was asked before.
     var _ = session.answer(cancelled -> ended.complete(shutDown));
+  }
+
+  /** A message as the people at the client read it. */
+  String shown(String message) {
+    return session.features().shown(message);
   }
 
   /** Completed by {@code exit}: with whether the client has shut the server down before. */

@@ -127,7 +127,7 @@ final class ServerSession implements AutoCloseable {
     try {
       notification.run();
     } catch (IllegalArgumentException e) {
-      client.showMessage(new MessageParams(MessageType.Error, e.getMessage()));
+      client.showMessage(new MessageParams(MessageType.Error, features.shown(e.getMessage())));
     } catch (RuntimeException e) {
       faults.accept(e);
     }

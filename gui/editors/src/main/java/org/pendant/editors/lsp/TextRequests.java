@@ -101,7 +101,7 @@ final class TextRequests implements TextDocumentService {
   TextRequests(ServerSession session) {
     this.session = session;
     dryRuns = new DryRuns(session, this::dryRunOver);
-    reports = new DiagnosticReports(dryRuns);
+    reports = new DiagnosticReports(session, dryRuns);
     publisher = new DiagnosticPublisher(session, reports);
   }
 
@@ -255,7 +255,7 @@ final class TextRequests implements TextDocumentService {
     return about(
         asked.getTextDocument(),
         document ->
-            CodeActions.of(document, asked).stream()
+            CodeActions.of(document, asked, session.features()).stream()
                 .map(Either::<Command, CodeAction>forRight)
                 .toList());
   }
@@ -361,7 +361,11 @@ final class TextRequests implements TextDocumentService {
   public CompletableFuture<List<? extends CodeLens>> codeLens(CodeLensParams asked) {
     return about(
         asked.getTextDocument(),
-        document -> CodeLenses.of(document, dryRuns.of(document).flatMap(DryRunAnswers::duration)));
+        document ->
+            CodeLenses.of(
+                document,
+                dryRuns.of(document).flatMap(DryRunAnswers::duration),
+                session.features()));
   }
 
   @Override
@@ -371,11 +375,14 @@ final class TextRequests implements TextDocumentService {
 
   private List<InlayHint> hints(Document document, Range range) {
     HintSettings settings = session.settings().hints();
-    List<InlayHint> hints = new ArrayList<>(InlayHints.of(document, range, settings));
+    List<InlayHint> hints =
+        new ArrayList<>(InlayHints.of(document, range, settings, session.features()));
     if (settings.durations()) {
       dryRuns
           .of(document)
-          .ifPresent(result -> hints.addAll(DryRunAnswers.hints(document, range, result)));
+          .ifPresent(
+              result ->
+                  hints.addAll(DryRunAnswers.hints(document, range, result, session.features())));
     }
     return hints;
   }

@@ -22,7 +22,6 @@ import org.eclipse.lsp4j.jsonrpc.CancelChecker;
 import org.pendant.editors.lsp.provider.DiagnosticAnswers;
 import org.pendant.editors.lsp.provider.Symbols;
 import org.pendant.editors.lsp.text.Document;
-import org.pendant.editors.lsp.text.Documents;
 import org.pendant.editors.lsp.text.UriPath;
 
 /**
@@ -39,7 +38,7 @@ final class WorkspaceFiles {
   private static final int MAX_DEPTH = 16;
   private static final Set<String> ENDINGS = Set.of(".script", ".urscript");
 
-  private final Documents documents;
+  private final ServerSession session;
   private final Set<Path> folders = new CopyOnWriteArraySet<>();
   private final Map<Path, Facts> known = new HashMap<>();
 
@@ -56,8 +55,8 @@ final class WorkspaceFiles {
       List<Symbols.Found> symbols,
       List<Diagnostic> diagnostics) {}
 
-  WorkspaceFiles(Documents documents) {
-    this.documents = documents;
+  WorkspaceFiles(ServerSession session) {
+    this.session = session;
   }
 
   void add(String folderUri) {
@@ -80,7 +79,7 @@ final class WorkspaceFiles {
     for (Path file : files) {
       cancelled.checkCanceled();
       String uri = file.toUri().toString();
-      Optional<Document> open = documents.find(uri);
+      Optional<Document> open = session.documents().find(uri);
       if (open.isPresent()) {
         all.add(facts(open.get(), ""));
       } else {
@@ -98,7 +97,7 @@ final class WorkspaceFiles {
       if (before != null && before.stamp().equals(stamp)) {
         return Optional.of(before);
       }
-      Document document = documents.ofDisk(uri, Files.readAllBytes(file));
+      Document document = session.documents().ofDisk(uri, Files.readAllBytes(file));
       Facts found = facts(document, stamp);
       // what is wrong in one that imports others depends on these
       if (document.imported().isEmpty()) {
@@ -112,13 +111,13 @@ final class WorkspaceFiles {
     }
   }
 
-  private static Facts facts(Document document, String stamp) {
+  private Facts facts(Document document, String stamp) {
     return new Facts(
         document.uri(),
         stamp,
         DiagnosticReports.id(document),
         Symbols.flat(document),
-        DiagnosticAnswers.of(document));
+        DiagnosticAnswers.of(document, session.features()));
   }
 
   private Collection<Path> files() {

@@ -125,7 +125,7 @@ final class WorkspaceRequests implements WorkspaceService {
 
   private void begin(Either<String, Integer> token) {
     WorkDoneProgressBegin begin = new WorkDoneProgressBegin();
-    begin.setTitle(text("checkingFiles"));
+    begin.setTitle(session.features().shown(text("checkingFiles")));
     tell(token, begin);
   }
 

@@ -61,6 +61,7 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
   private final CompletableFuture<Boolean> served = new CompletableFuture<>();
   private final BytePipe toServer = new BytePipe();
   private final Path program;
+  private String locale;
   private Server server;
 
   private DebugClient(Path program) {
@@ -161,8 +162,15 @@ final class DebugClient implements IDebugProtocolClient, AutoCloseable {
     }
   }
 
+  /** Names its language; to be called first. */
+  DebugClient speaking(String locale) {
+    this.locale = locale;
+    return this;
+  }
+
   Capabilities initialize() {
     InitializeRequestArguments told = new InitializeRequestArguments();
+    told.setLocale(locale);
     told.setAdapterID("pendant");
     told.setSupportsVariablePaging(true);
     return await(server.initialize(told));

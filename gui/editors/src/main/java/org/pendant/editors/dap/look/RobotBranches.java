@@ -69,7 +69,7 @@ public final class RobotBranches {
     all.add(Shown.leaf("robot_mode", word(state.safety().robotMode()), ""));
     all.add(Shown.leaf("safety_mode", word(state.safety().safetyMode()), ""));
     Optional<String> stop = state.safety().stop().map(SafetyStop::message);
-    stop.ifPresent(message -> all.add(Shown.leaf("safety_stop", message, "")));
+    stop.ifPresent(message -> all.add(Shown.message("safety_stop", message)));
     all.add(Shown.leaf("moving", word(state.arm().moving()), ""));
     OF_ROBOT.forEach(name -> all.add(shown(name, state)));
     return Branch.of(all, false, RobotBranches::watchable);
@@ -107,7 +107,8 @@ public final class RobotBranches {
         "",
         "",
         Optional.of(
-            Branch.of(parts, true, part -> Optional.of(WatchedSignal.WATCHABLE + name + part))));
+            Branch.of(parts, true, part -> Optional.of(WatchedSignal.WATCHABLE + name + part))),
+        false);
   }
 
   private static Shown part(StateQuantity quantity, int index, String text) {

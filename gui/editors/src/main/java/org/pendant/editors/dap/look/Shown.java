@@ -1,6 +1,7 @@
 package org.pendant.editors.dap.look;
 
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.pendant.language.source.ByteText;
 import org.pendant.script.debug.Variable;
 import org.pendant.script.value.ValueKind;
@@ -13,14 +14,23 @@ import org.pendant.script.value.ValueKind;
  * @param type of it; empty without a value
  * @param expression what yields it; empty where no expression does
  * @param branch its parts; empty for none
+ * @param said whether its text is a message and no value
  */
 public record Shown(
-    String name, String value, String type, String expression, Optional<Branch> branch) {
-  private static final String NO_VALUE = LookTexts.text("noValue");
-
+    String name,
+    String value,
+    String type,
+    String expression,
+    Optional<Branch> branch,
+    boolean said) {
   /** One without parts, which no expression yields. */
   public static Shown leaf(String name, String value, String type) {
-    return new Shown(name, value, type, "", Optional.empty());
+    return new Shown(name, value, type, "", Optional.empty(), false);
+  }
+
+  /** A message. */
+  static Shown message(String name, String message) {
+    return new Shown(name, message, "", "", Optional.empty(), true);
   }
 
   /** A variable with its parts. */
@@ -30,12 +40,13 @@ public record Shown(
         text(variable),
         variable.kind().map(ValueKind::text).orElse(""),
         ByteText.decoded(variable.expression()),
-        branch);
+        branch,
+        variable.kind().isEmpty());
   }
 
   private static String text(Variable variable) {
     if (variable.kind().isEmpty()) {
-      return NO_VALUE;
+      return LookTexts.text("noValue");
     }
     String text = ByteText.decoded(variable.text());
     return variable.kind().get() == ValueKind.STRING ? '"' + text + '"' : text;
@@ -43,6 +54,15 @@ public record Shown(
 
   /** The same under another name. */
   public Shown named(String other) {
-    return new Shown(other, value, type, expression, branch);
+    return new Shown(other, value, type, expression, branch, said);
+  }
+
+  /**
+   * Its text, which is translated if it is a message.
+   *
+   * @param translate says messages in the language of who looks
+   */
+  public String value(UnaryOperator<String> translate) {
+    return said ? translate.apply(value) : value;
   }
 }

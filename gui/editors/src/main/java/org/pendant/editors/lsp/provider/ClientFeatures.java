@@ -6,10 +6,13 @@ import org.eclipse.lsp4j.ClientCapabilities;
 import org.eclipse.lsp4j.CompletionCapabilities;
 import org.eclipse.lsp4j.CompletionItemCapabilities;
 import org.eclipse.lsp4j.HoverCapabilities;
+import org.eclipse.lsp4j.InitializeParams;
 import org.eclipse.lsp4j.MarkupKind;
 import org.eclipse.lsp4j.TextDocumentClientCapabilities;
 import org.eclipse.lsp4j.WindowClientCapabilities;
 import org.eclipse.lsp4j.WorkspaceClientCapabilities;
+import org.pendant.editors.wire.ClientLanguages;
+import org.pendant.text.MessageTranslator;
 
 /**
  * Client features: what the client has said that it can do, as far as answers depend on it.
@@ -23,6 +26,7 @@ import org.eclipse.lsp4j.WorkspaceClientCapabilities;
  * @param refreshesDiagnostics whether it can be told to ask for diagnostics anew
  * @param refreshesLenses whether it can be told to ask for code lenses anew
  * @param refreshesHints whether it can be told to ask for inlay hints anew
+ * @param language says what people read in their language
  */
 public record ClientFeatures(
     boolean snippets,
@@ -33,13 +37,16 @@ public record ClientFeatures(
     boolean progress,
     boolean refreshesDiagnostics,
     boolean refreshesLenses,
-    boolean refreshesHints) {
+    boolean refreshesHints,
+    MessageTranslator language) {
   /** A client that can do as little as the protocol asks for. */
   public static final ClientFeatures LEAST =
-      new ClientFeatures(false, false, false, false, false, false, false, false, false);
+      new ClientFeatures(
+          false, false, false, false, false, false, false, false, false, ClientLanguages.ENGLISH);
 
-  /** What {@code client} says of itself. */
-  public static ClientFeatures of(ClientCapabilities client) {
+  /** What a client says of itself. */
+  public static ClientFeatures of(InitializeParams told) {
+    ClientCapabilities client = told.getCapabilities();
     Optional<TextDocumentClientCapabilities> text =
         Optional.ofNullable(client).map(ClientCapabilities::getTextDocument);
     Optional<WorkspaceClientCapabilities> workspace =
@@ -72,7 +79,13 @@ public record ClientFeatures(
         yes(
             workspace
                 .map(WorkspaceClientCapabilities::getInlayHint)
-                .map(each -> each.getRefreshSupport())));
+                .map(each -> each.getRefreshSupport())),
+        ClientLanguages.of(told.getLocale()));
+  }
+
+  /** A message as its people read it. */
+  public String shown(String message) {
+    return language.shown(message);
   }
 
   private static boolean prefersMarkdown(List<String> formats) {

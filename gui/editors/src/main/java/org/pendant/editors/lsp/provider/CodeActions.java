@@ -25,7 +25,8 @@ public final class CodeActions {
   private CodeActions() {}
 
   /** Those for the diagnostics in the range of {@code asked}, of the kinds that it asks for. */
-  public static List<CodeAction> of(Document document, CodeActionParams asked) {
+  public static List<CodeAction> of(
+      Document document, CodeActionParams asked, ClientFeatures client) {
     List<CodeAction> actions = new ArrayList<>();
     List<String> kinds = asked.getContext().getOnly();
     if (wants(kinds, CodeActionKind.QuickFix)) {
@@ -33,10 +34,10 @@ public final class CodeActions {
       document.analysis().diagnostics().stream()
           .filter(each -> overlaps(each.range(), range))
           .limit(DiagnosticAnswers.MAX_DIAGNOSTICS)
-          .forEach(each -> actions.addAll(fixes(document, each)));
+          .forEach(each -> actions.addAll(fixes(document, each, client)));
     }
     if (kinds != null && wants(kinds, FIX_ALL)) {
-      fixAll(document).ifPresent(actions::add);
+      fixAll(document, client).ifPresent(actions::add);
     }
     return List.copyOf(actions);
   }
@@ -51,12 +52,18 @@ public final class CodeActions {
     return range.start() <= asked.end() && asked.start() <= range.end();
   }
 
-  private static List<CodeAction> fixes(Document document, Diagnostic diagnostic) {
+  private static List<CodeAction> fixes(
+      Document document, Diagnostic diagnostic, ClientFeatures client) {
     List<QuickFix> fixes = document.analysis().fixes(diagnostic);
     List<CodeAction> actions = new ArrayList<>();
     for (QuickFix fix : fixes) {
-      CodeAction action = action(document, fix.title(), CodeActionKind.QuickFix, fix.edits());
-      action.setDiagnostics(List.of(DiagnosticAnswers.diagnostic(document, diagnostic)));
+      CodeAction action =
+          action(
+              document,
+              client.shown(ByteText.decoded(fix.title())),
+              CodeActionKind.QuickFix,
+              fix.edits());
+      action.setDiagnostics(List.of(DiagnosticAnswers.diagnostic(document, diagnostic, client)));
       action.setIsPreferred(fixes.size() == 1);
       actions.add(action);
     }
@@ -64,7 +71,7 @@ public final class CodeActions {
   }
 
   /** What has one way only to be put right, unless another edit is in the way. */
-  private static Optional<CodeAction> fixAll(Document document) {
+  private static Optional<CodeAction> fixAll(Document document, ClientFeatures client) {
     List<org.pendant.language.service.TextEdit> edits = new ArrayList<>();
     for (Diagnostic diagnostic : document.analysis().diagnostics()) {
       List<QuickFix> fixes = document.analysis().fixes(diagnostic);
@@ -75,7 +82,7 @@ public final class CodeActions {
     }
     return edits.isEmpty()
         ? Optional.empty()
-        : Optional.of(action(document, text("fixAll"), FIX_ALL, edits));
+        : Optional.of(action(document, client.shown(text("fixAll")), FIX_ALL, edits));
   }
 
   private static boolean fits(
@@ -94,7 +101,7 @@ public final class CodeActions {
       String kind,
       List<org.pendant.language.service.TextEdit> edits) {
     List<TextEdit> told = document.edits(edits);
-    CodeAction action = new CodeAction(ByteText.decoded(title));
+    CodeAction action = new CodeAction(title);
     action.setKind(kind);
     action.setEdit(new WorkspaceEdit(Map.of(document.uri(), told)));
     return action;

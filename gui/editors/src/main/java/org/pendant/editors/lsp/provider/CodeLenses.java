@@ -30,16 +30,30 @@ public final class CodeLenses {
    *
    * @param lastRun how long the program took when it was run last, as text
    */
-  public static List<CodeLens> of(Document document, Optional<String> lastRun) {
+  public static List<CodeLens> of(
+      Document document, Optional<String> lastRun, ClientFeatures client) {
     List<OutlineItem> outline = document.analysis().outline();
     List<CodeLens> lenses = new ArrayList<>();
     String uri = document.uri();
     if (TestCatalogue.isFor(document.source().name())) {
       for (OutlineItem item : outline) {
         if (item.name().startsWith(TEST_PREFIX)) {
-          lenses.add(lens(document, item.nameRange(), text("runTest"), RUN_TEST, uri, item.name()));
           lenses.add(
-              lens(document, item.nameRange(), text("debugTest"), DEBUG_TEST, uri, item.name()));
+              lens(
+                  document,
+                  item.nameRange(),
+                  client.shown(text("runTest")),
+                  RUN_TEST,
+                  uri,
+                  item.name()));
+          lenses.add(
+              lens(
+                  document,
+                  item.nameRange(),
+                  client.shown(text("debugTest")),
+                  DEBUG_TEST,
+                  uri,
+                  item.name()));
         }
       }
       return List.copyOf(lenses);
@@ -48,9 +62,9 @@ public final class CodeLenses {
       return List.of();
     }
     SourceRange place = program(document, outline);
-    lenses.add(lens(document, place, text("run"), RUN, uri));
-    lenses.add(lens(document, place, text("debug"), DEBUG, uri));
-    lastRun.ifPresent(text -> lenses.add(lens(document, place, text, "")));
+    lenses.add(lens(document, place, client.shown(text("run")), RUN, uri));
+    lenses.add(lens(document, place, client.shown(text("debug")), DEBUG, uri));
+    lastRun.ifPresent(text -> lenses.add(lens(document, place, client.shown(text), "")));
     return List.copyOf(lenses);
   }
 

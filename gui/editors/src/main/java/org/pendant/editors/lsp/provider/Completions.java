@@ -45,6 +45,9 @@ public final class Completions {
     item.setSortText(sortText(rank));
     item.setFilterText(decoded(completion.label()));
     String detail = decoded(completion.detail());
+    if (completion.kind() == Kind.KEYWORD || completion.kind() == Kind.SNIPPET) {
+      detail = client.shown(detail);
+    }
     if (!detail.isEmpty()) {
       item.setDetail(detail);
       CompletionItemLabelDetails beside = new CompletionItemLabelDetails();
@@ -95,7 +98,7 @@ public final class Completions {
   public static CompletionItem resolved(
       CompletionItem item, Optional<Catalogue> catalogue, ClientFeatures client) {
     catalogue
-        .flatMap(all -> Explanations.named(all, item.getLabel()))
+        .flatMap(all -> Explanations.named(all, item.getLabel(), client))
         .ifPresent(
             text ->
                 item.setDocumentation(

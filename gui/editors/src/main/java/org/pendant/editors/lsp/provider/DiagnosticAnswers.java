@@ -19,11 +19,11 @@ public final class DiagnosticAnswers {
   private DiagnosticAnswers() {}
 
   /** All of {@code document}, the first ones where there are too many. */
-  public static List<Diagnostic> of(Document document) {
+  public static List<Diagnostic> of(Document document, ClientFeatures client) {
     return document.analysis().diagnostics().stream()
         .filter(each -> !isImported(document, each))
         .limit(MAX_DIAGNOSTICS)
-        .map(each -> diagnostic(document, each))
+        .map(each -> diagnostic(document, each, client))
         .toList();
   }
 
@@ -38,11 +38,11 @@ public final class DiagnosticAnswers {
   }
 
   static Diagnostic diagnostic(
-      Document document, org.pendant.language.source.Diagnostic diagnostic) {
+      Document document, org.pendant.language.source.Diagnostic diagnostic, ClientFeatures client) {
     Diagnostic told =
         new Diagnostic(
             document.range(diagnostic.range()),
-            VisibleText.of(ByteText.decoded(diagnostic.message())),
+            client.shown(VisibleText.of(ByteText.decoded(diagnostic.message()))),
             diagnostic.isError() ? DiagnosticSeverity.Error : DiagnosticSeverity.Warning,
             SOURCE,
             diagnostic.code());

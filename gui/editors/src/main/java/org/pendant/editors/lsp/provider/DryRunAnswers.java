@@ -31,13 +31,15 @@ public final class DryRunAnswers {
   private DryRunAnswers() {}
 
   /** What stopped the program, and lines on which the arm comes near to a limit. */
-  public static List<Diagnostic> diagnostics(Document document, DryRunResult result) {
+  public static List<Diagnostic> diagnostics(
+      Document document, DryRunResult result, ClientFeatures client) {
     List<Diagnostic> told = new ArrayList<>();
-    result.trouble().ifPresent(trouble -> told.add(diagnostic(document, trouble)));
+    result.trouble().ifPresent(trouble -> told.add(diagnostic(document, trouble, client)));
     for (LineStatistics line : result.lines()) {
       for (Worst worst : line.worst()) {
         if (worst.margin() != Margin.JOINT_SPEED && worst.used() >= NEAR) {
-          Diagnostic near = new Diagnostic(range(document, line.line()), words(worst));
+          Diagnostic near =
+              new Diagnostic(range(document, line.line()), client.shown(words(worst)));
           near.setSeverity(DiagnosticSeverity.Information);
           near.setSource(SOURCE);
           near.setCode("near-limit");
@@ -48,11 +50,11 @@ public final class DryRunAnswers {
     return told;
   }
 
-  private static Diagnostic diagnostic(Document document, Trouble trouble) {
+  private static Diagnostic diagnostic(Document document, Trouble trouble, ClientFeatures client) {
     Diagnostic told =
         new Diagnostic(
             trouble.range().map(document::range).orElseGet(() -> range(document, trouble.line())),
-            VisibleText.of(ByteText.decoded(trouble.message())));
+            client.shown(VisibleText.of(ByteText.decoded(trouble.message()))));
     told.setSeverity(DiagnosticSeverity.Warning);
     told.setSource(SOURCE);
     told.setCode("dry-run");
@@ -74,7 +76,8 @@ public final class DryRunAnswers {
   }
 
   /** The time of each line of {@code asked} on which the arm moves, at its end. */
-  public static List<InlayHint> hints(Document document, Range asked, DryRunResult result) {
+  public static List<InlayHint> hints(
+      Document document, Range asked, DryRunResult result, ClientFeatures client) {
     List<InlayHint> hints = new ArrayList<>();
     boolean givenUp = result.outcome() == DryRunResult.Outcome.GIVEN_UP;
     for (LineStatistics line : result.lines()) {
@@ -87,9 +90,10 @@ public final class DryRunAnswers {
       if (wanted) {
         InlayHint hint =
             new InlayHint(
-                range(document, line.line()).getEnd(), Either.forLeft(time(line, givenUp)));
+                range(document, line.line()).getEnd(),
+                Either.forLeft(client.shown(time(line, givenUp))));
         hint.setPaddingLeft(true);
-        hint.setTooltip(givenUp ? text("lineTimeGivenUp") : text("lineTime"));
+        hint.setTooltip(client.shown(text(givenUp ? "lineTimeGivenUp" : "lineTime")));
         hints.add(hint);
       }
     }

@@ -40,24 +40,24 @@ final class Explanations {
   }
 
   /** The function or method called {@code name}. */
-  static Optional<Text> named(Catalogue catalogue, String name) {
+  static Optional<Text> named(Catalogue catalogue, String name, ClientFeatures client) {
     return catalogue
         .function(name)
         .or(() -> catalogue.all().stream().filter(each -> each.name().equals(name)).findFirst())
-        .map(Explanations::of);
+        .map(signature -> of(signature, client));
   }
 
-  static Text of(Signature signature) {
+  static Text of(Signature signature, ClientFeatures client) {
     List<String> lines = new ArrayList<>();
     if (!signature.documentation().isEmpty()) {
       lines.add(signature.documentation());
     }
     signature.parameters().forEach(each -> lines.add(each.described()));
     if (!signature.deprecated().isEmpty()) {
-      lines.add(text("deprecated", signature.deprecated()));
+      lines.add(client.shown(text("deprecated", signature.deprecated())));
     }
     if (!signature.section().isEmpty()) {
-      lines.add(text("manual", signature.section()));
+      lines.add(client.shown(text("manual", signature.section())));
     }
     return new Text(signature.head(), lines);
   }

@@ -1,5 +1,6 @@
 package org.pendant.editors.lsp.provider;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.lsp4j.Hover;
@@ -22,15 +23,19 @@ public final class Hovers {
     ScriptAnalysis analysis = document.analysis();
     return analysis
         .hover(offset)
-        .map(
-            hover ->
-                told(
-                    document,
-                    hover.range(),
-                    new Explanations.Text(hover.head(), hover.text().lines().toList()),
-                    client))
+        .map(hover -> told(document, hover.range(), explanation(hover, client), client))
         .or(() -> number(document, offset, client))
         .or(() -> pose(document, offset, client));
+  }
+
+  private static Explanations.Text explanation(
+      org.pendant.language.service.Hover hover, ClientFeatures client) {
+    List<String> lines = new ArrayList<>();
+    hover.documentation().forEach(written -> written.lines().forEach(lines::add));
+    hover.facts().forEach(fact -> lines.add(client.shown(fact)));
+    // what has brackets is code
+    String head = hover.head().indexOf('(') < 0 ? client.shown(hover.head()) : hover.head();
+    return new Explanations.Text(head, lines);
   }
 
   private static Optional<Hover> number(Document document, int offset, ClientFeatures client) {
@@ -64,7 +69,7 @@ public final class Hovers {
                 told(
                     document,
                     pose.range(),
-                    new Explanations.Text("", HumanUnits.lines(pose.elements())),
+                    new Explanations.Text("", HumanUnits.lines(pose.elements(), client)),
                     client));
   }
 

@@ -52,7 +52,7 @@ final class HumanUnits {
   }
 
   /** A pose in lines: position, rotation vector, and roll, pitch and yaw. */
-  static List<String> lines(List<Double> pose) {
+  static List<String> lines(List<Double> pose, ClientFeatures client) {
     double[] rpy = rpy(pose);
     return List.of(
         String.format(
@@ -60,16 +60,18 @@ final class HumanUnits {
             rounded(pose.get(0) * MM_PER_M, 3),
             rounded(pose.get(1) * MM_PER_M, 3),
             rounded(pose.get(2) * MM_PER_M, 3)),
-        text(
-            "rotationVector",
-            rounded(Math.toDegrees(pose.get(3)), 3),
-            rounded(Math.toDegrees(pose.get(4)), 3),
-            rounded(Math.toDegrees(pose.get(5)), 3)),
-        text(
-            "rollPitchYaw",
-            rounded(Math.toDegrees(rpy[0]), 3),
-            rounded(Math.toDegrees(rpy[1]), 3),
-            rounded(Math.toDegrees(rpy[2]), 3)));
+        client.shown(
+            text(
+                "rotationVector",
+                rounded(Math.toDegrees(pose.get(3)), 3),
+                rounded(Math.toDegrees(pose.get(4)), 3),
+                rounded(Math.toDegrees(pose.get(5)), 3))),
+        client.shown(
+            text(
+                "rollPitchYaw",
+                rounded(Math.toDegrees(rpy[0]), 3),
+                rounded(Math.toDegrees(rpy[1]), 3),
+                rounded(Math.toDegrees(rpy[2]), 3))));
   }
 
   private static double[] rpy(List<Double> pose) {

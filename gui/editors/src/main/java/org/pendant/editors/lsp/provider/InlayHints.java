@@ -25,18 +25,21 @@ public final class InlayHints {
 
   private final Document document;
   private final HintSettings settings;
+  private final ClientFeatures client;
   private final SourceRange asked;
   private final List<InlayHint> hints = new ArrayList<>();
 
-  private InlayHints(Document document, Range range, HintSettings settings) {
+  private InlayHints(Document document, Range range, HintSettings settings, ClientFeatures client) {
+    this.client = client;
     this.document = document;
     this.settings = settings;
     asked = document.positions().range(range);
   }
 
   /** Those in {@code range}. */
-  public static List<InlayHint> of(Document document, Range range, HintSettings settings) {
-    InlayHints hints = new InlayHints(document, range, settings);
+  public static List<InlayHint> of(
+      Document document, Range range, HintSettings settings, ClientFeatures client) {
+    InlayHints hints = new InlayHints(document, range, settings, client);
     for (CallSite call : document.analysis().calls()) {
       if (hints.concerns(call.range())) {
         call.arguments().forEach(hints::argument);
@@ -96,7 +99,7 @@ public final class InlayHints {
             document.positions().position(pose.range().end()),
             Either.forLeft(HumanUnits.shortPose(pose.elements())));
     hint.setPaddingLeft(true);
-    hint.setTooltip(String.join("\n", HumanUnits.lines(pose.elements())));
+    hint.setTooltip(String.join("\n", HumanUnits.lines(pose.elements(), client)));
     hints.add(hint);
   }
 }

@@ -26,7 +26,10 @@ public final class Symbols {
     List<OutlineItem> outline = document.analysis().outline();
     if (client.nestedSymbols()) {
       return outline.stream()
-          .map(item -> Either.<SymbolInformation, DocumentSymbol>forRight(nested(document, item)))
+          .map(
+              item ->
+                  Either.<SymbolInformation, DocumentSymbol>forRight(
+                      nested(document, item, client)))
           .toList();
     }
     List<Either<SymbolInformation, DocumentSymbol>> flat = new ArrayList<>();
@@ -86,15 +89,16 @@ public final class Symbols {
         symbol.container());
   }
 
-  private static DocumentSymbol nested(Document document, OutlineItem item) {
+  private static DocumentSymbol nested(Document document, OutlineItem item, ClientFeatures client) {
     DocumentSymbol symbol =
         new DocumentSymbol(
-            item.name().isEmpty() ? text("noName") : item.name(),
+            item.name().isEmpty() ? client.shown(text("noName")) : item.name(),
             kind(item),
             document.range(item.range()),
             document.range(item.nameRange()),
             item.detail());
-    symbol.setChildren(item.children().stream().map(each -> nested(document, each)).toList());
+    symbol.setChildren(
+        item.children().stream().map(each -> nested(document, each, client)).toList());
     return symbol;
   }
 

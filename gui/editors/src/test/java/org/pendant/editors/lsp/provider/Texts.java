@@ -4,6 +4,7 @@ import org.eclipse.lsp4j.Position;
 import org.pendant.editors.lsp.text.Catalogues;
 import org.pendant.editors.lsp.text.Document;
 import org.pendant.editors.lsp.text.PositionEncoding;
+import org.pendant.editors.wire.ClientLanguages;
 
 /**
  * A text with a caret in it, written as {@code |} in the examples of these tests.
@@ -15,7 +16,8 @@ record Texts(Document document, Position caret) {
   static final String URI = "file:///programs/cell.script";
 
   static final ClientFeatures ABLE =
-      new ClientFeatures(true, true, false, true, false, false, false, false, false);
+      new ClientFeatures(
+          true, true, false, true, false, false, false, false, false, ClientLanguages.ENGLISH);
 
   private static final Catalogues CATALOGUES = new Catalogues();
 

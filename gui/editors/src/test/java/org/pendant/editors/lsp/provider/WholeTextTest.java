@@ -34,7 +34,8 @@ final class WholeTextTest {
 
   @Test
   void aMistakeHasItsPlaceItsCodeAndItsWords() {
-    var diagnostic = DiagnosticAnswers.of(Texts.document("# ä\nmovje([0,0,0,0,0,0])")).getFirst();
+    var diagnostic =
+        DiagnosticAnswers.of(Texts.document("# ä\nmovje([0,0,0,0,0,0])"), Texts.ABLE).getFirst();
     assertEquals(new Range(new Position(1, 0), new Position(1, 5)), diagnostic.getRange());
     assertEquals(DiagnosticSeverity.Error, diagnostic.getSeverity());
     assertEquals("pendant", diagnostic.getSource());
@@ -44,7 +45,8 @@ final class WholeTextTest {
   @Test
   void whatNeverRunsIsShownFaded() {
     var diagnostic =
-        DiagnosticAnswers.of(Texts.document("def f():\n  return 1\n  sleep(1)\nend")).getFirst();
+        DiagnosticAnswers.of(Texts.document("def f():\n  return 1\n  sleep(1)\nend"), Texts.ABLE)
+            .getFirst();
     assertEquals(DiagnosticSeverity.Warning, diagnostic.getSeverity());
     assertEquals(List.of(DiagnosticTag.Unnecessary), diagnostic.getTags());
   }
@@ -52,8 +54,10 @@ final class WholeTextTest {
   @Test
   void testsMayCallMoreThanPrograms() {
     String test = "def test_it():\n  assert_true(True)\nend\n";
-    assertEquals(List.of(), DiagnosticAnswers.of(Texts.document("file:///cell_test.script", test)));
-    assertFalse(DiagnosticAnswers.of(Texts.document(test)).isEmpty());
+    assertEquals(
+        List.of(),
+        DiagnosticAnswers.of(Texts.document("file:///cell_test.script", test), Texts.ABLE));
+    assertFalse(DiagnosticAnswers.of(Texts.document(test), Texts.ABLE).isEmpty());
   }
 
   @Test
@@ -159,7 +163,9 @@ final class WholeTextTest {
       context.setOnly(List.of(kinds));
     }
     return CodeActions.of(
-        document, new CodeActionParams(new TextDocumentIdentifier(Texts.URI), range, context));
+        document,
+        new CodeActionParams(new TextDocumentIdentifier(Texts.URI), range, context),
+        Texts.ABLE);
   }
 
   @Test
@@ -192,7 +198,7 @@ final class WholeTextTest {
             () -> false);
     Range all = new Range(new Position(0, 0), new Position(4, 0));
     List<String> told =
-        DryRunAnswers.hints(document, all, result).stream()
+        DryRunAnswers.hints(document, all, result, Texts.ABLE).stream()
             .map(hint -> hint.getLabel().getLeft())
             .toList();
     assertTrue(
@@ -200,7 +206,7 @@ final class WholeTextTest {
   }
 
   private static List<String> hints(String text, HintSettings settings) {
-    return InlayHints.of(Texts.document(text), ALL, settings).stream()
+    return InlayHints.of(Texts.document(text), ALL, settings, Texts.ABLE).stream()
         .map(WholeTextTest::shown)
         .toList();
   }
@@ -227,7 +233,7 @@ final class WholeTextTest {
   }
 
   private static List<String> lenses(Document document) {
-    return CodeLenses.of(document, Optional.of("4.2 s")).stream()
+    return CodeLenses.of(document, Optional.of("4.2 s"), Texts.ABLE).stream()
         .map(
             lens ->
                 lens.getRange().getStart().getLine()
